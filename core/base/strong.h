@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace nmc {
+
+/// A number with a meaning: two Strong types never mix by accident. Arithmetic is done on value().
+template <typename Tag, typename Rep>
+class Strong {
+public:
+    constexpr Strong() = default;
+    constexpr explicit Strong(Rep value) : m_value(value) {}
+    [[nodiscard]] constexpr Rep value() const { return m_value; }
+    constexpr auto operator<=>(const Strong&) const = default;
+
+private:
+    Rep m_value{};
+};
+
+/// Place of a module in the order of addressing; 0 is the module farthest from the host (DS-V 4.1).
+using ModuleIndex = Strong<struct ModuleIndexTag, std::uint8_t>;
+
+/// The address byte of a packet: individual 0..255, or a group's 0x80..0xFF (DS-V 4.1).
+using BusAddress = Strong<struct BusAddressTag, std::uint8_t>;
+
+/// Position in encoder counts, or steps. 32 bits, as on the chips; wraps.
+using Counts = Strong<struct CountsTag, std::int32_t>;
+
+/// Velocity magnitude, 16.16 fixed point, counts per servo tick (DS-V 4.4): 65536 is one count per tick.
+using CountsPerTick = Strong<struct CountsPerTickTag, std::uint32_t>;
+
+/// Acceleration, 16.16 fixed point, counts per servo tick squared (DS-V 4.4).
+using CountsPerTickSquared = Strong<struct CountsPerTickSquaredTag, std::uint32_t>;
+
+}  // namespace nmc

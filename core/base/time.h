@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace nmc {
+
+/// The time base of bus and simulator. It has no now(): time is stamped at the transport (or by a test)
+/// and handed in, so that everything in core runs in virtual time as well.
+struct BusClock {
+    using rep = std::int64_t;
+    using period = std::nano;
+    using duration = std::chrono::nanoseconds;
+    using time_point = std::chrono::time_point<BusClock>;
+    static constexpr bool is_steady = true;
+};
+
+using Duration = BusClock::duration;
+using TimePoint = BusClock::time_point;
+
+/// One servo tick at 20 MHz: 1953.125 ticks per second (DS-V 3.1).
+inline constexpr Duration kServoTick = std::chrono::microseconds(512);
+
+[[nodiscard]] constexpr double toSeconds(Duration d) { return static_cast<double>(d.count()) * 1e-9; }
+[[nodiscard]] constexpr Duration fromSeconds(double s) {
+    return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0 ? -0.5 : 0.5)));
+}
+
+}  // namespace nmc

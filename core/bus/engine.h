@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/time.h"
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+struct EngineConfig {
+    /// Nominal rate to run at, one of kBaudRows. Discovery always begins at 19 200.
+    std::uint32_t baud = 19'200;
+    /// What the adapter adds to every reply (link.md 2.1).
+    Duration adapterLatency = std::chrono::milliseconds(4);
+    /// Scheduling margin of this machine (link.md 2.1).
+    Duration margin = std::chrono::milliseconds(10);
+    /// Wait after a Hard Reset: longer than any module's dead time seen in the field (protocol.md 1).
+    Duration resetWait = std::chrono::milliseconds(25);
+    /// Held motion ends this long after the last hold().
+    Duration holdTimeout = std::chrono::milliseconds(250);
+};
+
+/// The master of the bus: one exchange in flight; stops before commands before polls.
+///
+/// Sans-I/O: bytes and time points in; output, samples and events out. It owns no thread, port or clock.
+/// After every call the caller does what takeOutput() says, in order, and arms a timer for nextDeadline().
+/// One thread (the bus thread, or a test).
+class Engine {
+public:
+    explicit Engine(EngineConfig config);
+    ~Engine();
+    Engine(Engine&&) noexcept;
+    Engine& operator=(Engine&&) noexcept;
+
+    /// Restarts the network (Hard Reset at every rate a chain may have been left at) and finds the chain:
+    /// nulls, addresses, type and version, rate change with verification, default status; then polls.
+    /// Ends in ChainFound or ConnectFailed. Positions and gains of the modules are lost.
+    void connect(TimePoint now);
+
+    /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
+    void submit(Operation operation, TimePoint now);
+
+    /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
+    /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold().
+    void hold(const HoldToMove& hold, TimePoint now);
+    void release(TimePoint now);
+
+    /// Stops every motor, past all queues; queued operations are cancelled and a hold ends. A servo that is on
+    /// is stopped abruptly and keeps holding; one that is off stays off (link.md 2.6). Repeated until each
+    /// module confirmed twice or does not answer; ends in exactly one StopFinished, also when called again.
+    void stopAll(TimePoint now);
+
+    /// `bytes` arrived; `now` is when they were read.
+    void onBytes(ByteSpan bytes, TimePoint now);
+    /// nextDeadline() has passed.
+    void onDeadline(TimePoint now);
+    [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
+
+    [[nodiscard]] std::vector<Output> takeOutput();
+    [[nodiscard]] std::vector<Event> takeEvents();
+    [[nodiscard]] const LinkStatistics& statistics() const;
+    /// Modules a stop would reach now: those that answer.
+    [[nodiscard]] std::size_t stopReach() const;
+
+private:
+    class Private;
+    std::unique_ptr<Private> d;
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/strong.h"
+#include "base/time.h"
+#include "protocol/commands.h"
+
+/// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
+namespace nmc::bus {
+
+/// A command for one chip or the other.
+using ModuleCommand = std::variant<ServoCommand, StepCommand>;
+
+using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
+
+/// One command to one module.
+struct Step {
+    ModuleIndex module;
+    ModuleCommand command;
+};
+
+/// What one click asks for: steps that run in order, each after the one before was answered without the
+/// communication-error bit. The first failure ends it, so "load, check, start" never starts on a doubt.
+struct Operation {
+    OperationId id;
+    std::vector<Step> steps;
+};
+
+enum class Outcome : std::uint8_t {
+    Done,
+    Refused,    ///< the module answered with the communication-error bit, every time
+    NoAnswer,   ///< the command may or may not have been carried out
+    Forbidden,  ///< the command gate: the chip does not allow it in its present state; nothing was sent
+    Cancelled,  ///< overtaken by a stop, or the connection ended
+};
+
+/// Where a module is and what it says it is.
+struct ModuleInfo {
+    ModuleIndex index;
+    BusAddress address;
+    ModuleIdentity identity;
+    bool operator==(const ModuleInfo&) const = default;
+};
+
+/// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again.
+struct HoldToMove {
+    ModuleIndex module;
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+    bool reverse = false;
+    bool operator==(const HoldToMove&) const = default;
+};
+
+// ---- out of the engine ----
+
+/// One accepted status reply.
+struct Sample {
+    ModuleIndex module;
+    /// When the module latched the status: end of its command on the wire plus half a tick, +-half a tick.
+    TimePoint time;
+    StatusReport report;
+};
+
+/// A command was answered as carried out; `time` as in Sample. Polls are not reported.
+struct CommandExecuted {
+    ModuleIndex module;
+    TimePoint time;
+    ModuleCommand command;
+};
+
+enum class ConnectStage : std::uint8_t { Restarting, Addressing, Identifying, ChangingRate, Preparing };
+
+struct ConnectProgress {
+    ConnectStage stage;
+    std::uint8_t modules = 0;  ///< found so far
+};
+
+/// Discovery ended well; polling has begun.
+struct ChainFound {
+    std::vector<ModuleInfo> modules;
+    std::uint32_t baud = 0;
+};
+
+enum class ConnectFailure : std::uint8_t {
+    NobodyAnswers,
+    RateChange,  ///< some module did not answer at the new rate
+    Garbled,     ///< answers came but could not be read
+};
+
+struct ConnectFailed {
+    ConnectFailure reason;
+    std::vector<ModuleIndex> modules;  ///< those it failed for, where that is known
+    std::uint32_t baud = 0;            ///< the rate that was tried
+};
+
+struct OperationFinished {
+    OperationId id;
+    Outcome outcome;
+    ModuleIndex module;             ///< of the step that ended it
+    std::uint8_t commandByte = 0;   ///< of that step
+};
+
+/// A stop of all motors has run its course.
+struct StopFinished {
+    std::vector<ModuleIndex> stopped;    ///< confirmed twice
+    std::vector<ModuleIndex> unreached;  ///< did not answer, or still moves: use the hardware stop
+    Duration took{};
+};
+
+/// A module stopped answering or answers again.
+struct ModuleSilence {
+    ModuleIndex module;
+    bool silent;
+};
+
+/// A reply had the communication-error bit; the command was not carried out and is sent again, or given up.
+struct CommandRefused {
+    ModuleIndex module;
+    std::uint8_t attempt;  ///< 1, 2, 3
+};
+
+/// Every module is silent.
+struct LinkLost {};
+
+/// Held motion ended without the operator's release: the evidence stopped coming.
+struct HoldExpired {
+    ModuleIndex module;
+};
+
+using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
+                           StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired>;
+
+/// What the engine wants of the transport, to be done in order.
+struct SetHostBaud {
+    std::uint32_t baud;
+};
+struct DiscardInput {};
+struct Send {
+    std::vector<std::uint8_t> bytes;
+};
+using Output = std::variant<SetHostBaud, DiscardInput, Send>;
+
+/// Counted since connect(). An exchange is a command that was sent and asked for an answer.
+struct LinkStatistics {
+    std::uint64_t exchanges = 0;
+    std::uint64_t answered = 0;      ///< accepted replies
+    std::uint64_t retries = 0;
+    std::uint64_t timeouts = 0;
+    std::uint64_t refused = 0;       ///< communication-error bit
+    std::uint64_t badChecksum = 0;
+    std::uint64_t surplusBytes = 0;  ///< bytes nobody asked for
+    Duration roundTripSum{};
+    Duration roundTripMax{};
+    Duration wireTime{};             ///< what the answered exchanges take on a perfect line, tick wait included
+
+    [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + (surplusBytes != 0 ? 1 : 0); }
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/time.h"
+#include "bus/types.h"
+
+namespace nmc {
+
+/// What a servo is doing, as an operator would say it. Each has a word and a shape in the window.
+enum class Activity : std::uint8_t {
+    Unknown,        ///< no status yet, or a module without a data sheet here
+    Silent,         ///< does not answer: moving or not is unknown
+    NoPower,        ///< motor power is off, so the servo is off
+    ServoOff,       ///< no fault: nobody switched it on, or it was switched off
+    Tripped,        ///< it switched itself off: position error while it was on
+    PowerLost,      ///< it switched itself off: motor power went away, and stays off though power is back
+    PwmMode,        ///< servo off, a PWM value drives the motor
+    Holding,        ///< servo on, at rest
+    Accelerating,   ///< includes changing from one velocity to another
+    AtSpeed,        ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
+    Decelerating,
+};
+
+/// Third sign of a state, after shape and word.
+enum class Severity : std::uint8_t { Normal, Attention, Fault };
+
+[[nodiscard]] Severity severityOf(Activity activity);
+
+/// What the last motion command of this connection asked for.
+enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
+
+/// Everything known of one module: a value, fed by the engine's events, shown by the panels.
+/// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this connection.
+struct ModuleState {
+    bus::ModuleInfo info;
+    /// Latest value of every item; an item never reported is empty.
+    std::optional<StatusReport> latest;
+    TimePoint latestTime;
+    bool silent = false;
+    /// Gains as last confirmed; empty: unknown.
+    std::optional<servo::SetGain> gains;
+    MotionMode motion = MotionMode::None;
+    /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
+    double goalVelocity = 0.0;
+    bool amplifierEnabled = false;
+    /// The servo went off without a command of ours while it was on, and has not been on since.
+    bool switchedItselfOff = false;
+    bool powerLostWhileOn = false;
+
+    void apply(const bus::Sample& sample);
+    void apply(const bus::CommandExecuted& executed);
+
+    [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
+    [[nodiscard]] bool servoOn() const;
+    /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
+    [[nodiscard]] bool moving() const;
+    [[nodiscard]] Activity activity() const;
+};
+
+}  // namespace nmc

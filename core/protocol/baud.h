@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/time.h"
+
+namespace nmc {
+
+/// Rate of every module after power-up, in the data sheets' words (DS-V 4.1).
+inline constexpr std::uint32_t kPowerUpBaud = 19'200;
+/// The divisor the chip itself starts with: 19 531 Bd.
+inline constexpr std::uint8_t kPowerUpBrd = 63;
+
+/// One rate that both chips can make, and the divisor byte of Set Baud for it.
+struct BaudRow {
+    std::uint32_t nominal;      ///< what the host's port is set to
+    std::uint8_t dataSheetBrd;  ///< the data sheets' sample value
+    std::uint8_t brd;           ///< the value with the smaller error, which this program sends
+};
+
+/// Slowest first. protocol.md section 1 has the errors; 57 600 with code 20 is off by 3.3 %.
+inline constexpr std::array<BaudRow, 4> kBaudRows{{
+    {9'600, 129, 129},
+    {19'200, 63, 64},
+    {57'600, 20, 21},
+    {115'200, 10, 10},
+}};
+
+/// The row for a nominal rate, or nothing when the chips cannot make it.
+[[nodiscard]] std::optional<BaudRow> findBaud(std::uint32_t nominal);
+
+/// The rate a divisor really gives, in bits per second: 1 250 000 / (brd + 1) (DS-V 5.2 Set Baud Rate, 20 MHz).
+[[nodiscard]] double realRate(std::uint8_t brd);
+
+/// Time of one byte (start, 8 data, stop) at a divisor, exact in nanoseconds.
+[[nodiscard]] constexpr Duration byteTimeAtBrd(std::uint8_t brd) { return Duration(8'000LL * (brd + 1)); }
+
+/// Time of one byte at a host's rate.
+[[nodiscard]] constexpr Duration byteTimeAtBaud(std::uint32_t baud) {
+    return Duration(10'000'000'000LL / static_cast<std::int64_t>(baud));
+}
+
+}  // namespace nmc

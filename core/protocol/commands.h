@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include <tl/expected.hpp>
+
+#include "base/strong.h"
+#include "protocol/frame.h"
+#include "protocol/moduletype.h"
+#include "protocol/servocommands.h"
+#include "protocol/status.h"
+#include "protocol/stepcommands.h"
+
+namespace nmc {
+
+// Commands that mean the same to both chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one command;
+// encode() makes its payload, decode() reads a payload of that code and refuses what the data sheet does.
+
+/// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not in motion.
+struct ResetPosition {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<ResetPosition, CommandError> decode(const Payload& payload);
+    bool operator==(const ResetPosition&) const = default;
+};
+
+/// New individual address and group; the first one after reset lowers ADDR_OUT.
+struct SetAddress {
+    BusAddress address;
+    BusAddress group{0xFF};  ///< 0x80..0xFF
+    bool leader = false;     ///< on the wire: bit 7 of the group byte cleared
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<SetAddress, CommandError> decode(const Payload& payload);
+    bool operator==(const SetAddress&) const = default;
+};
+
+/// Items of every reply from now on, this one included.
+struct DefineStatus {
+    StatusItems items;
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<DefineStatus, CommandError> decode(const Payload& payload);
+    bool operator==(const DefineStatus&) const = default;
+};
+
+/// Items of this one reply.
+struct ReadStatus {
+    StatusItems items;
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<ReadStatus, CommandError> decode(const Payload& payload);
+    bool operator==(const ReadStatus&) const = default;
+};
+
+/// Runs the trajectory that was loaded last.
+struct StartMotion {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<StartMotion, CommandError> decode(const Payload& payload);
+    bool operator==(const StartMotion&) const = default;
+};
+
+/// To a group of all modules without a leader: a reply would come at the new rate.
+struct SetBaud {
+    std::uint8_t brd = 0;
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<SetBaud, CommandError> decode(const Payload& payload);
+    bool operator==(const SetBaud&) const = default;
+};
+
+/// home := position.
+struct SaveAsHome {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<SaveAsHome, CommandError> decode(const Payload& payload);
+    bool operator==(const SaveAsHome&) const = default;
+};
+
+/// Only asks for a reply with the defined items.
+struct Nop {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<Nop, CommandError> decode(const Payload& payload);
+    bool operator==(const Nop&) const = default;
+};
+
+/// Back to the power-up state; no reply.
+struct HardReset {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<HardReset, CommandError> decode(const Payload& payload);
+    bool operator==(const HardReset&) const = default;
+};
+
+using ServoCommand =
+    std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, StartMotion,
+                 servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,
+                 servo::ClearStickyBits, SaveAsHome, Nop, HardReset>;
+
+using StepCommand = std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory, StartMotion,
+                                 step::SetParameters, step::StopMotor, step::SetOutputs, step::SetHoming, SetBaud,
+                                 SaveAsHome, Nop, HardReset>;
+
+[[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const Payload& payload);
+[[nodiscard]] tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload);
+
+template <typename... Commands>
+[[nodiscard]] Payload encode(const std::variant<Commands...>& command) {
+    return std::visit([](const auto& c) { return c.encode(); }, command);
+}
+
+}  // namespace nmc

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "base/bytes.h"
+#include "protocol/moduletype.h"
+
+namespace nmc {
+
+/// The mask of Define Status and Read Status: which items follow the status byte.
+class StatusItems {
+public:
+    constexpr StatusItems() = default;
+    constexpr explicit StatusItems(std::uint8_t mask) : m_mask(mask) {}
+
+    static constexpr std::uint8_t Position = 0x01;
+    static constexpr std::uint8_t Analog = 0x02;
+    static constexpr std::uint8_t Velocity = 0x04;    ///< PIC-SERVO
+    static constexpr std::uint8_t TimerCount = 0x04;  ///< PIC-STEP
+    static constexpr std::uint8_t Aux = 0x08;         ///< PIC-SERVO: auxiliary status byte
+    static constexpr std::uint8_t Inputs = 0x08;      ///< PIC-STEP: inputs byte
+    static constexpr std::uint8_t Home = 0x10;
+    static constexpr std::uint8_t Identity = 0x20;
+    /// What both data sheets define; bits 6 and 7 are "clear to zero".
+    static constexpr std::uint8_t All = 0x3F;
+
+    [[nodiscard]] constexpr std::uint8_t mask() const { return m_mask; }
+    [[nodiscard]] constexpr bool has(std::uint8_t item) const { return (m_mask & item) != 0; }
+    constexpr bool operator==(const StatusItems&) const = default;
+
+private:
+    std::uint8_t m_mask = 0;
+};
+
+struct StatusItemRow {
+    std::uint8_t bit;
+    std::string_view name;
+    std::uint8_t size;  ///< bytes
+};
+
+/// The items of a chip in the order in which they are sent (DS-V 5.2, DS-S 5.1 Define Status).
+[[nodiscard]] std::span<const StatusItemRow> statusItemTable(ModuleType type);
+
+/// Bytes of a whole reply: status byte, items, checksum. 2..16.
+[[nodiscard]] std::size_t replyLength(ModuleType type, StatusItems items);
+inline constexpr std::size_t kMaxReply = 16;
+
+/// PIC-SERVO status byte (DS-V 5.3).
+namespace servo {
+struct StatusByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool moveDone() const { return (bits & 0x01U) != 0; }
+    [[nodiscard]] constexpr bool checksumError() const { return (bits & 0x02U) != 0; }
+    [[nodiscard]] constexpr bool overcurrent() const { return (bits & 0x04U) != 0; }
+    [[nodiscard]] constexpr bool powerOn() const { return (bits & 0x08U) != 0; }
+    [[nodiscard]] constexpr bool positionError() const { return (bits & 0x10U) != 0; }
+    [[nodiscard]] constexpr bool limit1() const { return (bits & 0x20U) != 0; }
+    [[nodiscard]] constexpr bool limit2() const { return (bits & 0x40U) != 0; }
+    [[nodiscard]] constexpr bool homeInProgress() const { return (bits & 0x80U) != 0; }
+    bool operator==(const StatusByte&) const = default;
+};
+/// PIC-SERVO auxiliary status byte (DS-V 5.3).
+struct AuxByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool indexComplement() const { return (bits & 0x01U) != 0; }
+    [[nodiscard]] constexpr bool positionWrap() const { return (bits & 0x02U) != 0; }
+    [[nodiscard]] constexpr bool servoOn() const { return (bits & 0x04U) != 0; }
+    [[nodiscard]] constexpr bool accelDone() const { return (bits & 0x08U) != 0; }
+    [[nodiscard]] constexpr bool slewDone() const { return (bits & 0x10U) != 0; }
+    [[nodiscard]] constexpr bool servoOverrun() const { return (bits & 0x20U) != 0; }
+    bool operator==(const AuxByte&) const = default;
+};
+/// The data sheet's names of the bits, bit 0 first; empty where undefined.
+inline constexpr std::array<std::string_view, 8> kStatusBitNames{
+    "move_done", "cksum_error", "overcurrent", "power_on", "pos_error", "limit1", "limit2", "home_in_progress"};
+inline constexpr std::array<std::string_view, 8> kAuxBitNames{
+    "index", "pos_wrap", "servo_on", "accel_done", "slew_done", "servo_overrun", "", ""};
+}  // namespace servo
+
+/// PIC-STEP status byte (DS-S 5.2).
+namespace step {
+struct StatusByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool moving() const { return (bits & 0x01U) != 0; }
+    [[nodiscard]] constexpr bool communicationError() const { return (bits & 0x02U) != 0; }
+    [[nodiscard]] constexpr bool amplifierEnabled() const { return (bits & 0x04U) != 0; }
+    [[nodiscard]] constexpr bool powerOn() const { return (bits & 0x08U) != 0; }
+    [[nodiscard]] constexpr bool atSpeed() const { return (bits & 0x10U) != 0; }
+    [[nodiscard]] constexpr bool velocityMode() const { return (bits & 0x20U) != 0; }
+    [[nodiscard]] constexpr bool trapezoidalMode() const { return (bits & 0x40U) != 0; }
+    [[nodiscard]] constexpr bool homing() const { return (bits & 0x80U) != 0; }
+    bool operator==(const StatusByte&) const = default;
+};
+/// PIC-STEP inputs byte (DS-S 5.2).
+struct InputsByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool estop() const { return (bits & 0x01U) != 0; }
+    [[nodiscard]] constexpr bool in1() const { return (bits & 0x02U) != 0; }
+    [[nodiscard]] constexpr bool in2() const { return (bits & 0x04U) != 0; }
+    [[nodiscard]] constexpr bool limit1() const { return (bits & 0x08U) != 0; }
+    [[nodiscard]] constexpr bool limit2() const { return (bits & 0x10U) != 0; }
+    [[nodiscard]] constexpr bool homeSwitch() const { return (bits & 0x20U) != 0; }
+    bool operator==(const InputsByte&) const = default;
+};
+inline constexpr std::array<std::string_view, 8> kStatusBitNames{
+    "moving",        "communication error", "amplifier enabled",     "power",
+    "at commanded speed", "velocity profile mode", "trapezoidal mode", "homing"};
+inline constexpr std::array<std::string_view, 8> kInputBitNames{
+    "E-stop", "IN1", "IN2", "limit1", "limit2", "home switch", "", ""};
+}  // namespace step
+
+/// One decoded reply. An item that was not asked for is empty.
+struct StatusReport {
+    StatusItems items;
+    std::uint8_t status = 0;
+    std::optional<std::int32_t> position;     ///< counts or steps
+    std::optional<std::uint8_t> analog;       ///< A/D, 255 = 5 V
+    std::optional<std::int16_t> velocity;     ///< PIC-SERVO, counts/tick; the wire carries its negative
+    std::optional<std::uint16_t> timerCount;  ///< PIC-STEP, current initial timer count
+    std::optional<std::uint8_t> aux;          ///< PIC-SERVO auxiliary status or PIC-STEP inputs
+    std::optional<std::int32_t> home;
+    std::optional<ModuleIdentity> identity;
+
+    [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
+    [[nodiscard]] step::StatusByte stepStatus() const { return {status}; }
+    /// Bit 1 means the same on both chips: the command was refused and not carried out.
+    [[nodiscard]] bool commandRefused() const { return (status & 0x02U) != 0; }
+    bool operator==(const StatusReport&) const = default;
+};
+
+enum class StatusError : std::uint8_t { Length, Checksum };
+
+/// Decodes a whole reply, whose layout the host must know beforehand: there is neither header nor length.
+[[nodiscard]] tl::expected<StatusReport, StatusError> decodeStatus(ModuleType type, StatusItems items,
+                                                                   ByteSpan reply);
+
+}  // namespace nmc
