@@ -32,7 +32,8 @@ public:
     /// Takes everything that is there, oldest first.
     [[nodiscard]] std::vector<T> takeAll() {
         const std::scoped_lock lock(m_mutex);
-        std::vector<T> values(std::make_move_iterator(m_values.begin()), std::make_move_iterator(m_values.end()));
+        std::vector<T> values(std::make_move_iterator(m_values.begin()),
+                              std::make_move_iterator(m_values.end()));
         m_values.clear();
         return values;
     }

@@ -16,7 +16,8 @@ namespace nmc {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// A byte string with a fixed capacity and no allocation. push_back beyond the capacity is a programming error.
+/// A byte string with a fixed capacity and no allocation. push_back beyond the capacity is a programming
+/// error.
 template <std::size_t Capacity>
 class ByteBuffer {
 public:
@@ -54,8 +55,6 @@ public:
     [[nodiscard]] constexpr const std::uint8_t* data() const { return m_bytes.data(); }
     [[nodiscard]] constexpr const std::uint8_t* begin() const { return m_bytes.data(); }
     [[nodiscard]] constexpr const std::uint8_t* end() const { return m_bytes.data() + m_size; }
-    // NOLINTNEXTLINE(google-explicit-constructor): a buffer is a span of its bytes wherever one is wanted.
-    constexpr operator ByteSpan() const { return {m_bytes.data(), m_size}; }
 
     friend constexpr bool operator==(const ByteBuffer& a, const ByteBuffer& b) {
         if (a.m_size != b.m_size)

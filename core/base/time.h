@@ -22,7 +22,9 @@ using TimePoint = BusClock::time_point;
 /// One servo tick at 20 MHz: 1953.125 ticks per second (DS-V 3.1).
 inline constexpr Duration kServoTick = std::chrono::microseconds(512);
 
-[[nodiscard]] constexpr double toSeconds(Duration d) { return static_cast<double>(d.count()) * 1e-9; }
+[[nodiscard]] constexpr double toSeconds(Duration d) {
+    return static_cast<double>(d.count()) * 1e-9;
+}
 [[nodiscard]] constexpr Duration fromSeconds(double s) {
     return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0 ? -0.5 : 0.5)));
 }

@@ -50,8 +50,8 @@ public:
     void hold(const HoldToMove& hold, TimePoint now);
     void release(TimePoint now);
 
-    /// Stops every motor, past all queues; queued operations are cancelled and a hold ends. A servo that is on
-    /// is stopped abruptly and keeps holding; one that is off stays off (link.md 2.6). Repeated until each
+    /// Stops every motor, past all queues; queued operations are cancelled and a hold ends. A servo that is
+    /// on is stopped abruptly and keeps holding; one that is off stays off (link.md 2.6). Repeated until each
     /// module confirmed twice or does not answer; ends in exactly one StopFinished, also when called again.
     void stopAll(TimePoint now);
 

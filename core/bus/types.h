@@ -101,8 +101,8 @@ struct ConnectFailed {
 struct OperationFinished {
     OperationId id;
     Outcome outcome;
-    ModuleIndex module;             ///< of the step that ended it
-    std::uint8_t commandByte = 0;   ///< of that step
+    ModuleIndex module;            ///< of the step that ended it
+    std::uint8_t commandByte = 0;  ///< of that step
 };
 
 /// A stop of all motors has run its course.
@@ -132,8 +132,9 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                           StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired>;
+using Event =
+    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
+                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {
@@ -145,20 +146,23 @@ struct Send {
 };
 using Output = std::variant<SetHostBaud, DiscardInput, Send>;
 
-/// Counted since connect(). An exchange is a command that was sent and asked for an answer.
+/// Counted since the chain was found: the silence behind its last module is no error. An exchange is a
+/// command that was sent and asked for an answer.
 struct LinkStatistics {
     std::uint64_t exchanges = 0;
-    std::uint64_t answered = 0;      ///< accepted replies
+    std::uint64_t answered = 0;  ///< accepted replies
     std::uint64_t retries = 0;
     std::uint64_t timeouts = 0;
-    std::uint64_t refused = 0;       ///< communication-error bit
+    std::uint64_t refused = 0;  ///< communication-error bit
     std::uint64_t badChecksum = 0;
     std::uint64_t surplusBytes = 0;  ///< bytes nobody asked for
     Duration roundTripSum{};
     Duration roundTripMax{};
-    Duration wireTime{};             ///< what the answered exchanges take on a perfect line, tick wait included
+    Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included
 
-    [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + (surplusBytes != 0 ? 1 : 0); }
+    [[nodiscard]] std::uint64_t errors() const {
+        return timeouts + refused + badChecksum + (surplusBytes != 0 ? 1 : 0);
+    }
 };
 
 }  // namespace nmc::bus

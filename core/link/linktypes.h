@@ -13,7 +13,8 @@ struct PortEntry {
     QString description;  ///< "USB Serial Converter", may be empty
 };
 
-/// The name of the built-in simulator in the port list; a chain may follow after '=' ("simulator=servo,servo@1").
+/// The name of the built-in simulator in the port list; a chain may follow after '='
+/// ("simulator=servo,servo@1").
 inline const QString kSimulatorPort = QStringLiteral("simulator");
 
 /// Why a port cannot be used, or is no longer.
@@ -30,9 +31,9 @@ enum class PortProblem : std::uint8_t {
 struct PortError {
     PortProblem problem = PortProblem::Other;
     QString port;
-    QString group;   ///< NoPermission: the group that may use the port, where it is known
-    QString user;    ///< NoPermission: the present user
-    QString detail;  ///< the system's own words
+    QString group;         ///< NoPermission: the group that may use the port, where it is known
+    QString user;          ///< NoPermission: the present user
+    QString detail;        ///< the system's own words
     int movingMotors = 0;  ///< Gone: how many were moving at the last word
 };
 

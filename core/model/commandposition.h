@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 
 #include "base/time.h"
 #include "bus/types.h"
@@ -11,51 +10,78 @@
 
 namespace nmc {
 
-/// The command position of one PIC-SERVO v1-v4, rebuilt from what was sent, because the chip reports neither it nor
-/// the position error (scope.md). Closed-form profile mathematics in continuous time, independent of the simulator.
-/// Positions in counts, times from the bus clock. Nothing where it cannot be known.
+/// A profile as the chip would run it, in continuous time: accelerate, slew, decelerate (DS-V 4.4).
+/// Positions in counts, time in seconds from the start, velocities in counts/s.
+class ProfileCurve {
+public:
+    /// Rests at a position.
+    static ProfileCurve rest(double position);
+    /// From standstill at `from` exactly to `goal`; triangular when the distance is too short for the
+    /// velocity.
+    static ProfileCurve trapezoid(double from, double goal, double velocity, double acceleration);
+    /// From `velocity` to `goalVelocity` at `acceleration`, then on at it for ever.
+    static ProfileCurve velocityChange(double from, double velocity, double goalVelocity,
+                                       double acceleration);
+
+    [[nodiscard]] double position(double s) const;
+    [[nodiscard]] double velocity(double s) const;
+    /// Until the last phase with a changing velocity has ended; infinite when it never ends.
+    [[nodiscard]] double duration() const { return m_accelTime + m_slewTime + m_decelTime; }
+    [[nodiscard]] double goalVelocity() const { return m_endVelocity; }
+    /// The same curve in a time that runs slower by `factor`; for a changed servo rate divisor.
+    [[nodiscard]] ProfileCurve stretched(double factor) const;
+
+private:
+    double m_from = 0, m_startVelocity = 0;
+    double m_accelTime = 0, m_slewTime = 0, m_decelTime = 0;
+    double m_accel = 0, m_decel = 0;  ///< signed, counts/s^2
+    double m_endVelocity = 0;
+    std::optional<double> m_goal;  ///< where it ends exactly
+};
+
+/// The command position of one PIC-SERVO v1-v4, rebuilt from what was sent, because the chip reports neither
+/// it nor the position error (scope.md). Independent of the simulator. Nothing where it cannot be known.
+///
+/// Fed in the order of the bus: of one exchange first the command, then the sample.
 class CommandPosition {
 public:
     /// Follows a command that the module has carried out.
     void apply(const bus::CommandExecuted& executed);
-    /// Follows a status: learns of a servo that is off, and of where it held when it was switched on.
+    /// Follows a status: learns of a servo that went off, and where it holds after it was switched on.
     void apply(const bus::Sample& sample);
-    /// After a doubt (silence, restart): unknown until the next command that fixes it.
+    /// After a doubt (silence, restart): unknown until a command fixes it again.
     void forget();
 
     /// The command position at `time`; empty while unknown or the servo is off.
     [[nodiscard]] std::optional<double> at(TimePoint time) const;
-    /// The calculated profile has ended: the command rests.
-    [[nodiscard]] bool atRest(TimePoint time) const;
 
 private:
-    /// A constant-acceleration piece sequence: accelerate, slew, decelerate. Velocity in counts/s.
-    struct Motion {
-        TimePoint start;
-        double p0 = 0, v0 = 0;
-        double accelTime = 0, slewTime = 0, decelTime = 0;  ///< s
-        double accel = 0, decel = 0;                        ///< counts/s^2, signed
-        double end = 0;                                     ///< goal of a trapezoidal move
-        bool endsAtGoal = false;                            ///< else the last velocity goes on for ever
-        [[nodiscard]] double position(double s) const;
-        [[nodiscard]] double velocity(double s) const;
-        [[nodiscard]] double duration() const { return accelTime + slewTime + decelTime; }
+    /// What makes the command position known again.
+    enum class Awaiting : std::uint8_t {
+        Nothing,
+        HeldPosition,  ///< the servo was just switched on: it holds where the next sample says it is
+        EndOfMove,     ///< a trapezoidal move from an unknown place: when it is done, it is at its goal
     };
 
-    void hold(TimePoint time, double position);
-    void startMotion(TimePoint time);
-    void startVelocity(TimePoint time, double goal);
-    void startTrapezoid(TimePoint time);
+    void load(const servo::LoadTrajectory& load);
+    void start(TimePoint time);
     void stop(const servo::StopMotor& stop, TimePoint time);
+    void zero(TimePoint time);
+    void setTick(double seconds, TimePoint time);
+    void begin(TimePoint time, ProfileCurve curve);
+    [[nodiscard]] double secondsAt(TimePoint time) const { return toSeconds(time - m_started); }
+    [[nodiscard]] double perSecond(double countsPerTick) const { return countsPerTick / m_tick; }
 
-    std::optional<Motion> m_motion;             ///< empty: unknown or servo off
-    servo::LoadTrajectory m_loaded;             ///< control bits of the last load
-    std::optional<double> m_goal;               ///< counts
-    double m_velocity = 0;                      ///< counts/s, as loaded, >= 0
-    double m_acceleration = 0;                  ///< counts/s^2
-    double m_tick = toSeconds(kServoTick);      ///< servo tick, s; SR times 0.512 ms
-    std::optional<double> m_lastPosition;       ///< last measured
-    TimePoint m_changed;                        ///< statuses from before this do not tell about the present state
+    std::optional<ProfileCurve> m_curve;  ///< empty: unknown, or the servo is off
+    TimePoint m_started;
+    Awaiting m_awaiting = Awaiting::Nothing;
+    bool m_servoOn = false;                 ///< as commanded or reported, whichever is newer
+    bool m_homingStops = false;             ///< armed to stop by itself at a moment we shall not know
+    servo::LoadTrajectory m_loaded;         ///< control bits of the last load
+    double m_goal = 0;                      ///< counts; survives a load without a position
+    double m_velocity = 0;                  ///< counts/tick, >= 0
+    double m_acceleration = 0;              ///< counts/tick^2
+    double m_tick = toSeconds(kServoTick);  ///< SR x 0.512 ms
 };
 
 }  // namespace nmc

@@ -36,8 +36,8 @@ struct ResetPosition {};  ///< "zero here"
 }  // namespace intent
 
 using Intent = std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
-                            intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
-                            intent::ResetPosition>;
+                            intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
+                            intent::ClearStickyBits, intent::ResetPosition>;
 
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
@@ -45,20 +45,30 @@ enum class Refusal : std::uint8_t {
     NotAServo,
     Silent,
     NoPower,
-    GainsUnknown,      ///< a servo with gains 0 or unknown would not hold
-    ServoOff,          ///< enable first
-    TrapezoidalMove,   ///< its parameters must not change in motion (DS-V 4.4)
-    Moving,            ///< trapezoidal moves start from standstill only
-    NoAcceleration,    ///< with acceleration 0 nothing would ever move or stop
+    GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
+    ServoOff,        ///< enable first
+    Moving,          ///< trapezoidal moves start from standstill only
+    NoAcceleration,  ///< with acceleration 0 nothing would ever move or stop
     NoVelocity,
 };
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
 /// what whyNot() refuses is greyed out and says so.
-[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> plan(const Intent& intent, const ModuleState& module);
+[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> plan(const Intent& intent,
+                                                                 const ModuleState& module);
 
 /// The kinds of request a panel shows a control for; values that are still being typed do not matter here.
-enum class Request : std::uint8_t { Enable, Move, Run, Hold, StopMotion, MotorOff, ApplyGains, ClearStickyBits, ResetPosition };
+enum class Request : std::uint8_t {
+    Enable,
+    Move,
+    Run,
+    Hold,
+    StopMotion,
+    MotorOff,
+    ApplyGains,
+    ClearStickyBits,
+    ResetPosition
+};
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 
 }  // namespace nmc

@@ -19,8 +19,8 @@ struct LinkState {
     bool simulated = false;
     std::uint32_t baud = 0;
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
-    std::uint8_t found = 0;             ///< modules found so far while connecting
-    std::vector<ModuleState> modules;   ///< in the order of addressing: farthest from the host first
+    std::uint8_t found = 0;            ///< modules found so far while connecting
+    std::vector<ModuleState> modules;  ///< in the order of addressing: farthest from the host first
 };
 
 /// What the status bar pulls once a second.

@@ -12,16 +12,16 @@ namespace nmc {
 
 /// What a servo is doing, as an operator would say it. Each has a word and a shape in the window.
 enum class Activity : std::uint8_t {
-    Unknown,        ///< no status yet, or a module without a data sheet here
-    Silent,         ///< does not answer: moving or not is unknown
-    NoPower,        ///< motor power is off, so the servo is off
-    ServoOff,       ///< no fault: nobody switched it on, or it was switched off
-    Tripped,        ///< it switched itself off: position error while it was on
-    PowerLost,      ///< it switched itself off: motor power went away, and stays off though power is back
-    PwmMode,        ///< servo off, a PWM value drives the motor
-    Holding,        ///< servo on, at rest
-    Accelerating,   ///< includes changing from one velocity to another
-    AtSpeed,        ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
+    Unknown,       ///< no status yet, or a module without a data sheet here
+    Silent,        ///< does not answer: moving or not is unknown
+    NoPower,       ///< motor power is off, so the servo is off
+    ServoOff,      ///< no fault: nobody switched it on, or it was switched off
+    Tripped,       ///< it switched itself off: position error while it was on
+    PowerLost,     ///< it switched itself off: motor power went away, and stays off though power is back
+    PwmMode,       ///< servo off, a PWM value drives the motor
+    Holding,       ///< servo on, at rest
+    Accelerating,  ///< includes changing from one velocity to another
+    AtSpeed,       ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
     Decelerating,
 };
 
@@ -34,7 +34,8 @@ enum class Severity : std::uint8_t { Normal, Attention, Fault };
 enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
 
 /// Everything known of one module: a value, fed by the engine's events, shown by the panels.
-/// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this connection.
+/// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
+/// connection.
 struct ModuleState {
     bus::ModuleInfo info;
     /// Latest value of every item; an item never reported is empty.
@@ -46,10 +47,15 @@ struct ModuleState {
     MotionMode motion = MotionMode::None;
     /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
     double goalVelocity = 0.0;
+    /// An acceleration above 0 was loaded: a smooth stop can slow down.
+    bool accelerationLoaded = false;
     bool amplifierEnabled = false;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
+    /// As above, and motor power was missing when it was noticed.
     bool powerLostWhileOn = false;
+    /// The last command that concerns the servo switched it off.
+    bool offCommanded = false;
 
     void apply(const bus::Sample& sample);
     void apply(const bus::CommandExecuted& executed);
@@ -59,6 +65,15 @@ struct ModuleState {
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
+
+private:
+    void applyLoaded();
+    void apply(const servo::StopMotor& stop);
+    [[nodiscard]] Activity activityWhileOff() const;
+    [[nodiscard]] Activity activityWhileOn() const;
+
+    servo::LoadTrajectory m_loaded;
+    double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
 
 }  // namespace nmc

@@ -32,11 +32,14 @@ inline constexpr std::array<BaudRow, 4> kBaudRows{{
 /// The row for a nominal rate, or nothing when the chips cannot make it.
 [[nodiscard]] std::optional<BaudRow> findBaud(std::uint32_t nominal);
 
-/// The rate a divisor really gives, in bits per second: 1 250 000 / (brd + 1) (DS-V 5.2 Set Baud Rate, 20 MHz).
+/// The rate a divisor really gives, in bits per second: 1 250 000 / (brd + 1) (DS-V 5.2 Set Baud Rate, 20
+/// MHz).
 [[nodiscard]] double realRate(std::uint8_t brd);
 
 /// Time of one byte (start, 8 data, stop) at a divisor, exact in nanoseconds.
-[[nodiscard]] constexpr Duration byteTimeAtBrd(std::uint8_t brd) { return Duration(8'000LL * (brd + 1)); }
+[[nodiscard]] constexpr Duration byteTimeAtBrd(std::uint8_t brd) {
+    return Duration(8'000LL * (brd + 1));
+}
 
 /// Time of one byte at a host's rate.
 [[nodiscard]] constexpr Duration byteTimeAtBaud(std::uint32_t baud) {

@@ -13,9 +13,9 @@ enum class CommandCode : std::uint8_t {
     ReadStatus = 0x3,
     LoadTrajectory = 0x4,
     StartMotion = 0x5,
-    SetGain = 0x6,        ///< PIC-STEP: Set Parameters
+    SetGain = 0x6,  ///< PIC-STEP: Set Parameters
     StopMotor = 0x7,
-    IoControl = 0x8,      ///< PIC-STEP: Set Outputs
+    IoControl = 0x8,  ///< PIC-STEP: Set Outputs
     SetHoming = 0x9,
     SetBaud = 0xA,
     ClearStickyBits = 0xB,  ///< PIC-SERVO only

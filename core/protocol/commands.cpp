@@ -11,7 +11,8 @@ namespace {
 
 /// Decodes a command that is nothing but its code.
 template <typename Command>
-tl::expected<Command, CommandError> decodeBare(const Payload& payload, CommandCode code, std::size_t maxData = 0) {
+tl::expected<Command, CommandError> decodeBare(const Payload& payload, CommandCode code,
+                                               std::size_t maxData = 0) {
     if (const auto error = checkPayload(payload, code, 0, maxData))
         return tl::unexpected(*error);
     return Command{};

@@ -19,7 +19,8 @@ namespace nmc {
 // Commands that mean the same to both chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one command;
 // encode() makes its payload, decode() reads a payload of that code and refuses what the data sheet does.
 
-/// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not in motion.
+/// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not
+/// in motion.
 struct ResetPosition {
     [[nodiscard]] Payload encode() const;
     static tl::expected<ResetPosition, CommandError> decode(const Payload& payload);
@@ -93,9 +94,9 @@ using ServoCommand =
                  servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,
                  servo::ClearStickyBits, SaveAsHome, Nop, HardReset>;
 
-using StepCommand = std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory, StartMotion,
-                                 step::SetParameters, step::StopMotor, step::SetOutputs, step::SetHoming, SetBaud,
-                                 SaveAsHome, Nop, HardReset>;
+using StepCommand = std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory,
+                                 StartMotion, step::SetParameters, step::StopMotor, step::SetOutputs,
+                                 step::SetHoming, SetBaud, SaveAsHome, Nop, HardReset>;
 
 [[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const Payload& payload);
 [[nodiscard]] tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload);

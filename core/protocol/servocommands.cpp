@@ -11,8 +11,9 @@ using detail::packBits;
 
 Payload LoadTrajectory::encode() const {
     Payload payload{CommandCode::LoadTrajectory, {}};
-    payload.data.push_back(packBits(position.has_value(), velocity.has_value(), acceleration.has_value(), pwm.has_value(),
-                                    servo, profile == ProfileMode::Velocity, reverse, startNow));
+    payload.data.push_back(packBits(position.has_value(), velocity.has_value(), acceleration.has_value(),
+                                    pwm.has_value(), servo, profile == ProfileMode::Velocity, reverse,
+                                    startNow));
     if (position)
         payload.data.appendLittleEndian(position->value());
     if (velocity)
@@ -94,8 +95,9 @@ tl::expected<SetGain, CommandError> SetGain::decode(const Payload& payload) {
 
 Payload StopMotor::encode() const {
     Payload payload{CommandCode::StopMotor, {}};
-    payload.data.push_back(packBits(amplifierEnable, manner == StopManner::MotorOff, manner == StopManner::Abruptly,
-                                    manner == StopManner::Smoothly, manner == StopManner::Here));
+    payload.data.push_back(packBits(amplifierEnable, manner == StopManner::MotorOff,
+                                    manner == StopManner::Abruptly, manner == StopManner::Smoothly,
+                                    manner == StopManner::Here));
     if (manner == StopManner::Here)
         payload.data.appendLittleEndian(here.value());
     return payload;
@@ -144,8 +146,9 @@ tl::expected<IoControl, CommandError> IoControl::decode(const Payload& payload) 
 }
 
 Payload SetHoming::encode() const {
-    return {CommandCode::SetHoming, {packBits(onLimit1Change, onLimit2Change, motorOff, onIndexChange, stopAbruptly,
-                                              stopSmoothly, onPositionError, onCurrentLimit)}};
+    return {CommandCode::SetHoming,
+            {packBits(onLimit1Change, onLimit2Change, motorOff, onIndexChange, stopAbruptly, stopSmoothly,
+                      onPositionError, onCurrentLimit)}};
 }
 
 tl::expected<SetHoming, CommandError> SetHoming::decode(const Payload& payload) {

@@ -31,13 +31,13 @@ enum class ProfileMode : std::uint8_t { Trapezoidal, Velocity };
 
 /// Load Trajectory. What is empty is not sent and keeps its value.
 struct LoadTrajectory {
-    std::optional<Counts> position;                     ///< goal, trapezoidal mode only
-    std::optional<CountsPerTick> velocity;              ///< goal or maximum velocity, a magnitude
+    std::optional<Counts> position;         ///< goal, trapezoidal mode only
+    std::optional<CountsPerTick> velocity;  ///< goal or maximum velocity, a magnitude
     std::optional<CountsPerTickSquared> acceleration;
-    std::optional<std::uint8_t> pwm;                    ///< PWM mode only; limits do not apply
-    bool servo = true;                                  ///< false: PWM mode
+    std::optional<std::uint8_t> pwm;  ///< PWM mode only; limits do not apply
+    bool servo = true;                ///< false: PWM mode
     ProfileMode profile = ProfileMode::Trapezoidal;
-    bool reverse = false;                               ///< velocity and PWM modes
+    bool reverse = false;  ///< velocity and PWM modes
     bool startNow = false;
 
     [[nodiscard]] Payload encode() const;
@@ -67,15 +67,15 @@ struct SetGain {
 enum class StopManner : std::uint8_t {
     AmplifierOnly,  ///< no motion bit: only AMP_EN is set or cleared
     MotorOff,
-    Abruptly,       ///< switches a disabled servo ON
+    Abruptly,  ///< switches a disabled servo ON
     Smoothly,
-    Here,           ///< not on version 1
+    Here,  ///< not on version 1
 };
 
 struct StopMotor {
     bool amplifierEnable = false;  ///< AMP_EN is set or cleared whatever else
     StopManner manner = StopManner::AmplifierOnly;
-    Counts here;                   ///< only for StopManner::Here
+    Counts here;  ///< only for StopManner::Here
 
     [[nodiscard]] Payload encode() const;
     static tl::expected<StopMotor, CommandError> decode(const Payload& payload);
@@ -100,7 +100,7 @@ struct SetHoming {
     bool onIndexChange = false;
     bool onPositionError = false;
     bool onCurrentLimit = false;
-    bool motorOff = false;      ///< version 3 and later; at most one of these three
+    bool motorOff = false;  ///< version 3 and later; at most one of these three
     bool stopAbruptly = false;
     bool stopSmoothly = false;
 

@@ -6,9 +6,12 @@ namespace nmc {
 namespace {
 
 constexpr std::array kServoItems{
-    StatusItemRow{StatusItems::Position, "position", 4}, StatusItemRow{StatusItems::Analog, "A/D value", 1},
-    StatusItemRow{StatusItems::Velocity, "velocity", 2}, StatusItemRow{StatusItems::Aux, "auxiliary status", 1},
-    StatusItemRow{StatusItems::Home, "home position", 4}, StatusItemRow{StatusItems::Identity, "type, version", 2},
+    StatusItemRow{StatusItems::Position, "position", 4},
+    StatusItemRow{StatusItems::Analog, "A/D value", 1},
+    StatusItemRow{StatusItems::Velocity, "velocity", 2},
+    StatusItemRow{StatusItems::Aux, "auxiliary status", 1},
+    StatusItemRow{StatusItems::Home, "home position", 4},
+    StatusItemRow{StatusItems::Identity, "type, version", 2},
 };
 
 constexpr std::array kStepItems{
@@ -32,7 +35,8 @@ void store(StatusReport& report, ModuleType type, std::uint8_t item, ByteSpan by
             if (type == ModuleType::Step) {
                 report.timerCount = readLittleEndian<std::uint16_t>(bytes);
             } else {
-                // DS-V 5.2: "the negative of the velocity". -(-32768) does not fit; the chip cannot get there.
+                // DS-V 5.2: "the negative of the velocity". -(-32768) does not fit; the chip cannot get
+                // there.
                 const int negated = -int{readLittleEndian<std::int16_t>(bytes)};
                 report.velocity = static_cast<std::int16_t>(negated > INT16_MAX ? INT16_MAX : negated);
             }

@@ -79,7 +79,8 @@ struct AuxByte {
 };
 /// The data sheet's names of the bits, bit 0 first; empty where undefined.
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{
-    "move_done", "cksum_error", "overcurrent", "power_on", "pos_error", "limit1", "limit2", "home_in_progress"};
+    "move_done", "cksum_error", "overcurrent", "power_on",
+    "pos_error", "limit1",      "limit2",      "home_in_progress"};
 inline constexpr std::array<std::string_view, 8> kAuxBitNames{
     "index", "pos_wrap", "servo_on", "accel_done", "slew_done", "servo_overrun", "", ""};
 }  // namespace servo
@@ -109,11 +110,16 @@ struct InputsByte {
     [[nodiscard]] constexpr bool homeSwitch() const { return (bits & 0x20U) != 0; }
     bool operator==(const InputsByte&) const = default;
 };
-inline constexpr std::array<std::string_view, 8> kStatusBitNames{
-    "moving",        "communication error", "amplifier enabled",     "power",
-    "at commanded speed", "velocity profile mode", "trapezoidal mode", "homing"};
-inline constexpr std::array<std::string_view, 8> kInputBitNames{
-    "E-stop", "IN1", "IN2", "limit1", "limit2", "home switch", "", ""};
+inline constexpr std::array<std::string_view, 8> kStatusBitNames{"moving",
+                                                                 "communication error",
+                                                                 "amplifier enabled",
+                                                                 "power",
+                                                                 "at commanded speed",
+                                                                 "velocity profile mode",
+                                                                 "trapezoidal mode",
+                                                                 "homing"};
+inline constexpr std::array<std::string_view, 8> kInputBitNames{"E-stop", "IN1",         "IN2", "limit1",
+                                                                "limit2", "home switch", "",    ""};
 }  // namespace step
 
 /// One decoded reply. An item that was not asked for is empty.

@@ -59,9 +59,9 @@ tl::expected<LoadTrajectory, CommandError> LoadTrajectory::decode(const Payload&
 }
 
 Payload SetParameters::encode() const {
-    const auto mode = static_cast<std::uint8_t>(static_cast<unsigned>(speedMode) |
-                                                unsigned{packBits(false, false, ignoreLimits, ignoreEstop,
-                                                                  motorOffOnLimitOrEstop)});
+    const auto mode = static_cast<std::uint8_t>(
+        static_cast<unsigned>(speedMode) |
+        unsigned{packBits(false, false, ignoreLimits, ignoreEstop, motorOffOnLimitOrEstop)});
     return {CommandCode::SetGain, {mode, minimumProfileSpeed, runCurrent, holdCurrent, thermalLimit}};
 }
 
@@ -84,8 +84,9 @@ tl::expected<SetParameters, CommandError> SetParameters::decode(const Payload& p
 }
 
 Payload StopMotor::encode() const {
-    return {CommandCode::StopMotor, {packBits(amplifierEnable, false, manner == StopManner::Abruptly,
-                                              manner == StopManner::Smoothly)}};
+    return {
+        CommandCode::StopMotor,
+        {packBits(amplifierEnable, false, manner == StopManner::Abruptly, manner == StopManner::Smoothly)}};
 }
 
 tl::expected<StopMotor, CommandError> StopMotor::decode(const Payload& payload) {
@@ -111,8 +112,9 @@ tl::expected<SetOutputs, CommandError> SetOutputs::decode(const Payload& payload
 }
 
 Payload SetHoming::encode() const {
-    return {CommandCode::SetHoming,
-            {packBits(onLimit1Change, onLimit2Change, motorOff, onHomeSwitchChange, stopAbruptly, stopSmoothly)}};
+    return {
+        CommandCode::SetHoming,
+        {packBits(onLimit1Change, onLimit2Change, motorOff, onHomeSwitchChange, stopAbruptly, stopSmoothly)}};
 }
 
 tl::expected<SetHoming, CommandError> SetHoming::decode(const Payload& payload) {

@@ -28,9 +28,9 @@ struct TimerCount {
 
 /// Load Trajectory. What is loaded decides the mode (DS-S table 4).
 struct LoadTrajectory {
-    std::optional<Counts> position;               ///< steps
-    std::optional<std::uint8_t> speed;            ///< 1..250
-    std::optional<std::uint8_t> accelerationTime; ///< 1..255
+    std::optional<Counts> position;                ///< steps
+    std::optional<std::uint8_t> speed;             ///< 1..250
+    std::optional<std::uint8_t> accelerationTime;  ///< 1..255
     std::optional<TimerCount> timer;
     bool reverse = false;
     bool startNow = false;
@@ -51,7 +51,7 @@ struct SetParameters {
     std::uint8_t minimumProfileSpeed = 1;  ///< 1..250
     std::uint8_t runCurrent = 0;
     std::uint8_t holdCurrent = 0;
-    std::uint8_t thermalLimit = 0;         ///< 0: off
+    std::uint8_t thermalLimit = 0;  ///< 0: off
 
     [[nodiscard]] Payload encode() const;
     static tl::expected<SetParameters, CommandError> decode(const Payload& payload);

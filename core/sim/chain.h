@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/strong.h"
 #include "base/time.h"
 #include "protocol/moduletype.h"
+#include "sim/snapshot.h"
+#include "sim/statistics.h"
+#include "sim/violations.h"
 
 namespace nmc::sim {
 
@@ -19,6 +23,8 @@ struct ChainOptions {
     bool unpaced = false;
     /// Phase of the modules' ticks and the garbling of bytes at a wrong rate come from it.
     std::uint64_t seed = 1;
+    /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
+    bool deafWhenAddressInputRises = false;
 };
 
 /// A byte that arrives at the host; `due` is the end of its stop bit.
@@ -27,10 +33,14 @@ struct HostByte {
     std::uint8_t value = 0;
 };
 
+/// Most bytes that wait for takeHostBytes(); more are lost and counted.
+inline constexpr std::size_t kMaxWaitingHostBytes = 65'536;
+
 /// A chain of modules and the line to the host: the other end of the wire.
 ///
 /// Pure: bytes and time points in, bytes with due times out; no thread, no clock. Time must not go back.
-/// The chain is powered up at TimePoint{}. One thread at a time.
+/// The chain is powered up at TimePoint{}. One thread at a time. A time that lies before one already given is
+/// taken as that one. ModuleIndex arguments must be below moduleCount().
 class Chain {
 public:
     explicit Chain(const std::vector<ModuleIdentity>& modules, ChainOptions options = {});
@@ -41,7 +51,8 @@ public:
     /// The rate the host's port is set to, from the next byte on. 19 200 at first.
     void setHostBaud(std::uint32_t baud);
 
-    /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving.
+    /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving. The
+    /// line holds 65 536 bytes; more are lost and counted.
     void hostSends(ByteSpan bytes, TimePoint now);
 
     /// Runs everything up to and including `now`.
@@ -53,6 +64,24 @@ public:
     /// When the host's side can next see something happen; nothing while the line is idle. Motors move on
     /// between events without being asked: advanceTo() catches up.
     [[nodiscard]] std::optional<TimePoint> nextEvent() const;
+
+    // What a test, a scope or `nmcsim`'s control lines want to know and change. `now` as in advanceTo().
+
+    [[nodiscard]] std::size_t moduleCount() const;
+    [[nodiscard]] ModuleIdentity identity(ModuleIndex module) const;
+    /// Ground truth about a module after its last tick.
+    [[nodiscard]] ModuleSnapshot snapshot(ModuleIndex module, TimePoint now);
+    /// Sets an input or the load of a module; the value must be in the range that Input states.
+    void set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now);
+    /// Switches the supply of the module's logic off and on: its chip starts anew, its motor's shaft stays.
+    void powerCycle(ModuleIndex module, TimePoint now);
+    /// Breaks or mends the ADDR line between the module and its neighbour towards the host. Without a
+    /// connection the neighbour's ADDR_IN is high.
+    void breakAddressLine(ModuleIndex module, TimePoint now);
+    void mendAddressLine(ModuleIndex module, TimePoint now);
+
+    [[nodiscard]] ChainStatistics statistics() const;
+    [[nodiscard]] const ViolationLog& violations() const;
 
 private:
     class Private;

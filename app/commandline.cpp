@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commandline.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include "protocol/baud.h"
+#include "sim/chainspec.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr int kBadArguments = 2;
+constexpr int kNoSuchPort = 3;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+const QString kPort = QStringLiteral("port");
+const QString kBaud = QStringLiteral("baud");
+const QString kSimulator = QStringLiteral("simulator");
+const QString kListPorts = QStringLiteral("list-ports");
+const QString kHelp = QStringLiteral("help");
+const QString kVersion = QStringLiteral("version");
+const QString kQuitAfterFirstPaint = QStringLiteral("quit-after-first-paint");
+
+void declareOptions(QCommandLineParser& parser) {
+    parser.setApplicationDescription(tr("Control panel for Networked Modular Control motor modules."));
+    QCommandLineOption benchmark(kQuitAfterFirstPaint);
+    benchmark.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOptions({
+        {kPort, tr("Connect to a serial port at once."), tr("NAME")},
+        {kBaud, tr("Rate to run the chain at: 9600, 19200 (default), 57600 or 115200."), tr("N")},
+        {kSimulator,
+         tr("Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from "
+            "the host first; the default is %1.")
+             .arg(QString::fromUtf8(sim::kDefaultChain)),
+         tr("CHAIN")},
+        {kListPorts, tr("List the serial ports of this machine.")},
+        {{QStringLiteral("h"), kHelp}, tr("Show this help.")},
+        {{QStringLiteral("v"), kVersion}, tr("Show the version.")},
+        benchmark,
+    });
+}
+
+/// The library has no option with a value that may be left out.
+QStringList withSimulatorValue(QStringList arguments) {
+    for (QString& argument : arguments)
+        if (argument == QStringLiteral("--") + kSimulator)
+            argument += QLatin1Char('=') + QString::fromUtf8(sim::kDefaultChain);
+    return arguments;
+}
+
+QString portTable(const QList<PortEntry>& ports) {
+    if (ports.isEmpty())
+        return {};
+    QStringList lines;
+    for (const PortEntry& port : ports)
+        lines << (port.description.isEmpty() ? port.name : port.name + QLatin1Char('\t') + port.description);
+    return lines.join(QLatin1Char('\n'));
+}
+
+bool exists(const QString& port, const QList<PortEntry>& ports) {
+    for (const PortEntry& entry : ports)
+        if (entry.name == port || entry.name == QStringLiteral("/dev/") + port)
+            return true;
+    // Terminals of simulators and links of udev are not in the list, but are as good.
+    return QFileInfo::exists(port);
+}
+
+std::optional<Say> readPort(const QCommandLineParser& parser, const std::function<QList<PortEntry>()>& ports,
+                            Start& start) {
+    if (parser.isSet(kSimulator)) {
+        const QString chain = parser.value(kSimulator);
+        if (const auto parsed = sim::parseChain(chain.toStdString()); !parsed)
+            return Say{texts::badChain(chain, QString::fromStdString(parsed.error())), kBadArguments};
+        start.port = kSimulatorPort + QLatin1Char('=') + chain;
+    } else if (parser.isSet(kPort)) {
+        const QString name = parser.value(kPort);
+        const QList<PortEntry> known = ports();
+        if (!exists(name, known)) {
+            QStringList names;
+            for (const PortEntry& port : known)
+                names << port.name;
+            return Say{texts::unknownPort(name, names), kNoSuchPort};
+        }
+        start.port = name;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::variant<Start, Say> readCommandLine(const QStringList& arguments,
+                                         const std::function<QList<PortEntry>()>& ports) {
+    QCommandLineParser parser;
+    declareOptions(parser);
+    if (!parser.parse(withSimulatorValue(arguments))) {
+        const QStringList unknown = parser.unknownOptionNames();
+        return Say{unknown.isEmpty() ? parser.errorText() : texts::unknownOption(unknown.first()),
+                   kBadArguments};
+    }
+    if (!parser.positionalArguments().isEmpty())
+        return Say{texts::unknownOption(parser.positionalArguments().first()), kBadArguments};
+    if (parser.isSet(kHelp))
+        return Say{parser.helpText(), 0};
+    if (parser.isSet(kVersion))
+        return Say{QStringLiteral("NMC Panel " NMC_VERSION), 0};
+    if (parser.isSet(kListPorts))
+        return Say{portTable(ports()), 0};
+
+    Start start;
+    start.quitAfterFirstPaint = parser.isSet(kQuitAfterFirstPaint);
+    if (parser.isSet(kBaud)) {
+        const auto baud = findBaud(parser.value(kBaud).toUInt());
+        if (!baud)
+            return Say{texts::badBaud(parser.value(kBaud)), kBadArguments};
+        start.baud = baud->nominal;
+    }
+    if (const auto say = readPort(parser, ports, start))
+        return *say;
+    return start;
+}
+
+}  // namespace nmc

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition.h"
+
+#include <QApplication>
+
+#include "link/clock.h"
+#include "link/portlist.h"
+#include "link/serialtransport.h"
+#include "link/simulatortransport.h"
+#include "protocol/baud.h"
+#include "sim/chainspec.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr int kFrameIntervalMs = 33;
+constexpr int kFiguresIntervalMs = 1'000;
+
+bool isSimulator(const QString& port) {
+    return port == kSimulatorPort || port.startsWith(kSimulatorPort + QLatin1Char('='));
+}
+
+/// The chain behind '=', or the default one.
+std::vector<ModuleIdentity> simulatedChain(const QString& port) {
+    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
+    // The command line has checked what a user typed; the window offers only the default.
+    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
+}
+
+/// Where the settings remember how long the chain at a port was.
+QString chainLengthKey(const QString& port) {
+    return QStringLiteral("chainLength/") + QString(port).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
+}  // namespace
+
+Composition::Composition(QSettings& settings, QObject* parent)
+    : QObject(parent), m_settings(settings), m_window(settings) {
+    wireWindow();
+    wireStore();
+    m_frameTimer.setInterval(kFrameIntervalMs);
+    connect(&m_frameTimer, &QTimer::timeout, this, &Composition::showFrame);
+    m_figuresTimer.setInterval(kFiguresIntervalMs);
+    connect(&m_figuresTimer, &QTimer::timeout, this,
+            [this] { m_window.showFigures(m_store.pullFigures(monotonicNow())); });
+}
+
+void Composition::show(const Start& start) {
+    m_window.show();
+    if (start.quitAfterFirstPaint) {
+        // The first turn of the event loop paints; the second one ends.
+        QTimer::singleShot(0, this,
+                           [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
+        return;
+    }
+    m_window.showPorts(serialPorts());
+    if (start.port) {
+        m_window.choosePort(*start.port, start.baud);
+        connectTo(*start.port, start.baud);
+    }
+}
+
+void Composition::stopAndQuit() {
+    if (!m_worker.isOpen()) {
+        quit();
+        return;
+    }
+    m_quitWhenClosed = true;
+    m_openNext.reset();
+    m_worker.close();
+}
+
+void Composition::quit() {
+    m_window.finishClose();
+    QCoreApplication::quit();
+}
+
+void Composition::wireWindow() {
+    connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(serialPorts()); });
+    connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
+    connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
+    connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
+    connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
+    connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
+    connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
+    connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
+    connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
+}
+
+void Composition::wireStore() {
+    connect(&m_store, &BusStore::linkChanged, this, [this] { m_window.showLink(m_store.link()); });
+    connect(&m_store, &BusStore::happened, this, &Composition::tell);
+}
+
+void Composition::connectTo(const QString& port, quint32 baud) {
+    m_openNext = Target{port, baud};
+    if (m_worker.isOpen())
+        m_worker.close();  // PortClosed opens the next
+    else
+        openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+void Composition::openNow(const Target& target) {
+    m_target = target;
+    const QString port = target.port;
+    bus::EngineConfig config;
+    config.baud = target.baud;
+    BusWorker::TransportFactory factory;
+    if (isSimulator(port)) {
+        config.adapterLatency = Duration::zero();
+        factory = [modules = simulatedChain(port)] { return std::make_unique<SimulatorTransport>(modules); };
+    } else {
+        factory = [port] { return std::make_unique<SerialTransport>(port); };
+    }
+    m_window.endMessage(texts::key::port());
+    m_window.endMessage(texts::key::link());
+    m_store.begin(port, isSimulator(port), target.baud);
+    m_worker.open(std::move(factory), config);
+    m_frameTimer.start();
+    m_figuresTimer.start();
+}
+
+void Composition::disconnectFromPort() {
+    m_openNext.reset();
+    m_worker.close();
+}
+
+void Composition::carryOut(ModuleIndex index, const Intent& intent) {
+    const ModuleState* module = m_store.module(index);
+    if (module == nullptr)
+        return;
+    auto steps = plan(intent, *module);
+    if (!steps) {
+        m_window.showMessage(texts::notPossible(index, steps.error()));
+        return;
+    }
+    m_worker.submit({bus::OperationId(++m_lastOperation), std::move(*steps)});
+}
+
+void Composition::act(const QString& key, const QString& action) {
+    if (action == texts::action::kRetry && m_target)
+        connectTo(m_target->port, m_target->baud);
+    else if ((action == texts::action::kScanAgain || action == texts::action::kRestartNetwork) &&
+             m_worker.isOpen())
+        m_worker.restart();
+    else if (action == texts::action::kScanAgain && m_target)
+        connectTo(m_target->port, m_target->baud);
+    else if (action == texts::action::kUseSimulator) {
+        m_window.choosePort(kSimulatorPort, kPowerUpBaud);
+        connectTo(kSimulatorPort, kPowerUpBaud);
+    } else if (action == texts::action::kWorkWith && m_target)
+        m_settings.setValue(chainLengthKey(m_target->port), static_cast<int>(m_store.link().modules.size()));
+    m_window.endMessage(key);
+}
+
+void Composition::showFrame() {
+    const auto selected = m_window.selectedModule();
+    if (!selected)
+        return;
+    if (const ModuleHistory* history = m_store.history(*selected))
+        m_window.showHistory(*history, monotonicNow());
+}
+
+void Composition::tell(const StoreEvent& event) {
+    std::visit([this](const auto& news) { told(news); }, event);
+}
+
+void Composition::told(const bus::ChainFound& found) {
+    m_window.endMessage(texts::key::link());
+    const int modules = static_cast<int>(found.modules.size());
+    const QString key = chainLengthKey(m_target->port);
+    const int expected = m_settings.value(key, modules).toInt();
+    if (modules < expected)
+        m_window.showMessage(texts::fewerThanExpected(modules, expected));
+    else
+        m_settings.setValue(key, modules);
+    m_window.showMessage(texts::connected(m_target->port, found.baud, modules));
+}
+
+void Composition::told(const bus::ConnectFailed& failed) {
+    m_window.showMessage(texts::connectFailed(failed, m_target->port));
+}
+
+void Composition::told(const bus::OperationFinished& finished) {
+    if (finished.outcome != bus::Outcome::Done)
+        m_window.showMessage(texts::operationFailed(finished));
+}
+
+void Composition::told(const bus::StopFinished& finished) {
+    m_window.showStopResult(finished);
+}
+
+void Composition::told(const bus::ModuleSilence& silence) {
+    if (!silence.silent) {
+        m_window.endMessage(texts::key::silent(silence.module));
+        m_window.endMessage(texts::key::link());
+        return;
+    }
+    const ModuleState* module = m_store.module(silence.module);
+    if (module == nullptr)
+        return;
+    const double seconds = toSeconds(monotonicNow() - module->latestTime);
+    m_window.showMessage(texts::moduleSilent(silence.module, seconds, module->moving()));
+}
+
+void Composition::told(const bus::CommandRefused& refused) {
+    m_window.showMessage(texts::refused(refused));
+}
+
+void Composition::told(const bus::LinkLost&) {
+    // One text for one cause: the modules' own silences are part of it.
+    for (const ModuleState& module : m_store.link().modules)
+        m_window.endMessage(texts::key::silent(module.info.index));
+    m_window.showMessage(texts::linkLost(m_target->port, m_store.movingMotors()));
+}
+
+void Composition::told(const bus::HoldExpired& expired) {
+    m_window.showMessage(texts::holdExpired(expired.module));
+}
+
+void Composition::told(const PortClosed& closed) {
+    m_frameTimer.stop();
+    m_figuresTimer.stop();
+    m_window.showFigures({});
+    if (closed.error)
+        m_window.showMessage(texts::portProblem(*closed.error));
+    else
+        m_window.showMessage(texts::disconnected(m_target->port));
+    if (m_quitWhenClosed)
+        quit();
+    else if (m_openNext)
+        openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+void Composition::told(const ServoWentOff& off) {
+    if (off.activity == Activity::PowerLost) {
+        m_window.showMessage(texts::powerLost(off.module));
+        return;
+    }
+    const ModuleState* module = m_store.module(off.module);
+    const auto limit =
+        module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
+    m_window.showMessage(texts::tripped(off.module, limit));
+}
+
+}  // namespace nmc

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/commandline.h"
+#include "link/busstore.h"
+#include "link/busworker.h"
+#include "model/intent.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+/// The program, put together: the only class that knows every layer. It turns what the window asks for into
+/// requests to the bus worker, and what the store tells into values and messages for the window. GUI thread.
+class Composition : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Composition(QSettings& settings, QObject* parent = nullptr);
+
+    /// Shows the window and does what the command line asked for.
+    void show(const Start& start);
+    /// Stops the motors, closes the port, and ends the program.
+    void stopAndQuit();
+
+    [[nodiscard]] MainWindow& window() { return m_window; }
+    [[nodiscard]] const BusStore& store() const { return m_store; }
+
+private:
+    struct Target {
+        QString port;
+        quint32 baud = 0;
+    };
+
+    void quit();
+    void wireWindow();
+    void wireStore();
+    void connectTo(const QString& port, quint32 baud);
+    void openNow(const Target& target);
+    void disconnectFromPort();
+    void carryOut(ModuleIndex module, const Intent& intent);
+    void act(const QString& key, const QString& action);
+    void showFrame();
+
+    void tell(const StoreEvent& event);
+    void told(const bus::ChainFound& found);
+    void told(const bus::ConnectFailed& failed);
+    void told(const bus::OperationFinished& finished);
+    void told(const bus::StopFinished& finished);
+    void told(const bus::ModuleSilence& silence);
+    void told(const bus::CommandRefused& refused);
+    void told(const bus::LinkLost& lost);
+    void told(const bus::HoldExpired& expired);
+    void told(const PortClosed& closed);
+    void told(const ServoWentOff& off);
+
+    QSettings& m_settings;
+    BusWorker m_worker;
+    BusStore m_store{m_worker};
+    MainWindow m_window;
+    QTimer m_frameTimer;
+    QTimer m_figuresTimer;
+    std::optional<Target> m_target;    ///< what is connected, or was last
+    std::optional<Target> m_openNext;  ///< to be opened when the present connection has closed
+    bool m_quitWhenClosed = false;
+    std::uint32_t m_lastOperation = 0;
+};
+
+}  // namespace nmc

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QSettings>
+#include <QTextStream>
+
+#include "app/commandline.h"
+#include "app/composition.h"
+#include "app/unixsignals.h"
+#include "link/portlist.h"
+#include "widgets/common/texts.h"
+
+namespace {
+
+constexpr int kNoDisplay = 3;
+
+void nameApplication() {
+    QCoreApplication::setOrganizationName(QStringLiteral("nmcpanel"));
+    QCoreApplication::setOrganizationDomain(QStringLiteral("nmcpanel.org"));
+    QCoreApplication::setApplicationName(QStringLiteral("NMC Panel"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(NMC_VERSION));
+}
+
+int say(const nmc::Say& words) {
+    if (!words.text.isEmpty())
+        QTextStream(words.exitCode == 0 ? stdout : stderr) << words.text << Qt::endl;
+    return words.exitCode;
+}
+
+/// QApplication aborts without a display; it is better to say so.
+bool displayMissing() {
+    return qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+           qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    nameApplication();
+    nmc::Start start;
+    {
+        const QCoreApplication withoutDisplay(argc, argv);
+        const auto asked = nmc::readCommandLine(QCoreApplication::arguments(), nmc::serialPorts);
+        if (const auto* words = std::get_if<nmc::Say>(&asked))
+            return say(*words);
+        start = std::get<nmc::Start>(asked);
+    }
+    if (displayMissing())
+        return say({nmc::texts::noDisplay(), kNoDisplay});
+
+    QApplication application(argc, argv);
+    QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));
+    QSettings settings;
+    nmc::Composition composition(settings);
+    const nmc::UnixSignals signalsOfTheSystem;
+    QObject::connect(&signalsOfTheSystem, &nmc::UnixSignals::terminationAsked, &composition,
+                     &nmc::Composition::stopAndQuit);
+    composition.show(start);
+    return QApplication::exec();
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// nmcsim: a simulated chain of NMC modules on a pseudo-terminal.
+#include <getopt.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "link/ptyserver.h"
+#include "link/simserver.h"
+#include "sim/chain.h"
+#include "sim/chainspec.h"
+
+namespace {
+
+constexpr int kBadArguments = 2;
+
+struct Options {
+    std::string chain{nmc::sim::kDefaultChain};
+    std::string link;
+    double speed = 1.0;
+    nmc::sim::ChainOptions simulation;
+};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+    std::fprintf(stderr, "nmcsim: %s\n", sentence.c_str());
+    std::exit(kBadArguments);
+}
+
+void printHelp() {
+    std::printf(
+        "Usage: nmcsim [OPTION]...\n"
+        "Simulates a chain of NMC motor modules behind a pseudo-terminal, which any host program can\n"
+        "open as a serial port. The first line of output is \"ready\" and the terminal's path.\n"
+        "\n"
+        "  --chain CHAIN          modules, farthest from the host first: a comma list of\n"
+        "                         servo[@VERSION], version 1 to 4; default %s\n"
+        "  --link PATH            also make a symbolic link PATH to the terminal\n"
+        "  --speed X              simulated seconds per real second\n"
+        "  --unpaced              replies take no wire time\n"
+        "  --reset-dead-time MS   how long a module is deaf after a reset; default 8\n"
+        "  --seed N               seed of everything random\n"
+        "  --help, --version\n"
+        "\n"
+        "Control lines on standard input; each is answered by one line of JSON:\n"
+        "  state N                everything about module N\n"
+        "  set N NAME VALUE       limit1 limit2 index power 0|1, analog 0..255|auto, load N*m,\n"
+        "                         inertia kg*m^2, friction N*m, travel_min, travel_max counts,\n"
+        "                         limits auto|manual\n"
+        "  power-cycle N|all      break N      mend N\n"
+        "  stats                  time         quit\n"
+        "\n"
+        "Examples:\n"
+        "  nmcsim --chain servo,servo,servo@1 --link /tmp/nmc\n"
+        "  nmcpanel --port /tmp/nmc --baud 115200\n",
+        std::string(nmc::sim::kDefaultChain).c_str());
+}
+
+template <typename T>
+T number(const char* option, const char* text, T min, T max, const char* range) {
+    T value{};
+    const char* end = text + std::strlen(text);
+    const auto [stopped, error] = std::from_chars(text, end, value);
+    if (error != std::errc{} || stopped != end || !(value >= min && value <= max))
+        refuse(std::string(option) + " takes a number " + range + ", not \"" + text + "\".");
+    return value;
+}
+
+Options readOptions(int argc, char** argv) {
+    enum : int { Chain = 256, Link, Speed, Unpaced, ResetDeadTime, Seed, Help, Version };
+    static constexpr option kOptions[] = {
+        {"chain", required_argument, nullptr, Chain},
+        {"link", required_argument, nullptr, Link},
+        {"speed", required_argument, nullptr, Speed},
+        {"unpaced", no_argument, nullptr, Unpaced},
+        {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
+        {"seed", required_argument, nullptr, Seed},
+        {"help", no_argument, nullptr, Help},
+        {"version", no_argument, nullptr, Version},
+        {nullptr, 0, nullptr, 0},
+    };
+    Options options;
+    for (int which = 0; (which = ::getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
+        switch (which) {
+            case Chain:
+                options.chain = optarg;
+                break;
+            case Link:
+                options.link = optarg;
+                break;
+            case Speed:
+                options.speed = number("--speed", optarg, 0.001, 1000.0, "from 0.001 to 1000");
+                break;
+            case Unpaced:
+                options.simulation.unpaced = true;
+                break;
+            case ResetDeadTime:
+                options.simulation.resetDeadTime =
+                    nmc::fromSeconds(1e-3 * number("--reset-dead-time", optarg, 0.0, 10'000.0,
+                                                   "of milliseconds from 0 to 10000"));
+                break;
+            case Seed:
+                options.simulation.seed =
+                    number<std::uint64_t>("--seed", optarg, 0, UINT64_MAX, "from 0 to 18446744073709551615");
+                break;
+            case Help:
+                printHelp();
+                std::exit(0);
+            case Version:
+                std::printf("nmcsim %s\n", NMC_VERSION);
+                std::exit(0);
+            default:  // getopt has said what
+                std::fprintf(stderr, "Try nmcsim --help.\n");
+                std::exit(kBadArguments);
+        }
+    }
+    if (optind < argc)
+        refuse("\"" + std::string(argv[optind]) + "\" is not an option. Try nmcsim --help.");
+    return options;
+}
+
+/// SIGTERM and SIGINT as a readable descriptor, so that the server ends its loop and removes its link.
+int catchSignals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGTERM);
+    sigaddset(&signals, SIGINT);
+    sigprocmask(SIG_BLOCK, &signals, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);  // whoever read our answers may go away; the chain stays
+    return ::signalfd(-1, &signals, SFD_CLOEXEC);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = readOptions(argc, argv);
+    const auto modules = nmc::sim::parseChain(options.chain);
+    if (!modules)
+        refuse(modules.error());
+    auto terminal = nmc::PtyServer::create(options.link);
+    if (!terminal)
+        refuse(terminal.error() + ".");
+
+    const int stop = catchSignals();
+    std::printf("ready %s\n", terminal->path().c_str());
+    std::fflush(stdout);
+    nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.speed,
+                          STDIN_FILENO, STDOUT_FILENO);
+    server.run(stop);
+    return 0;
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "bus/belief.h"
+
+namespace nmc::bus {
+
+struct Belief::Sent {
+    Belief& b;
+    TimePoint latched;
+
+    void operator()(const servo::LoadTrajectory& load) const {
+        b.m_loaded.reset();
+        if (!load.startNow)
+            return;
+        b.m_lastMotion = latched;
+        b.m_starting = load;
+        b.mayStart(load);
+    }
+    void operator()(const step::LoadTrajectory& load) const {
+        b.m_stepLoaded = false;
+        if (load.startNow)
+            b.m_lastMotion = latched;
+    }
+    void operator()(const StartMotion&) const {
+        b.m_lastMotion = latched;
+        b.m_starting = b.m_loaded;
+        if (b.m_loaded)
+            b.mayStart(*b.m_loaded);
+        b.m_loaded.reset();
+        b.m_stepLoaded = false;
+    }
+    void operator()(const servo::StopMotor& stop) const {
+        if (stop.manner == servo::StopManner::AmplifierOnly)
+            return;
+        b.m_lastMotion = latched;
+        b.m_loaded.reset();  // DS-V 5.2: the velocity parameter becomes 0
+        if (stop.manner == servo::StopManner::Abruptly || stop.manner == servo::StopManner::Here)
+            b.m_mayEnable = true;
+    }
+    void operator()(const step::StopMotor& stop) const {
+        b.m_lastMotion = latched;
+        b.m_mayEnable = b.m_mayEnable || stop.amplifierEnable;
+        if (stop.manner != step::StopManner::AmplifierOnly)
+            b.m_stepLoaded = false;
+    }
+    void operator()(const DefineStatus&) const { b.forgetItems(); }
+    template <typename Other>
+    void operator()(const Other&) const {}
+};
+
+struct Belief::Executed {
+    Belief& b;
+
+    void operator()(const servo::LoadTrajectory& load) const {
+        if (load.startNow)
+            b.started(load);
+        else
+            b.m_loaded = load;
+    }
+    void operator()(const step::LoadTrajectory& load) const { b.m_stepLoaded = !load.startNow; }
+    void operator()(const StartMotion&) const {
+        if (b.m_starting)
+            b.started(*b.m_starting);
+    }
+    void operator()(const servo::StopMotor& stop) const {
+        if (stop.manner == servo::StopManner::AmplifierOnly)
+            return;
+        b.m_velocityGoal = false;
+        b.m_pwmMayRun = false;
+        if (stop.manner == servo::StopManner::MotorOff)
+            b.m_on = b.m_mayEnable = false;
+    }
+    void operator()(const servo::SetHoming& homing) const {
+        b.m_homingStops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
+    }
+    void operator()(const DefineStatus& define) const { b.m_items = define.items; }
+    template <typename Other>
+    void operator()(const Other&) const {}
+};
+
+void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
+    std::visit([&](const auto& chip) { std::visit(Sent{*this, latched}, chip); }, command);
+}
+
+void Belief::onExecuted(const ModuleCommand& command) {
+    std::visit([&](const auto& chip) { std::visit(Executed{*this}, chip); }, command);
+}
+
+void Belief::onStatus(const StatusReport& report, TimePoint latched) {
+    if (m_statusTime && latched < *m_statusTime)
+        return;
+    m_statusTime = latched;
+    m_status = report.status;
+    m_velocity = report.velocity;
+    if (m_info.identity.type == ModuleType::Step) {
+        m_on = report.stepStatus().amplifierEnabled();
+        m_mayEnable = m_mayEnable && !fresh();
+        return;
+    }
+    // The answer to a command may have been put together before the command took effect.
+    if (!fresh())
+        return;
+    if (report.aux) {
+        m_on = servo::AuxByte{*report.aux}.servoOn();
+        m_mayEnable = false;
+        if (!m_on)
+            m_velocityGoal = false;
+    }
+    if (m_homingStops && !report.servoStatus().homeInProgress())
+        m_velocityGoal = m_homingStops = false;
+}
+
+bool Belief::fresh() const {
+    return m_statusTime && (!m_lastMotion || *m_statusTime > *m_lastMotion);
+}
+
+bool Belief::mayMove() const {
+    if (!m_statusTime)
+        return true;
+    if (m_info.identity.type == ModuleType::Step)
+        return step::StatusByte{m_status}.moving();
+    return m_velocityGoal || m_pwmMayRun || !servo::StatusByte{m_status}.moveDone();
+}
+
+bool Belief::powered() const {
+    return servo::StatusByte{m_status}.powerOn();  // the same bit on both chips
+}
+
+void Belief::mayStart(const servo::LoadTrajectory& load) {
+    if (!load.servo) {
+        m_pwmMayRun = m_pwmMayRun || load.pwm.value_or(1) != 0;
+        return;
+    }
+    m_mayEnable = true;
+    // Without a velocity the chip goes on with the one loaded before, which is not known here.
+    if (load.profile == servo::ProfileMode::Velocity)
+        m_velocityGoal = m_velocityGoal || load.velocity.value_or(CountsPerTick(1)).value() != 0;
+}
+
+void Belief::started(const servo::LoadTrajectory& load) {
+    m_pwmMayRun = !load.servo && load.pwm.value_or(1) != 0;
+    m_velocityGoal = load.servo && load.profile == servo::ProfileMode::Velocity &&
+                     load.velocity.value_or(CountsPerTick(1)).value() != 0;
+    m_starting.reset();
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// What the host believes about one module: the last status and what was sent since. The chips tell neither
+/// trajectory nor mode, so this is the only copy, and it errs to the careful side: a command that was sent
+/// and not answered counts as carried out where that is the worse case, and as not where that is. Pure; the
+/// command gate, the hold and the stop plan read it.
+class Belief {
+public:
+    explicit Belief(ModuleInfo info) : m_info(info) {}
+
+    /// `command` was handed to the wire and will be latched at `latched`. A refused command was certainly not
+    /// carried out: the caller puts back the belief from before.
+    void onSent(const ModuleCommand& command, TimePoint latched);
+    /// The command that was sent last was answered as carried out.
+    void onExecuted(const ModuleCommand& command);
+    void onStatus(const StatusReport& report, TimePoint latched);
+    /// Define Status was sent and not answered: replies have the old or the new length.
+    void forgetItems() { m_items.reset(); }
+
+    [[nodiscard]] const ModuleInfo& info() const { return m_info; }
+    /// The defined items of a reply; nothing while they are in doubt.
+    [[nodiscard]] std::optional<StatusItems> items() const { return m_items; }
+
+    /// A status was latched after the last command that can move or stop the motor.
+    [[nodiscard]] bool fresh() const;
+    [[nodiscard]] std::optional<TimePoint> statusTime() const { return m_statusTime; }
+
+    /// Servo (PIC-STEP: amplifier) as of the last status that told.
+    [[nodiscard]] bool on() const { return m_on; }
+    /// Same, or a command that could have switched it on was sent since.
+    [[nodiscard]] bool mayBeOn() const { return m_on || m_mayEnable; }
+    /// PIC-SERVO with the servo off whose PWM output may be other than 0.
+    [[nodiscard]] bool pwmMayRun() const { return m_pwmMayRun; }
+    /// The command velocity may be other than 0 (DS-V 4.4), or a stepper is moving.
+    [[nodiscard]] bool mayMove() const;
+    /// Measured velocity, counts per tick, when the newest status had it.
+    [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_velocity; }
+    [[nodiscard]] bool powered() const;
+    /// Whether a Stop Motor must be expected to find something to stop, for the order of a stop.
+    [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
+
+    /// A Load Trajectory that was answered and not used up by a start or a stop.
+    [[nodiscard]] bool loaded() const { return m_stepLoaded || m_loaded.has_value(); }
+    [[nodiscard]] const std::optional<servo::LoadTrajectory>& servoLoad() const { return m_loaded; }
+
+private:
+    struct Sent;
+    struct Executed;
+    void mayStart(const servo::LoadTrajectory& load);
+    void started(const servo::LoadTrajectory& load);
+
+    ModuleInfo m_info;
+    std::optional<StatusItems> m_items = StatusItems{};
+    std::optional<TimePoint> m_statusTime;
+    std::optional<TimePoint> m_lastMotion;
+    std::uint8_t m_status = 0;
+    std::optional<std::int16_t> m_velocity;
+    bool m_on = false;
+    bool m_mayEnable = false;
+    bool m_pwmMayRun = false;
+    bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
+    bool m_homingStops = false;   ///< the chip itself stops when home is found
+    bool m_stepLoaded = false;
+    std::optional<servo::LoadTrajectory> m_loaded;
+    std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// Operations that wait, and the one that is being carried out, step by step. Pure bookkeeping: what goes out
+/// and when is the engine's business.
+class CommandLane {
+public:
+    static constexpr std::size_t kCapacity = 256;
+
+    /// False when the lane is full; the operation was not taken.
+    [[nodiscard]] bool submit(Operation operation);
+    [[nodiscard]] bool empty() const { return m_waiting.empty(); }
+
+    /// The step to carry out now, and when it became that. The lane must not be empty.
+    [[nodiscard]] const Step& step() const { return m_waiting.front().steps[m_step]; }
+    /// Notes that somebody looks at the step for the first time; later calls change nothing.
+    void beginStep(TimePoint now);
+    [[nodiscard]] TimePoint stepBegan() const { return m_began; }
+
+    /// The step was accepted: on to the next. The event of the end when it was the last.
+    [[nodiscard]] std::optional<OperationFinished> accepted();
+    /// The step ended the operation.
+    [[nodiscard]] OperationFinished failed(Outcome outcome);
+    /// Everything that waits or runs.
+    [[nodiscard]] std::vector<OperationFinished> cancelAll();
+
+private:
+    OperationFinished finish(Outcome outcome);
+
+    std::deque<Operation> m_waiting;
+    std::size_t m_step = 0;
+    bool m_begun = false;
+    TimePoint m_began;
+};
+
+/// The event for an operation that never got into the lane.
+[[nodiscard]] OperationFinished rejected(const Operation& operation, Outcome outcome);
+
+/// Its payload, whichever chip it is for.
+[[nodiscard]] Payload payloadOf(const ModuleCommand& command);
+
+}  // namespace nmc::bus

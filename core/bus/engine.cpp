@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "bus/engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bus/engineprivate.h"
+
+namespace nmc::bus {
+
+Engine::Engine(EngineConfig config) : d(std::make_unique<Private>(config)) {}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+void Engine::connect(TimePoint now) {
+    d->connect(now);
+}
+void Engine::submit(Operation operation, TimePoint now) {
+    d->submit(std::move(operation), now);
+}
+void Engine::hold(const HoldToMove& hold, TimePoint now) {
+    d->hold(hold, now);
+}
+void Engine::release(TimePoint now) {
+    d->release(now);
+}
+void Engine::stopAll(TimePoint now) {
+    d->stopAll(now);
+}
+void Engine::onBytes(ByteSpan bytes, TimePoint now) {
+    d->onBytes(bytes, now);
+}
+void Engine::onDeadline(TimePoint now) {
+    d->onDeadline(now);
+}
+std::optional<TimePoint> Engine::nextDeadline() const {
+    return d->nextDeadline();
+}
+std::vector<Output> Engine::takeOutput() {
+    return d->line.takeOutput();
+}
+std::vector<Event> Engine::takeEvents() {
+    return std::exchange(d->events, {});
+}
+const LinkStatistics& Engine::statistics() const {
+    return d->line.statistics();
+}
+std::size_t Engine::stopReach() const {
+    return d->stopReach();
+}
+
+Engine::Private::Private(EngineConfig c)
+    : config(c), line(c.adapterLatency, c.margin), m_hold(c.holdTimeout) {}
+
+void Engine::Private::connect(TimePoint now) {
+    if (m_stop || m_stopDuringDiscovery)
+        finishStop(now);
+    cancelOperations();
+    m_hold.clear();
+    line.abandon();
+    line.statistics() = {};
+    m_work.reset();
+    m_again.reset();
+    m_suspect = m_resyncing = m_hurried = m_lost = m_blindStopsDue = false;
+    m_blindStops.clear();
+    m_holdFailures = 0;
+    m_beliefs.clear();
+    m_schedule = PollSchedule();
+    m_discovery.reset();
+    if (!findBaud(config.baud)) {
+        m_phase = Phase::Off;  // before anything is reset for it
+        events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, config.baud});
+        return;
+    }
+    m_phase = Phase::Discovering;
+    m_discovery.emplace(config);
+    proceed(now);
+}
+
+void Engine::Private::submit(Operation operation, TimePoint now) {
+    if (operation.steps.empty()) {
+        events.emplace_back(rejected(operation, Outcome::Done));
+        return;
+    }
+    const OperationFinished cancelled = rejected(operation, Outcome::Cancelled);
+    if (m_phase != Phase::Running || m_stop || !m_commands.submit(std::move(operation))) {
+        events.emplace_back(cancelled);
+        return;
+    }
+    proceed(now);
+}
+
+void Engine::Private::hold(const HoldToMove& hold, TimePoint now) {
+    if (m_phase != Phase::Running || m_stop || hold.module.value() >= m_beliefs.size())
+        return;
+    m_hold.hold(hold, now);
+    proceed(now);
+}
+
+void Engine::Private::release(TimePoint now) {
+    m_hold.release();
+    hurryHoldStop();
+    proceed(now);
+}
+
+void Engine::Private::stopAll(TimePoint now) {
+    cancelOperations();
+    m_hold.clear();
+    if (m_phase == Phase::Off) {
+        events.emplace_back(StopFinished{});
+        return;
+    }
+    if (m_phase == Phase::Discovering) {
+        if (!m_stopDuringDiscovery)
+            m_stopDuringDiscovery = now;
+        return proceed(now);
+    }
+    if (m_stop)
+        m_stop->restart(m_beliefs, m_schedule);
+    else
+        m_stop.emplace(m_beliefs, m_schedule, now);
+    const bool suspect = m_suspect || m_resyncing || m_hurried || m_lost;
+    m_blindStopsDue = suspect || !line.idle();
+    interrupt();
+    m_suspect = suspect;
+    proceed(now);
+}
+
+void Engine::Private::onBytes(ByteSpan bytes, TimePoint now) {
+    if (const auto end = line.onBytes(bytes, now))
+        ended(*end, now);
+    proceed(now);
+}
+
+void Engine::Private::onDeadline(TimePoint now) {
+    if (const auto end = line.onDeadline(now))
+        ended(*end, now);
+    expireHold(now);
+    proceed(now);
+}
+
+std::optional<TimePoint> Engine::Private::nextDeadline() const {
+    std::optional<TimePoint> first = line.deadline();
+    const auto consider = [&](std::optional<TimePoint> other) {
+        if (other && (!first || *other < *first))
+            first = other;
+    };
+    if (m_phase == Phase::Running) {
+        consider(m_hold.deadline());
+        if (line.idle())
+            consider(m_schedule.nextDue());
+    }
+    return first;
+}
+
+std::size_t Engine::Private::stopReach() const {
+    return m_phase == Phase::Running ? m_schedule.answering() : 0;
+}
+
+void Engine::Private::expireHold(TimePoint now) {
+    const auto held = m_hold.wanted();
+    if (!held || !m_hold.expired(now))
+        return;
+    // Nothing had been started if there is nothing to stop.
+    if (m_hold.stop())
+        events.emplace_back(HoldExpired{held->module});
+    hurryHoldStop();
+}
+
+/// The stop that a hold owes does not wait for a quarantine.
+void Engine::Private::hurryHoldStop() {
+    if (!m_hold.stop() || !m_resyncing)
+        return;
+    interrupt();
+    m_suspect = true;
+}
+
+void Engine::Private::cancelOperations() {
+    for (OperationFinished& event : m_commands.cancelAll())
+        events.emplace_back(std::move(event));
+    if (m_again && m_again->lane != Lane::Discovery)
+        m_again.reset();
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "bus/engineprivate.h"
+#include "bus/gate.h"
+
+namespace nmc::bus {
+
+/// Drops what is in flight. Whether its command was carried out stays open, and the belief has that already.
+void Engine::Private::interrupt() {
+    line.abandon();
+    m_work.reset();
+    m_resyncing = false;
+}
+
+/// Stops without waiting for answers: an answer may still be coming in, and could be taken for that of the
+/// stop.
+void Engine::Private::sendBlindStops(TimePoint now) {
+    Line::Script script{Line::Gap{}};
+    if (std::exchange(m_suspect, false)) {
+        m_hurried = true;
+        script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
+    }
+    m_blindStops = m_stop->blindStops();
+    const auto same = [&](const Step& s) {
+        return payloadOf(s.command) == payloadOf(m_blindStops.front().command);
+    };
+    const bool all = m_blindStops.size() > 1 && m_blindStops.size() == m_beliefs.size() &&
+                     std::all_of(m_blindStops.begin(), m_blindStops.end(), same);
+    for (const Step& step : m_blindStops) {
+        const Payload payload = payloadOf(step.command);
+        if (all) {
+            // Every module is a member of group FF, which has no leader: nobody answers.
+            script.insert(script.end(), {Line::Packet{toPacket({BusAddress(0xFF), payload})}, Line::Gap{}});
+            break;
+        }
+        const std::size_t reply = layoutOf(belief(step.module), payload).length();
+        script.insert(script.end(),
+                      {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply},
+                       Line::Pause{kTurnaround + line.timing().bytes(reply)}});
+    }
+    const std::size_t underWay = kMaxReply;
+    script.insert(script.end(),
+                  {Line::Pause{line.timing().bytes(underWay) + line.timing().adapter()}, DiscardInput{}});
+    line.run(std::move(script), now);
+}
+
+/// The blind stops are out: what they may have done is believed from now on.
+void Engine::Private::noteBlindStops() {
+    const std::vector<Step> steps = std::exchange(m_blindStops, {});
+    const std::vector<TimePoint>& latches = line.scriptLatches();
+    for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
+        const TimePoint latched = latches[std::min(i, latches.size() - 1)];
+        belief(steps[i].module).onSent(steps[i].command, latched);
+        m_stop->onBlindSent(steps[i].module, latched);
+    }
+}
+
+void Engine::Private::finishStop(TimePoint now) {
+    if (m_stop) {
+        events.emplace_back(m_stop->finished(now));
+        m_stop.reset();
+    }
+    if (!m_stopDuringDiscovery)
+        return;
+    // Reset modules have their motors off (DS-V 4.1).
+    StopFinished event;
+    if (m_discovery)
+        for (const ModuleInfo& info : m_discovery->modules())
+            event.stopped.push_back(info.index);
+    event.took = now - *std::exchange(m_stopDuringDiscovery, std::nullopt);
+    events.emplace_back(std::move(event));
+}
+
+void Engine::Private::stopForHold(TimePoint now) {
+    const Step stop = *m_hold.stop();
+    // Off by itself, a tripped servo say: the stop must not switch it on again.
+    if (belief(stop.module).fresh() && !belief(stop.module).on())
+        return m_hold.onStopEnded();
+    if (std::exchange(m_suspect, false))
+        return flushBuffers(now);
+    Work work = commandWork(Lane::HoldStop, stop);
+    work.silentRepeats = 0;
+    work.refusedAttempts = 1;
+    begin(std::move(work), now);
+}
+
+}  // namespace nmc::bus

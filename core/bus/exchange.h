@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/strong.h"
+#include "base/time.h"
+#include "protocol/baud.h"
+#include "protocol/frame.h"
+#include "protocol/status.h"
+
+/// One command and its one answer: what is asked, how long the answer is, how long to wait for it.
+namespace nmc::bus {
+
+/// Longest time from a command's last byte to its execution, and the shortest gap before the next one when
+/// nobody answers (DS-V 4.1: 0.51 ms, one servo tick).
+inline constexpr Duration kTurnaround = kServoTick;
+/// Shortest adapter latency to count with (link.md 2.1).
+inline constexpr Duration kMinLatency = std::chrono::milliseconds(4);
+/// Shortest quarantine (link.md 2.1).
+inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
+
+/// The layout of a reply, which the request and the module's defined items determine: there is no length on
+/// the wire.
+struct ReplyLayout {
+    ModuleType type = ModuleType::Servo;
+    StatusItems items;
+    [[nodiscard]] std::size_t length() const { return replyLength(type, items); }
+    bool operator==(const ReplyLayout&) const = default;
+};
+
+struct Request {
+    BusAddress address;
+    Payload payload;
+    ReplyLayout reply;
+};
+
+/// What came of a request.
+enum class ReplyResult : std::uint8_t {
+    Accepted,
+    Refused,      ///< the communication-error bit: certainly not carried out
+    Silent,       ///< not one byte
+    Partial,      ///< fewer bytes than the layout has
+    BadChecksum,  ///< as many, but the sum is wrong
+};
+
+/// Nothing is known about whether the command was carried out.
+[[nodiscard]] constexpr bool unanswered(ReplyResult result) {
+    return result != ReplyResult::Accepted && result != ReplyResult::Refused;
+}
+
+struct ReplyEnd {
+    ReplyResult result = ReplyResult::Silent;
+    StatusReport report;  ///< of Accepted and Refused
+    TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
+};
+
+/// The arithmetic of link.md 2.1.
+struct LineTiming {
+    Duration byteTime = byteTimeAtBaud(kPowerUpBaud);
+    Duration latency = kMinLatency;
+    Duration margin{};
+
+    [[nodiscard]] Duration bytes(std::size_t count) const {
+        return byteTime * static_cast<Duration::rep>(count);
+    }
+    [[nodiscard]] Duration adapter() const { return std::max(latency, kMinLatency); }
+    /// From the first byte of the command to giving up.
+    [[nodiscard]] Duration timeout(std::size_t txBytes, std::size_t rxBytes) const {
+        return bytes(txBytes) + kTurnaround + bytes(rxBytes) + adapter() + margin;
+    }
+    /// What an exchange takes on a perfect line: half a tick of waiting on average.
+    [[nodiscard]] Duration wireTime(std::size_t txBytes, std::size_t rxBytes) const {
+        return bytes(txBytes + rxBytes) + kServoTick / 2;
+    }
+    [[nodiscard]] static Duration quarantine(Duration timeout) {
+        return std::max<Duration>(5 * timeout, kMinQuarantine);
+    }
+};
+
+}  // namespace nmc::bus

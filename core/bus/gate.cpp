@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "bus/gate.h"
+
+namespace nmc::bus {
+
+namespace {
+
+using servo::ProfileMode;
+
+[[nodiscard]] Verdict onlyAtStandstill(const Belief& belief) {
+    if (!belief.fresh())
+        return Verdict::NeedsStatus;
+    if (belief.mayMove())
+        return Verdict::InMotion;
+    // With the servo off the command velocity follows the actual one: a motor that coasts is in motion.
+    if (belief.info().identity.type == ModuleType::Servo && !belief.on()) {
+        if (!belief.velocity())
+            return Verdict::NeedsStatus;
+        return *belief.velocity() == 0 ? Verdict::Allowed : Verdict::InMotion;
+    }
+    return Verdict::Allowed;
+}
+
+[[nodiscard]] bool trapezoidal(const servo::LoadTrajectory& load) {
+    return load.servo && load.profile == ProfileMode::Trapezoidal;
+}
+
+struct Judge {
+    const Belief& belief;
+
+    Verdict operator()(const Nop&) const { return Verdict::Allowed; }
+    Verdict operator()(const ReadStatus&) const { return Verdict::Allowed; }
+    Verdict operator()(const DefineStatus&) const { return Verdict::Allowed; }
+    Verdict operator()(const SetAddress&) const { return Verdict::Never; }
+    Verdict operator()(const SetBaud&) const { return Verdict::Never; }
+    Verdict operator()(const HardReset&) const { return Verdict::Never; }
+    Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
+    Verdict operator()(const SaveAsHome&) const { return Verdict::Allowed; }
+    Verdict operator()(const StartMotion&) const {
+        if (!belief.loaded())
+            return Verdict::Never;
+        const auto& load = belief.servoLoad();
+        return load && trapezoidal(*load) ? onlyAtStandstill(belief) : Verdict::Allowed;
+    }
+
+    Verdict operator()(const servo::LoadTrajectory& load) const {
+        if (!trapezoidal(load))
+            return Verdict::Allowed;
+        return load.startNow ? Verdict::Never : onlyAtStandstill(belief);
+    }
+    Verdict operator()(const servo::SetGain& gain) const {
+        return gain.db && belief.info().identity.version < servo::kDeadbandVersion ? Verdict::Never
+                                                                                   : Verdict::Allowed;
+    }
+    Verdict operator()(const servo::StopMotor& stop) const {
+        return stop.manner == servo::StopManner::Here &&
+                       belief.info().identity.version < servo::kStopHereVersion
+                   ? Verdict::Never
+                   : Verdict::Allowed;
+    }
+    Verdict operator()(const servo::IoControl&) const { return Verdict::Allowed; }
+    Verdict operator()(const servo::SetHoming&) const { return Verdict::Allowed; }
+    Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
+
+    /// DS-S table 4, first column: with a goal position and no timer count it is a trapezoidal move.
+    Verdict operator()(const step::LoadTrajectory& load) const {
+        return load.position && !load.timer ? onlyAtStandstill(belief) : Verdict::Allowed;
+    }
+    Verdict operator()(const step::SetParameters&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
+};
+
+[[nodiscard]] bool safeForAnyType(CommandCode code) {
+    return code == CommandCode::Nop || code == CommandCode::ReadStatus || code == CommandCode::DefineStatus ||
+           code == CommandCode::StopMotor;
+}
+
+/// The command is one of the chip's own, within the data sheet's ranges.
+[[nodiscard]] bool belongs(ModuleType type, const ModuleCommand& command) {
+    switch (type) {
+        case ModuleType::Servo: {
+            const auto* c = std::get_if<ServoCommand>(&command);
+            return c != nullptr && decodeServoCommand(encode(*c)).has_value();
+        }
+        case ModuleType::Step: {
+            const auto* c = std::get_if<StepCommand>(&command);
+            return c != nullptr && decodeStepCommand(encode(*c)).has_value();
+        }
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return std::visit([](const auto& c) { return safeForAnyType(encode(c).code); }, command);
+}
+
+}  // namespace
+
+Verdict judge(const Belief& belief, const ModuleCommand& command) {
+    if (!belongs(belief.info().identity.type, command))
+        return Verdict::Never;
+    return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
+}
+
+}  // namespace nmc::bus

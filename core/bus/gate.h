@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "bus/belief.h"
+
+namespace nmc::bus {
+
+/// Whether a command may go out to a module.
+enum class Verdict : std::uint8_t {
+    Allowed,
+    NeedsStatus,  ///< not known: read the full status, then ask again
+    InMotion,     ///< not while it moves, as far as the last status tells
+    Never,        ///< not for this chip, or not in this form
+};
+
+/// The rules of DS-V 4.4 and 5.1, DS-S 5.1, and of link.md: a trapezoidal move is loaded and started from
+/// standstill only, and never by the same command, so that a garbled load never moves anything; Start Motion
+/// only after a load that was answered; addresses, rate and reset belong to the engine. Pure.
+[[nodiscard]] Verdict judge(const Belief& belief, const ModuleCommand& command);
+
+}  // namespace nmc::bus

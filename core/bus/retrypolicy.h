@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/commandcode.h"
+#include "protocol/frame.h"
+
+namespace nmc::bus {
+
+/// What to do when nobody answered: the command may or may not have been carried out (link.md 2.3).
+enum class AfterSilence : std::uint8_t {
+    GiveUp,        ///< never blindly repeated: it could move twice, or carry out again what has been undone
+    Repeat,        ///< after a resync; carrying it out twice changes nothing
+    RepeatAtOnce,  ///< a stop: only nulls before it
+};
+
+struct RetryRule {
+    AfterSilence afterSilence = AfterSilence::GiveUp;
+    std::uint8_t silentRepeats = 0;
+    std::uint8_t refusedAttempts = 3;  ///< in total, when the module says that it refused
+    bool operator==(const RetryRule&) const = default;
+};
+
+/// The table of link.md 2.3. A Load Trajectory that does not start can be sent again: nothing moves yet.
+[[nodiscard]] constexpr RetryRule retryRule(CommandCode code, bool startsMotion) {
+    switch (code) {
+        case CommandCode::Nop:
+        case CommandCode::ReadStatus:
+        case CommandCode::DefineStatus:
+            return {AfterSilence::Repeat, 2};
+        case CommandCode::LoadTrajectory:
+            return startsMotion ? RetryRule{} : RetryRule{AfterSilence::Repeat, 2};
+        case CommandCode::StopMotor:
+            return {AfterSilence::RepeatAtOnce, 4, 10};
+        case CommandCode::StartMotion:
+        case CommandCode::ResetPosition:
+        case CommandCode::SaveAsHome:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SetGain:
+        case CommandCode::IoControl:
+        case CommandCode::SetHoming:
+        case CommandCode::SetAddress:  // Discovery asks at the new address first
+            return {};
+        case CommandCode::SetBaud:  // no reply by design; never an exchange
+        case CommandCode::HardReset:
+        case CommandCode::Reserved:
+            return {AfterSilence::GiveUp, 0, 1};
+    }
+    return {};
+}
+
+/// The rule for a payload as it goes out; "start now" is bit 7 of a Load Trajectory on both chips.
+[[nodiscard]] constexpr RetryRule retryRule(const Payload& payload) {
+    const bool starts = payload.code == CommandCode::LoadTrajectory && !payload.data.empty() &&
+                        (payload.data[0] & 0x80U) != 0;
+    return retryRule(payload.code, starts);
+}
+
+}  // namespace nmc::bus

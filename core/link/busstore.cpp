@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "link/busstore.h"
+
+#include <algorithm>
+
+namespace nmc {
+
+namespace {
+
+constexpr int kDrainIntervalMs = 16;
+
+}  // namespace
+
+BusStore::BusStore(BusWorker& worker, QObject* parent) : QObject(parent), m_worker(worker) {
+    m_drainTimer.setSingleShot(true);
+    m_drainTimer.setInterval(kDrainIntervalMs);
+    m_drainTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_drainTimer, &QTimer::timeout, this, &BusStore::drain);
+    // Between two drains the worker's queue is not empty, so it stays quiet: at most one wake-up a frame.
+    connect(&m_worker, &BusWorker::eventsReady, this, [this] {
+        if (!m_drainTimer.isActive())
+            m_drainTimer.start();
+    });
+}
+
+void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud) {
+    forgetChain();
+    m_link.phase = LinkPhase::Connecting;
+    m_link.port = port.toStdString();
+    m_link.simulated = simulated;
+    m_link.baud = baud;
+    m_lastStatistics = {};
+    emit linkChanged();
+}
+
+const ModuleState* BusStore::module(ModuleIndex index) const {
+    return known(index) ? &m_link.modules[index.value()] : nullptr;
+}
+
+const ModuleHistory* BusStore::history(ModuleIndex index) const {
+    return index.value() < m_records.size() ? &m_records[index.value()].history : nullptr;
+}
+
+int BusStore::movingMotors() const {
+    return static_cast<int>(std::count_if(m_link.modules.begin(), m_link.modules.end(),
+                                          [](const ModuleState& module) { return module.moving(); }));
+}
+
+LinkFigures BusStore::pullFigures(TimePoint now) {
+    LinkFigures figures;
+    const bus::LinkStatistics statistics = m_worker.statistics();
+    const double seconds = toSeconds(now - m_lastPull);
+    if (seconds > 0.0 && m_lastPull != TimePoint{} && statistics.answered >= m_lastStatistics.answered) {
+        const auto answered = static_cast<double>(statistics.answered - m_lastStatistics.answered);
+        figures.exchangesPerSecond = answered / seconds;
+        figures.wireShare = toSeconds(statistics.wireTime - m_lastStatistics.wireTime) / seconds;
+        figures.errorsPerSecond =
+            static_cast<double>(statistics.errors() - m_lastStatistics.errors()) / seconds;
+        if (answered > 0.0)
+            figures.meanRoundTripMs =
+                1e3 * toSeconds(statistics.roundTripSum - m_lastStatistics.roundTripSum) / answered;
+    }
+    figures.errors = statistics.errors();
+    m_lastStatistics = statistics;
+    m_lastPull = now;
+    return figures;
+}
+
+void BusStore::drain() {
+    const std::vector<WorkerEvent> events = m_worker.takeEvents();
+    for (const WorkerEvent& event : events)
+        take(event);
+    if (!events.empty())
+        emit linkChanged();
+}
+
+void BusStore::take(const WorkerEvent& event) {
+    if (const auto* busEvent = std::get_if<bus::Event>(&event))
+        take(*busEvent);
+    else if (const auto* close = std::get_if<PortClosed>(&event))
+        closed(*close);
+}
+
+void BusStore::take(const bus::Event& event) {
+    if (const auto* sample = std::get_if<bus::Sample>(&event)) {
+        take(*sample);
+    } else if (const auto* executed = std::get_if<bus::CommandExecuted>(&event)) {
+        if (known(executed->module)) {
+            m_link.modules[executed->module.value()].apply(*executed);
+            m_records[executed->module.value()].command.apply(*executed);
+        }
+    } else if (const auto* progress = std::get_if<bus::ConnectProgress>(&event)) {
+        m_link.phase = LinkPhase::Connecting;
+        m_link.stage = progress->stage;
+        m_link.found = progress->modules;
+    } else if (const auto* chain = std::get_if<bus::ChainFound>(&event)) {
+        found(*chain);
+        emit happened(*chain);
+    } else if (const auto* failed = std::get_if<bus::ConnectFailed>(&event)) {
+        m_link.phase = LinkPhase::Lost;
+        emit happened(*failed);
+    } else if (const auto* silent = std::get_if<bus::ModuleSilence>(&event)) {
+        silence(*silent);
+    } else if (const auto* lost = std::get_if<bus::LinkLost>(&event)) {
+        m_link.phase = LinkPhase::Lost;
+        emit happened(*lost);
+    } else if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
+        emit happened(*finished);
+    } else if (const auto* stopped = std::get_if<bus::StopFinished>(&event)) {
+        emit happened(*stopped);
+    } else if (const auto* refused = std::get_if<bus::CommandRefused>(&event)) {
+        emit happened(*refused);
+    } else if (const auto* expired = std::get_if<bus::HoldExpired>(&event)) {
+        emit happened(*expired);
+    }
+}
+
+void BusStore::take(const bus::Sample& sample) {
+    if (!known(sample.module))
+        return;
+    ModuleState& module = m_link.modules[sample.module.value()];
+    Record& record = m_records[sample.module.value()];
+    const bool wasOff = module.switchedItselfOff;
+    module.apply(sample);
+    record.command.apply(sample);
+    if (module.switchedItselfOff && !wasOff)
+        emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
+
+    if (!sample.report.position)
+        return;
+    const double position = *sample.report.position;
+    record.history.position.append(sample.time, position);
+    if (const auto command = record.command.at(sample.time)) {
+        record.history.command.append(sample.time, *command);
+        record.history.error.append(sample.time, *command - position);
+    } else {
+        record.history.command.breakHere();
+        record.history.error.breakHere();
+    }
+}
+
+void BusStore::found(const bus::ChainFound& chain) {
+    forgetChain();
+    m_link.phase = LinkPhase::Connected;
+    m_link.baud = chain.baud;
+    for (const bus::ModuleInfo& info : chain.modules) {
+        ModuleState module;
+        module.info = info;
+        m_link.modules.push_back(module);
+    }
+    m_records.resize(chain.modules.size());
+}
+
+void BusStore::silence(const bus::ModuleSilence& silence) {
+    if (known(silence.module)) {
+        m_link.modules[silence.module.value()].silent = silence.silent;
+        Record& record = m_records[silence.module.value()];
+        record.history.position.breakHere();
+        if (silence.silent)
+            record.command.forget();
+        else if (m_link.phase == LinkPhase::Lost)
+            m_link.phase = LinkPhase::Connected;
+    }
+    emit happened(silence);
+}
+
+void BusStore::closed(const PortClosed& closed) {
+    PortClosed news = closed;
+    if (news.error && news.error->problem == PortProblem::Gone)
+        news.error->movingMotors = movingMotors();
+    m_link.phase = LinkPhase::Disconnected;
+    forgetChain();
+    emit happened(news);
+}
+
+void BusStore::forgetChain() {
+    m_link.modules.clear();
+    m_link.found = 0;
+    m_records.clear();
+}
+
+}  // namespace nmc

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "link/busworker.h"
+
+#include "link/clock.h"
+
+namespace nmc {
+
+namespace {
+
+/// What the GUI may fall behind before the oldest samples are dropped: a minute at the wire's limit.
+constexpr std::size_t kEventCapacity = 1U << 17U;
+constexpr std::size_t kRequestCapacity = 1'024;
+/// How long closing waits for the motors to confirm their stop.
+constexpr Duration kCloseTimeout = std::chrono::seconds(1);
+
+}  // namespace
+
+BusWorker::BusWorker(QObject* parent)
+    : QObject(parent), m_requests(kRequestCapacity), m_events(kEventCapacity) {}
+
+BusWorker::~BusWorker() {
+    close();
+    joinThread();
+}
+
+void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
+    joinThread();
+    (void)m_requests.takeAll();
+    m_stopRequested = false;
+    m_closeRequested = false;
+    m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
+    m_thread->setObjectName(QStringLiteral("bus"));
+    m_thread->start(QThread::TimeCriticalPriority);
+}
+
+void BusWorker::close() {
+    m_closeRequested = true;
+    m_wakeup.wake();
+}
+
+void BusWorker::restart() {
+    ask(Restart{});
+}
+
+void BusWorker::submit(bus::Operation operation) {
+    ask(std::move(operation));
+}
+
+void BusWorker::hold(const bus::HoldToMove& hold) {
+    ask(hold);
+}
+
+void BusWorker::release() {
+    ask(Release{});
+}
+
+void BusWorker::stopAll() {
+    m_stopRequested = true;
+    m_wakeup.wake();
+}
+
+std::vector<WorkerEvent> BusWorker::takeEvents() {
+    std::vector<WorkerEvent> events = m_events.takeAll();
+    for (const WorkerEvent& event : events)
+        if (std::holds_alternative<PortClosed>(event))
+            joinThread();
+    return events;
+}
+
+bus::LinkStatistics BusWorker::statistics() const {
+    const std::scoped_lock lock(m_statisticsMutex);
+    return m_statistics;
+}
+
+void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
+    const std::unique_ptr<Transport> transport = factory();
+    if (const auto opened = transport->open(); !opened) {
+        post(PortClosed{opened.error()});
+        return;
+    }
+    post(PortOpened{});
+    bus::Engine engine(config);
+    engine.connect(monotonicNow());
+    converse(*transport, engine);
+}
+
+void BusWorker::converse(Transport& transport, bus::Engine& engine) {
+    std::optional<TimePoint> closeBy;
+    while (true) {
+        const TimePoint now = monotonicNow();
+        if (m_closeRequested && !closeBy) {
+            closeBy = now + kCloseTimeout;
+            engine.stopAll(now);
+        }
+        takeRequests(engine, now);
+        if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
+            engine.onDeadline(now);
+        if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
+            post(PortClosed{performed.error()});
+            return;
+        }
+        const bool stopped = publish(engine);
+        if (closeBy && (stopped || now >= *closeBy)) {
+            post(PortClosed{});
+            return;
+        }
+
+        auto until = engine.nextDeadline();
+        if (closeBy && (!until || *closeBy < *until))
+            until = closeBy;
+        const auto bytes = transport.receive(until, m_wakeup.fd());
+        if (!bytes) {
+            post(PortClosed{bytes.error()});
+            return;
+        }
+        if (!bytes->empty())
+            engine.onBytes(*bytes, monotonicNow());
+    }
+}
+
+void BusWorker::takeRequests(bus::Engine& engine, TimePoint now) {
+    m_wakeup.reset();
+    if (m_stopRequested.exchange(false))
+        engine.stopAll(now);
+    for (Request& request : m_requests.takeAll()) {
+        if (auto* operation = std::get_if<bus::Operation>(&request))
+            engine.submit(std::move(*operation), now);
+        else if (const auto* hold = std::get_if<bus::HoldToMove>(&request))
+            engine.hold(*hold, now);
+        else if (std::holds_alternative<Release>(request))
+            engine.release(now);
+        else
+            engine.connect(now);
+    }
+}
+
+tl::expected<void, PortError> BusWorker::perform(Transport& transport,
+                                                 const std::vector<bus::Output>& outputs) {
+    for (const bus::Output& output : outputs) {
+        tl::expected<void, PortError> done;
+        if (const auto* baud = std::get_if<bus::SetHostBaud>(&output))
+            done = transport.setBaud(baud->baud);
+        else if (const auto* send = std::get_if<bus::Send>(&output))
+            done = transport.send(send->bytes);
+        else
+            transport.discardInput();
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+bool BusWorker::publish(bus::Engine& engine) {
+    bool stopped = false;
+    for (bus::Event& event : engine.takeEvents()) {
+        stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
+        post(std::move(event));
+    }
+    const std::scoped_lock lock(m_statisticsMutex);
+    m_statistics = engine.statistics();
+    return stopped;
+}
+
+void BusWorker::post(WorkerEvent event) {
+    if (m_events.push(std::move(event)))
+        emit eventsReady();
+}
+
+void BusWorker::ask(Request request) {
+    m_requests.push(std::move(request));
+    m_wakeup.wake();
+}
+
+void BusWorker::joinThread() {
+    if (m_thread)
+        m_thread->wait();
+    m_thread.reset();
+}
+
+}  // namespace nmc

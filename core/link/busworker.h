@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "base/boundedqueue.h"
+#include "bus/engine.h"
+#include "bus/types.h"
+#include "link/linktypes.h"
+#include "link/transport.h"
+#include "link/wakeup.h"
+
+namespace nmc {
+
+/// The port is open and discovery begins.
+struct PortOpened {};
+/// The connection is over: by close(), or for the reason given.
+struct PortClosed {
+    std::optional<PortError> error;
+};
+
+using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed>;
+
+/// Runs one connection in a thread of its own: owns the transport and the engine there, for as long as it is
+/// open. The loop blocks in Transport::receive() only; requests reach it through queues and a wake-up, so the
+/// GUI never waits for the bus and a frozen GUI never delays a stop.
+///
+/// All public members belong to the GUI thread but for stopAll(), which may be called from any.
+class BusWorker : public QObject {
+    Q_OBJECT
+
+public:
+    using TransportFactory = std::function<std::unique_ptr<Transport>()>;
+
+    explicit BusWorker(QObject* parent = nullptr);
+    /// Stops the motors and closes the port, waiting for it.
+    ~BusWorker() override;
+
+    /// Opens a connection; `factory` runs in the bus thread. Ends in PortOpened or PortClosed. An open
+    /// connection must have been closed before.
+    void open(TransportFactory factory, bus::EngineConfig config);
+    /// Stops the motors, closes the port; PortClosed follows.
+    void close();
+    [[nodiscard]] bool isOpen() const { return m_thread != nullptr; }
+
+    /// Finds the chain anew, as after open().
+    void restart();
+    void submit(bus::Operation operation);
+    void hold(const bus::HoldToMove& hold);
+    void release();
+    void stopAll();
+
+    /// Everything since the last call, oldest first.
+    [[nodiscard]] std::vector<WorkerEvent> takeEvents();
+    [[nodiscard]] bus::LinkStatistics statistics() const;
+
+signals:
+    /// There is something to take; emitted from the bus thread, without data.
+    void eventsReady();
+
+private:
+    struct Release {};
+    struct Restart {};
+    using Request = std::variant<bus::Operation, bus::HoldToMove, Release, Restart>;
+
+    void run(const TransportFactory& factory, const bus::EngineConfig& config);
+    void converse(Transport& transport, bus::Engine& engine);
+    void takeRequests(bus::Engine& engine, TimePoint now);
+    tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
+    /// Returns true when a stop has finished.
+    bool publish(bus::Engine& engine);
+    void post(WorkerEvent event);
+    void ask(Request request);
+    void joinThread();
+
+    std::unique_ptr<QThread> m_thread;
+    Wakeup m_wakeup;
+    std::atomic<bool> m_stopRequested{false};
+    std::atomic<bool> m_closeRequested{false};
+    BoundedQueue<Request> m_requests;
+    BoundedQueue<WorkerEvent> m_events;
+    mutable std::mutex m_statisticsMutex;
+    bus::LinkStatistics m_statistics;
+};
+
+}  // namespace nmc

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "link/clock.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+
+namespace nmc {
+
+TimePoint monotonicNow() {
+    return TimePoint(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until) {
+    timespec wait{};
+    if (until) {
+        const auto ns = std::max(Duration::zero(), *until - monotonicNow()).count();
+        wait.tv_sec = ns / 1'000'000'000;
+        wait.tv_nsec = ns % 1'000'000'000;
+    }
+    const int ready = ::ppoll(fds.data(), fds.size(), until ? &wait : nullptr, nullptr);
+    return ready < 0 && errno == EINTR ? 0 : ready;
+}
+
+}  // namespace nmc

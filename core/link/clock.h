@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <poll.h>
+
+#include <optional>
+#include <span>
+
+#include "base/time.h"
+
+namespace nmc {
+
+/// The monotonic clock: the one place where time comes from.
+[[nodiscard]] TimePoint monotonicNow();
+
+/// poll(2) until a time point, to the nanosecond; without one, for ever. Returns what poll returns; an
+/// interrupting signal counts as nothing ready.
+int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until);
+
+}  // namespace nmc

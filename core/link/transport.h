@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "base/bytes.h"
+#include "base/time.h"
+#include "link/linktypes.h"
+
+namespace nmc {
+
+/// The way to a chain: a serial port, or the simulator in this process. Lives wholly in the bus thread, which
+/// has no event loop: receive() is its only place to wait. An error is final; the transport is then thrown
+/// away.
+class Transport {
+public:
+    Transport() = default;
+    virtual ~Transport() = default;
+    Transport(const Transport&) = delete;
+    Transport& operator=(const Transport&) = delete;
+
+    virtual tl::expected<void, PortError> open() = 0;
+    virtual tl::expected<void, PortError> setBaud(std::uint32_t baud) = 0;
+    /// Hands the bytes to the port at once; does not wait for them to leave.
+    virtual tl::expected<void, PortError> send(ByteSpan bytes) = 0;
+    virtual void discardInput() = 0;
+
+    /// Waits for bytes, for `until`, or for `wakeFd` to become readable (it is not read), whichever is first.
+    /// Empty when nothing arrived.
+    virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
+                                                                       int wakeFd) = 0;
+};
+
+}  // namespace nmc

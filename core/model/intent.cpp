@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent.h"
+
+namespace nmc {
+
+namespace {
+
+using Steps = std::vector<bus::Step>;
+using Plan = tl::expected<Steps, Refusal>;
+
+template <typename... Commands>
+Steps stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Step{module.info.index, ServoCommand(std::move(commands))}...};
+}
+
+bool gainsHold(const ModuleState& module) {
+    // Without Kp nothing pulls the motor back, and without an output limit above 0 nothing drives it.
+    return module.gains && module.gains->kp != 0 && module.gains->ol != 0;
+}
+
+/// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
+template <typename MakeSteps>
+Plan allowed(Request request, const ModuleState& module, MakeSteps makeSteps) {
+    if (const auto refusal = whyNot(request, module))
+        return tl::unexpected(*refusal);
+    return makeSteps();
+}
+
+struct Planner {
+    const ModuleState& module;
+
+    Plan operator()(const intent::Enable&) const {
+        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2).
+        return allowed(Request::Enable, module, [this] {
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+        });
+    }
+
+    Plan operator()(const intent::GoTo& goTo) const {
+        if (goTo.velocity.value() == 0)
+            return tl::unexpected(Refusal::NoVelocity);
+        if (goTo.acceleration.value() == 0)
+            return tl::unexpected(Refusal::NoAcceleration);
+        servo::LoadTrajectory load;
+        load.position = goTo.position;
+        load.velocity = goTo.velocity;
+        load.acceleration = goTo.acceleration;
+        return allowed(Request::Move, module, [&] { return stepsFor(module, load, StartMotion{}); });
+    }
+
+    Plan operator()(const intent::RunAtVelocity& run) const {
+        if (run.acceleration.value() == 0)
+            return tl::unexpected(Refusal::NoAcceleration);
+        servo::LoadTrajectory load;
+        load.velocity = run.velocity;
+        load.acceleration = run.acceleration;
+        load.profile = servo::ProfileMode::Velocity;
+        load.reverse = run.reverse;
+        return allowed(Request::Run, module, [&] { return stepsFor(module, load, StartMotion{}); });
+    }
+
+    Plan operator()(const intent::StopSmoothly&) const {
+        // With acceleration 0 the chip could not slow down (link.md 2.6).
+        const auto manner =
+            module.accelerationLoaded ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
+        return stop(manner);
+    }
+    Plan operator()(const intent::StopAbruptly&) const { return stop(servo::StopManner::Abruptly); }
+
+    Plan operator()(const intent::MotorOff&) const {
+        return allowed(Request::MotorOff, module, [this] {
+            return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
+        });
+    }
+
+    Plan operator()(const intent::ApplyGains& apply) const {
+        servo::SetGain gains = apply.gains;
+        if (module.info.identity.version < servo::kDeadbandVersion)
+            gains.db.reset();
+        return allowed(Request::ApplyGains, module, [&] { return stepsFor(module, gains); });
+    }
+
+    Plan operator()(const intent::ClearStickyBits&) const {
+        return allowed(Request::ClearStickyBits, module,
+                       [this] { return stepsFor(module, servo::ClearStickyBits{}); });
+    }
+
+    Plan operator()(const intent::ResetPosition&) const {
+        return allowed(Request::ResetPosition, module,
+                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
+    }
+
+private:
+    [[nodiscard]] Plan stop(servo::StopManner manner) const {
+        return allowed(Request::StopMotion, module, [&] {
+            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, manner, {}});
+        });
+    }
+};
+
+}  // namespace
+
+tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+    return std::visit(Planner{module}, intent);
+}
+
+std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+    if (!module.isServo())
+        return Refusal::NotAServo;
+    if (request == Request::MotorOff)
+        return std::nullopt;  // worth trying whatever is believed
+    if (module.silent || !module.latest)
+        return Refusal::Silent;
+
+    switch (request) {
+        case Request::Enable:
+            if (!module.latest->servoStatus().powerOn())
+                return Refusal::NoPower;
+            return gainsHold(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
+        case Request::Move:
+            if (!module.servoOn())
+                return Refusal::ServoOff;
+            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::Run:
+        case Request::Hold:
+        case Request::StopMotion:  // to a servo that is off a stop would switch it on
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+        case Request::ResetPosition:
+            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::MotorOff:
+        case Request::ApplyGains:
+        case Request::ClearStickyBits:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace nmc

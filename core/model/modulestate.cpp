@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "model/modulestate.h"
+
+namespace nmc {
+
+namespace {
+
+/// Copies every item that `from` carries; what it does not carry keeps its last value.
+void merge(StatusReport& into, const StatusReport& from) {
+    into.status = from.status;
+    into.items = StatusItems(static_cast<std::uint8_t>(into.items.mask() | from.items.mask()));
+    const auto take = [](auto& to, const auto& value) {
+        if (value)
+            to = value;
+    };
+    take(into.position, from.position);
+    take(into.analog, from.analog);
+    take(into.velocity, from.velocity);
+    take(into.timerCount, from.timerCount);
+    take(into.aux, from.aux);
+    take(into.home, from.home);
+    take(into.identity, from.identity);
+}
+
+}  // namespace
+
+Severity severityOf(Activity activity) {
+    switch (activity) {
+        case Activity::Tripped:
+        case Activity::PowerLost:
+        case Activity::Silent:
+            return Severity::Fault;
+        case Activity::NoPower:
+        case Activity::PwmMode:
+            return Severity::Attention;
+        case Activity::Unknown:
+        case Activity::ServoOff:
+        case Activity::Holding:
+        case Activity::Accelerating:
+        case Activity::AtSpeed:
+        case Activity::Decelerating:
+            return Severity::Normal;
+    }
+    return Severity::Normal;
+}
+
+void ModuleState::apply(const bus::Sample& sample) {
+    const bool wasOn = servoOn();
+    if (!latest)
+        latest.emplace();
+    merge(*latest, sample.report);
+    latestTime = sample.time;
+    if (!isServo() || !sample.report.aux)
+        return;
+    if (servoOn()) {
+        switchedItselfOff = powerLostWhileOn = false;
+    } else if (wasOn && !offCommanded) {
+        switchedItselfOff = true;
+        powerLostWhileOn = !latest->servoStatus().powerOn();
+        motion = MotionMode::None;
+    }
+}
+
+void ModuleState::apply(const bus::CommandExecuted& executed) {
+    const auto* command = std::get_if<ServoCommand>(&executed.command);
+    if (command == nullptr)
+        return;
+    if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
+        m_loaded = *load;
+        if (load->velocity)
+            m_loadedVelocity = load->velocity->value() / 65'536.0;
+        if (load->acceleration)
+            accelerationLoaded = load->acceleration->value() != 0;
+        if (load->startNow)
+            applyLoaded();
+    } else if (std::holds_alternative<StartMotion>(*command)) {
+        applyLoaded();
+    } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
+        apply(*stop);
+    } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
+        gains = *sent;
+    }
+}
+
+void ModuleState::applyLoaded() {
+    if (!m_loaded.servo) {
+        motion = MotionMode::Pwm;
+        offCommanded = true;
+        return;
+    }
+    offCommanded = false;
+    const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
+    motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
+    goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
+}
+
+void ModuleState::apply(const servo::StopMotor& stop) {
+    amplifierEnabled = stop.amplifierEnable;
+    if (stop.manner == servo::StopManner::AmplifierOnly)
+        return;
+    // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
+    goalVelocity = m_loadedVelocity = 0.0;
+    if (stop.manner == servo::StopManner::MotorOff) {
+        motion = MotionMode::None;
+        offCommanded = true;
+        // Whoever switches the motor off has seen that it is off: an earlier trip is acknowledged.
+        switchedItselfOff = powerLostWhileOn = false;
+    } else {
+        motion = MotionMode::Velocity;
+        offCommanded = false;
+    }
+}
+
+bool ModuleState::servoOn() const {
+    return isServo() && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
+}
+
+bool ModuleState::moving() const {
+    if (!latest || !isServo())
+        return false;
+    if (!servoOn())
+        return motion == MotionMode::Pwm;
+    return !latest->servoStatus().moveDone() || (motion == MotionMode::Velocity && goalVelocity != 0.0);
+}
+
+Activity ModuleState::activity() const {
+    if (silent)
+        return Activity::Silent;
+    if (!isServo() || !latest || !latest->aux)
+        return Activity::Unknown;
+    return servoOn() ? activityWhileOn() : activityWhileOff();
+}
+
+Activity ModuleState::activityWhileOff() const {
+    if (powerLostWhileOn)
+        return Activity::PowerLost;
+    if (switchedItselfOff)
+        return Activity::Tripped;
+    if (!latest->servoStatus().powerOn())
+        return Activity::NoPower;
+    return motion == MotionMode::Pwm ? Activity::PwmMode : Activity::ServoOff;
+}
+
+Activity ModuleState::activityWhileOn() const {
+    const bool moveDone = latest->servoStatus().moveDone();
+    if (motion == MotionMode::Velocity) {
+        if (moveDone)
+            return goalVelocity == 0.0 ? Activity::Holding : Activity::AtSpeed;
+        return goalVelocity == 0.0 ? Activity::Decelerating : Activity::Accelerating;
+    }
+    if (moveDone)
+        return Activity::Holding;
+    const servo::AuxByte aux{*latest->aux};
+    if (!aux.accelDone())
+        return Activity::Accelerating;
+    return aux.slewDone() ? Activity::Decelerating : Activity::AtSpeed;
+}
+
+}  // namespace nmc

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "sim/chain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "sim/line.h"
+#include "sim/random.h"
+#include "sim/servomodule.h"
+
+namespace nmc::sim {
+
+namespace {
+
+/// Modules that nobody asks are brought up to date at least this often, so that catching up never takes long.
+constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
+
+}  // namespace
+
+class Chain::Private {
+public:
+    Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& options);
+
+    void runTo(TimePoint now);
+    [[nodiscard]] TimePoint nextEvent() const;
+    void updateAddressLines();
+
+    std::vector<std::unique_ptr<Module>> modules;
+    /// Module::nextEvent() of each, side by side: the search for the next one is the inner loop.
+    std::vector<TimePoint> moduleEvents;
+    std::vector<bool> addressLineBroken;  ///< between a module and its neighbour towards the host
+    HostLine line;
+    std::vector<HostByte> toHost;
+    ViolationLog violations;
+    ChainStatistics statistics;
+    TimePoint now;
+
+private:
+    void runModule(std::size_t index);
+    void sendReplyByte(Module& module);
+    std::uint8_t collide(Module& sender, std::uint8_t value);
+    void deliverToHost(const Module& sender, std::uint8_t value, bool garbles);
+    void deliverToModules(const LineByte& byte);
+    void watchForHaste(const LineByte& byte);
+    [[nodiscard]] const Module* busyModule() const;
+    void catchUp();
+
+    Random m_random;
+    Receiver m_monitor;  ///< hears the host as it is, to tell whole commands from nulls and garbage
+    bool m_hasty = false;
+    std::uint8_t m_hurried = 0;  ///< the module that was busy
+    TimePoint m_nextCatchUp;
+};
+
+Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& options)
+    : m_random(options.seed) {
+    for (const ModuleIdentity& identity : identities) {
+        const auto phase = static_cast<Duration::rep>(
+            m_random.below(static_cast<std::uint64_t>(std::chrono::nanoseconds(kServoTick).count())));
+        const ModuleOptions moduleOptions{Duration(phase), options.resetDeadTime, options.unpaced,
+                                          options.deafWhenAddressInputRises};
+        assert(identity.type == ModuleType::Servo);
+        const auto index = static_cast<std::uint8_t>(modules.size());
+        modules.push_back(std::make_unique<ServoModule>(identity, index, moduleOptions, violations));
+    }
+    moduleEvents.assign(modules.size(), kNever);
+    addressLineBroken.assign(modules.size(), false);
+    updateAddressLines();
+}
+
+TimePoint Chain::Private::nextEvent() const {
+    TimePoint next = line.nextDue().value_or(kNever);
+    for (const TimePoint due : moduleEvents)
+        next = std::min(next, due);
+    return next;
+}
+
+/// Events at the same time: modules in the order of addressing, then the host's byte. A byte that arrives
+/// with a tick's end belongs to the next tick, and one that arrives with a reply's byte does not cut that
+/// byte.
+void Chain::Private::runTo(TimePoint until) {
+    for (;;) {
+        const auto first = std::min_element(moduleEvents.begin(), moduleEvents.end());
+        const TimePoint moduleDue = first == moduleEvents.end() ? kNever : *first;
+        const TimePoint lineDue = line.nextDue().value_or(kNever);
+        const TimePoint due = std::min(moduleDue, lineDue);
+        if (due > until)
+            break;
+        now = std::max(now, due);
+        if (moduleDue <= lineDue)
+            runModule(static_cast<std::size_t>(first - moduleEvents.begin()));
+        else
+            deliverToModules(line.take());
+    }
+    now = std::max(now, until);
+    catchUp();
+}
+
+void Chain::Private::catchUp() {
+    if (now < m_nextCatchUp)
+        return;
+    m_nextCatchUp = now + kCatchUpEvery;
+    for (const auto& module : modules) {
+        // A pending command is to find its module at its tick, not beyond.
+        module->advanceTo(now);
+    }
+}
+
+// --- Modules
+// --------------------------------------------------------------------------------------------------
+
+void Chain::Private::runModule(std::size_t index) {
+    Module& module = *modules[index];
+    if (module.isReplying() && module.replyByteDue() <= module.executesAt()) {
+        sendReplyByte(module);
+    } else {
+        module.execute();
+        updateAddressLines();
+    }
+    moduleEvents[index] = module.nextEvent();
+}
+
+void Chain::Private::updateAddressLines() {
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        const bool low = i == 0 || (modules[i - 1]->addressOutputIsLow() && !addressLineBroken[i - 1]);
+        modules[i]->setAddressInput(low, now);
+    }
+}
+
+void Chain::Private::sendReplyByte(Module& module) {
+    const bool paced = module.replyByteStart() < module.replyByteDue();
+    std::uint8_t value = module.replyByte();
+    if (paced)
+        value = collide(module, value);
+    const double chance = paced ? garbleProbability(module.brd(), line.baud()) : 0.0;
+    deliverToHost(module, value, chance > 0.0 && m_random.unit() < chance);
+    if (module.replyByteSent())
+        ++statistics.exchanges;
+}
+
+/// The line carries a 0 where any driver sends one. A byte that begins while another is on its way is not
+/// heard as a byte of its own.
+std::uint8_t Chain::Private::collide(Module& sender, std::uint8_t value) {
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        Module& other = *modules[i];
+        if (&other == &sender || !other.isReplying() || other.replyByteStart() >= sender.replyByteDue())
+            continue;
+        value &= other.replyByte();
+        sender.replyCollided(now);
+        other.replyCollided(now);
+        if (other.replyByteSent())
+            ++statistics.exchanges;
+        moduleEvents[i] = other.nextEvent();
+    }
+    return value;
+}
+
+void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, bool garbles) {
+    ++statistics.bytesOut;
+    if (garbles) {
+        value = garbled(value, m_random);
+        modules[sender.index()]->countGarbled();
+    }
+    if (toHost.size() == kMaxWaitingHostBytes) {
+        ++statistics.bytesLost;
+        return;
+    }
+    toHost.push_back({now, value});
+}
+
+// --- The host
+// -------------------------------------------------------------------------------------------------
+
+void Chain::Private::deliverToModules(const LineByte& byte) {
+    ++statistics.bytesIn;
+    watchForHaste(byte);
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        Module& module = *modules[i];
+        module.dropReply();
+        if (module.isAwake(now)) {
+            const double chance = garbleProbability(module.brd(), byte.baud);
+            const bool wrong = chance > 0.0 && m_random.unit() < chance;
+            if (wrong)
+                module.countGarbled();
+            module.hears(wrong ? garbled(byte.value, m_random) : byte.value, wrong, now);
+        }
+        moduleEvents[i] = module.nextEvent();
+    }
+}
+
+const Module* Chain::Private::busyModule() const {
+    for (const auto& module : modules)
+        if (module->hasPending() || module->isReplying())
+            return module.get();
+    return nullptr;
+}
+
+/// DS-V 4.1: no new command before the answer. A Stop Motor that cuts a reply short is what the rule's
+/// exception is for. Nulls and garbage do not count: every host begins with them.
+void Chain::Private::watchForHaste(const LineByte& byte) {
+    const bool complete = m_monitor.hears(byte.value, false);
+    if (!complete && !m_monitor.inPacket()) {
+        m_hasty = false;
+        return;
+    }
+    if (const Module* busy = m_hasty ? nullptr : busyModule()) {
+        m_hasty = true;
+        m_hurried = busy->index();
+    }
+    if (!complete)
+        return;
+    const Packet& packet = m_monitor.packet();
+    if (m_hasty && packet.sumIsRight() && packet.code() != CommandCode::StopMotor)
+        violations.add({now, m_hurried, ViolationKind::CommandInFlight, packet.bytes()});
+    m_hasty = false;
+}
+
+// --- Chain
+// ----------------------------------------------------------------------------------------------------
+
+Chain::Chain(const std::vector<ModuleIdentity>& modules, ChainOptions options)
+    : d(std::make_unique<Private>(modules, options)) {}
+Chain::~Chain() = default;
+Chain::Chain(Chain&&) noexcept = default;
+Chain& Chain::operator=(Chain&&) noexcept = default;
+
+void Chain::setHostBaud(std::uint32_t baud) {
+    assert(baud > 0);
+    d->line.setBaud(baud);
+}
+
+void Chain::hostSends(ByteSpan bytes, TimePoint now) {
+    d->runTo(now);
+    d->line.send(bytes, d->now);
+}
+
+void Chain::advanceTo(TimePoint now) {
+    d->runTo(now);
+}
+
+std::vector<HostByte> Chain::takeHostBytes() {
+    return std::exchange(d->toHost, {});
+}
+
+std::optional<TimePoint> Chain::nextEvent() const {
+    const TimePoint next = d->nextEvent();
+    return next == kNever ? std::nullopt : std::optional(next);
+}
+
+std::size_t Chain::moduleCount() const {
+    return d->modules.size();
+}
+
+ModuleIdentity Chain::identity(ModuleIndex module) const {
+    return d->modules[module.value()]->snapshot({}).identity;
+}
+
+ModuleSnapshot Chain::snapshot(ModuleIndex module, TimePoint now) {
+    d->runTo(now);
+    Module& m = *d->modules[module.value()];
+    m.advanceTo(d->now);
+    static_cast<void>(m.isAwake(d->now));
+    return m.snapshot(d->now);
+}
+
+void Chain::set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now) {
+    d->runTo(now);
+    Module& m = *d->modules[module.value()];
+    m.advanceTo(d->now);
+    m.set(input, value);
+}
+
+void Chain::powerCycle(ModuleIndex module, TimePoint now) {
+    d->runTo(now);
+    Module& m = *d->modules[module.value()];
+    m.powerUp(d->now);
+    d->moduleEvents[module.value()] = m.nextEvent();
+    d->updateAddressLines();
+}
+
+void Chain::breakAddressLine(ModuleIndex module, TimePoint now) {
+    d->runTo(now);
+    d->addressLineBroken[module.value()] = true;
+    d->updateAddressLines();
+}
+
+void Chain::mendAddressLine(ModuleIndex module, TimePoint now) {
+    d->runTo(now);
+    d->addressLineBroken[module.value()] = false;
+    d->updateAddressLines();
+}
+
+ChainStatistics Chain::statistics() const {
+    ChainStatistics s = d->statistics;
+    s.time = d->now;
+    s.bytesLost += d->line.lost();
+    for (const auto& module : d->modules)
+        s.modules.push_back(module->statistics());
+    return s;
+}
+
+const ViolationLog& Chain::violations() const {
+    return d->violations;
+}
+
+}  // namespace nmc::sim

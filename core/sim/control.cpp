@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "sim/control.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "protocol/baud.h"
+#include "protocol/commandtable.h"
+
+namespace nmc::sim {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string_view>;
+
+constexpr std::string_view kVerbs =
+    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, stats, time";
+
+Json error(const std::string& text) {
+    return {{"error", text}};
+}
+Json ok() {
+    return {{"ok", true}};
+}
+
+std::string quoted(std::string_view word) {
+    return "'" + std::string(word) + "'";
+}
+
+Words split(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    Words words;
+    for (std::size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+        words.push_back(line.substr(at, end - at));
+        at = end;
+    }
+    return words;
+}
+
+template <typename T>
+std::optional<T> number(std::string_view word) {
+    T value{};
+    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (failure != std::errc{} || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::string_view word) {
+    const auto value = number<unsigned>(word);
+    if (!value || *value < 1 || *value > chain.moduleCount())
+        return tl::unexpected("no module " + quoted(word) + "; allowed is 1 to " +
+                              std::to_string(chain.moduleCount()));
+    return ModuleIndex(static_cast<std::uint8_t>(*value - 1));
+}
+
+// --- state
+// ----------------------------------------------------------------------------------------------------
+
+Json gainsJson(const Gains& g) {
+    return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
+            {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
+}
+
+Json state(Chain& chain, ModuleIndex module, TimePoint now) {
+    const ModuleSnapshot s = chain.snapshot(module, now);
+    const ServoSnapshot& servo = s.servo;
+    return {{"module", module.value() + 1},
+            {"type", "servo"},
+            {"version", s.identity.version},
+            {"address", s.address},
+            {"group", s.group},
+            {"leader", s.leader},
+            {"baud", std::lround(realRate(s.brd))},
+            {"listening", s.listening},
+            {"time", toSeconds(s.time.time_since_epoch())},
+            {"tick", s.tick},
+            {"position", servo.position},
+            {"shaft", servo.shaftCounts},
+            {"command_position", servo.commandPosition},
+            {"position_error", servo.positionError},
+            {"velocity", servo.velocity},
+            {"command_velocity", servo.commandVelocity},
+            {"pwm", servo.pwm},
+            {"current_limit_adjustment", servo.currentLimitAdjustment},
+            {"current", servo.amperes},
+            {"analog", servo.analog},
+            {"servo_on", servo.servoOn},
+            {"amp_enabled", servo.ampEnabled},
+            {"power", servo.power},
+            {"mode", toText(servo.mode)},
+            {"home", servo.home},
+            {"limit1", servo.limit1},
+            {"limit2", servo.limit2},
+            {"index", servo.index},
+            {"gains", gainsJson(servo.gains)}};
+}
+
+// --- set
+// ------------------------------------------------------------------------------------------------------
+
+struct InputRow {
+    std::string_view name;
+    Input input;
+    std::string_view allowed;
+    std::string_view word;  ///< stands for no value
+    double min;
+    double max;
+    bool whole;
+};
+
+// Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
+constexpr std::array kInputs{
+    InputRow{"limit1", Input::Limit1, "0 or 1", {}, 0, 1, true},
+    InputRow{"limit2", Input::Limit2, "0 or 1", {}, 0, 1, true},
+    InputRow{"index", Input::Index, "0 or 1", {}, 0, 1, true},
+    InputRow{"power", Input::Power, "0 or 1", {}, 0, 1, true},
+    InputRow{"analog", Input::Analog, "0 to 255 or auto", "auto", 0, 255, true},
+    InputRow{"load", Input::Load, "-100 to 100 N·m", {}, -100, 100, false},
+    InputRow{"inertia", Input::Inertia, "1e-7 to 100 kg·m²", {}, 1e-7, 100, false},
+    InputRow{"friction", Input::Friction, "0 to 100 N·m", {}, 0, 100, false},
+    InputRow{"travel_min", Input::TravelMin, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
+    InputRow{"travel_max", Input::TravelMax, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
+};
+
+constexpr std::string_view kNames =
+    "allowed are limit1, limit2, index, power, analog, load, inertia, friction, travel_min, travel_max, "
+    "limits";
+
+Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view word, TimePoint now) {
+    if (name == "limits") {
+        if (word != "auto" && word != "manual")
+            return error("limits cannot be " + quoted(word) + "; allowed are auto, manual");
+        chain.set(module, Input::Limits, word == "auto" ? 1.0 : 0.0, now);
+        return ok();
+    }
+    for (const InputRow& row : kInputs) {
+        if (row.name != name)
+            continue;
+        std::optional<double> value;
+        if (row.word.empty() || word != row.word) {
+            value = number<double>(word);
+            // Written so that NaN is refused.
+            if (!value || !(*value >= row.min && *value <= row.max) ||
+                (row.whole && *value != std::floor(*value)))
+                return error(std::string(name) + " cannot be " + quoted(word) + "; allowed is " +
+                             std::string(row.allowed));
+        }
+        chain.set(module, row.input, value, now);
+        return ok();
+    }
+    return error("a servo has no input " + quoted(name) + "; " + std::string(kNames));
+}
+
+// --- stats, time
+// ----------------------------------------------------------------------------------------------
+
+Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
+    Json executed = Json::object();
+    for (const CommandRow& row : commandTable(m.type))
+        if (const std::uint64_t count = m.executions(row.code); count > 0)
+            executed[std::string(row.key)] = count;
+    return {{"module", number},
+            {"executed", executed},
+            {"checksum_errors", m.checksumErrors},
+            {"replies", m.replies},
+            {"replies_dropped", m.repliesDropped},
+            {"bytes_garbled", m.bytesGarbled}};
+}
+
+Json stats(Chain& chain, TimePoint now) {
+    chain.advanceTo(now);
+    const ChainStatistics s = chain.statistics();
+    Json modules = Json::array();
+    for (const ModuleStatistics& m : s.modules)
+        modules.push_back(moduleStatistics(m, modules.size() + 1));
+    Json violations = Json::array();
+    for (const Violation& v : chain.violations().entries())
+        violations.push_back({{"time", toSeconds(v.time.time_since_epoch())},
+                              {"module", v.module + 1},
+                              {"kind", toText(v.kind)},
+                              {"bytes", toHex(v.bytes)}});
+    return {{"time", toSeconds(s.time.time_since_epoch())},
+            {"exchanges", s.exchanges},
+            {"bytes_in", s.bytesIn},
+            {"bytes_out", s.bytesOut},
+            {"bytes_lost", s.bytesLost},
+            {"modules", modules},
+            {"violation_count", chain.violations().count()},
+            {"violations", violations}};
+}
+
+Json time(TimePoint now, double lagSeconds) {
+    const Duration since = now.time_since_epoch();
+    return {{"time", toSeconds(since)}, {"ticks", since / kServoTick}, {"lag", lagSeconds}};
+}
+
+// --- verbs
+// ----------------------------------------------------------------------------------------------------
+
+Json powerCycle(Chain& chain, std::string_view word, TimePoint now) {
+    if (word == "all") {
+        for (std::size_t i = 0; i < chain.moduleCount(); ++i)
+            chain.powerCycle(ModuleIndex(static_cast<std::uint8_t>(i)), now);
+        return ok();
+    }
+    const auto module = moduleNumber(chain, word);
+    if (!module)
+        return error(module.error() + " or all");
+    chain.powerCycle(*module, now);
+    return ok();
+}
+
+Json withModule(Chain& chain, const Words& words, TimePoint now) {
+    const auto module = moduleNumber(chain, words[1]);
+    if (!module)
+        return error(module.error());
+    if (words[0] == "state")
+        return state(chain, *module, now);
+    if (words[0] == "set")
+        return set(chain, *module, words[2], words[3], now);
+    if (words[0] == "break")
+        chain.breakAddressLine(*module, now);
+    else
+        chain.mendAddressLine(*module, now);
+    return ok();
+}
+
+Json answer(Chain& chain, const Words& words, TimePoint now, double lagSeconds) {
+    struct Verb {
+        std::string_view name;
+        std::size_t words;
+        std::string_view usage;
+    };
+    static constexpr std::array kTable{
+        Verb{"state", 2, "state N"},
+        Verb{"set", 4, "set N NAME VALUE"},
+        Verb{"power-cycle", 2, "power-cycle N|all"},
+        Verb{"break", 2, "break N"},
+        Verb{"mend", 2, "mend N"},
+        Verb{"stats", 1, "stats"},
+        Verb{"time", 1, "time"},
+    };
+    if (words.empty())
+        return error("empty line; " + std::string(kVerbs));
+    for (const Verb& verb : kTable) {
+        if (words[0] != verb.name)
+            continue;
+        if (words.size() != verb.words)
+            return error("wrong number of words for " + std::string(verb.name) + "; allowed is " +
+                         std::string(verb.usage));
+        if (verb.name == "stats")
+            return stats(chain, now);
+        if (verb.name == "time")
+            return time(now, lagSeconds);
+        if (verb.name == "power-cycle")
+            return powerCycle(chain, words[1], now);
+        return withModule(chain, words, now);
+    }
+    return error("unknown line " + quoted(words[0]) + "; " + std::string(kVerbs));
+}
+
+}  // namespace
+
+std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, double lagSeconds) {
+    // What comes in may be any bytes; what goes out is UTF-8.
+    return answer(chain, split(line), now, lagSeconds).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace nmc::sim

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "sim/encoder.h"
+
+#include <algorithm>
+
+namespace nmc::sim {
+
+void Encoder::read(std::int64_t shaft) {
+    const std::int64_t edges = std::clamp(shaft - m_shaft, -kMaxEdgesPerTick, kMaxEdgesPerTick);
+    m_shaft = shaft;
+    m_counter = static_cast<std::uint16_t>(m_counter + edges);
+    const auto moved = static_cast<std::int16_t>(static_cast<std::uint16_t>(m_counter - m_lastRead));
+    m_lastRead = m_counter;
+    const std::int64_t next = std::int64_t{m_position} + moved;
+    m_position = static_cast<std::int32_t>(next);
+    m_wrapped = m_wrapped || next != m_position;
+}
+
+void Encoder::reset() {
+    m_position = 0;
+    m_counter = 0;
+    m_lastRead = 0;
+}
+
+}  // namespace nmc::sim

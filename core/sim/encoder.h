@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace nmc::sim {
+
+/// The PIC-ENC's 16-bit up/down counter and the servo chip's extension of it to 32 bits (DS-V 4.2).
+class Encoder {
+public:
+    /// Most edges the PIC-ENC can follow: 500 000 per second (DS-V 3.2), times 512 us.
+    static constexpr std::int64_t kMaxEdgesPerTick = 256;
+
+    /// Once per maximum-rate tick with the shaft's true position in counts. Edges that come too fast are
+    /// lost.
+    void read(std::int64_t shaft);
+    /// Reset Position: the counter of the PIC-ENC and its extension become 0.
+    void reset();
+
+    [[nodiscard]] std::int32_t position() const { return m_position; }
+    [[nodiscard]] bool wrapped() const { return m_wrapped; }
+    void clearWrapped() { m_wrapped = false; }
+
+private:
+    std::int64_t m_shaft = 0;
+    std::int32_t m_position = 0;
+    std::uint16_t m_counter = 0;
+    std::uint16_t m_lastRead = 0;
+    bool m_wrapped = false;
+};
+
+}  // namespace nmc::sim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace nmc::sim {
+
+/// Levels of the pins that a home search can watch.
+struct HomeInputs {
+    bool limit1 = false;
+    bool limit2 = false;
+    bool index = false;
+    bool operator==(const HomeInputs&) const = default;
+};
+
+/// What Set Homing Mode asks for, and whether it has come (DS-V 5.2).
+class Homing {
+public:
+    enum class Stop : std::uint8_t { None, Off, Abrupt, Smooth };
+
+    static constexpr std::uint8_t kLimit1 = 0x01;
+    static constexpr std::uint8_t kLimit2 = 0x02;
+    static constexpr std::uint8_t kMotorOff = 0x04;
+    static constexpr std::uint8_t kIndex = 0x08;
+    static constexpr std::uint8_t kStopAbruptly = 0x10;
+    static constexpr std::uint8_t kStopSmoothly = 0x20;
+    static constexpr std::uint8_t kPositionError = 0x40;
+    static constexpr std::uint8_t kCurrentLimit = 0x80;
+
+    /// A trigger is a change from the levels `now`. A control byte that watches nothing cancels the search.
+    void begin(std::uint8_t control, HomeInputs now);
+    [[nodiscard]] bool inProgress() const { return m_inProgress; }
+    /// Once per maximum-rate tick while in progress. True when the home position is to be captured; the
+    /// search is then over.
+    bool triggered(HomeInputs now, bool positionErrorTrip, bool currentLimiting);
+    /// How the motor is to be stopped when home is found. Versions 1 and 2 leave it to the host.
+    [[nodiscard]] Stop stop(std::uint8_t version) const;
+
+private:
+    HomeInputs m_baseline;
+    std::uint8_t m_control = 0;
+    bool m_inProgress = false;
+};
+
+}  // namespace nmc::sim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "sim/line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc::sim {
+
+void HostLine::send(ByteSpan bytes, TimePoint now) {
+    m_freeAt = std::max(m_freeAt, now);
+    for (const std::uint8_t value : bytes) {
+        if (m_bytes.size() == kCapacity) {
+            ++m_lost;
+            continue;
+        }
+        m_freeAt += byteTimeAtBaud(m_baud);
+        m_bytes.push_back({m_freeAt, m_baud, value});
+    }
+}
+
+std::optional<TimePoint> HostLine::nextDue() const {
+    if (m_bytes.empty())
+        return std::nullopt;
+    return m_bytes.front().due;
+}
+
+LineByte HostLine::take() {
+    const LineByte byte = m_bytes.front();
+    m_bytes.pop_front();
+    return byte;
+}
+
+double garbleProbability(std::uint8_t brd, std::uint32_t baud) {
+    constexpr double kHarmless = 0.02;
+    constexpr double kHopeless = 0.05;
+    const double mismatch = std::abs(baud * (brd + 1.0) / 1'250'000.0 - 1.0);
+    return std::clamp((mismatch - kHarmless) / (kHopeless - kHarmless), 0.0, 1.0);
+}
+
+std::uint8_t garbled(std::uint8_t value, Random& random) {
+    return static_cast<std::uint8_t>(value ^ (1U + random.below(255)));
+}
+
+}  // namespace nmc::sim

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "base/bytes.h"
+#include "base/time.h"
+#include "protocol/baud.h"
+#include "sim/random.h"
+
+namespace nmc::sim {
+
+/// A byte on its way from the host to the modules.
+struct LineByte {
+    TimePoint due;  ///< end of its stop bit, when the modules have it
+    std::uint32_t baud = kPowerUpBaud;
+    std::uint8_t value = 0;
+};
+
+/// The command line: what the host's port has been given leaves back to back at the host's rate.
+class HostLine {
+public:
+    /// More than any program writes at once; what finds no room is lost and counted.
+    static constexpr std::size_t kCapacity = 65'536;
+
+    void setBaud(std::uint32_t baud) { m_baud = baud; }
+    [[nodiscard]] std::uint32_t baud() const { return m_baud; }
+    void send(ByteSpan bytes, TimePoint now);
+    [[nodiscard]] std::optional<TimePoint> nextDue() const;
+    /// The first byte on the line; there must be one.
+    LineByte take();
+    [[nodiscard]] std::uint64_t lost() const { return m_lost; }
+
+private:
+    std::deque<LineByte> m_bytes;
+    TimePoint m_freeAt;
+    std::uint32_t m_baud = kPowerUpBaud;
+    std::uint64_t m_lost = 0;
+};
+
+/// How likely a byte is heard wrong between a UART with divisor `brd` and one at `baud`: 0 up to 2 %
+/// mismatch, 1 from 5 % on (protocol.md 1).
+[[nodiscard]] double garbleProbability(std::uint8_t brd, std::uint32_t baud);
+
+/// What is heard instead of `value`: any other byte.
+[[nodiscard]] std::uint8_t garbled(std::uint8_t value, Random& random);
+
+}  // namespace nmc::sim

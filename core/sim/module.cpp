@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "sim/module.h"
+
+#include <algorithm>
+
+#include "protocol/commandtable.h"
+
+namespace nmc::sim {
+
+namespace {
+
+constexpr std::uint8_t kGroupBit = 0x80;
+constexpr std::uint8_t kCommunicationError = 0x02;
+
+}  // namespace
+
+Module::Module(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
+               ViolationLog& violations)
+    : m_identity(identity), m_index(index), m_options(options), m_violations(violations) {
+    m_statistics.type = identity.type;
+    m_deafUntil = TimePoint{} + options.resetDeadTime;
+}
+
+// --- Addressing
+// -----------------------------------------------------------------------------------------------
+
+void Module::powerUp(TimePoint now) {
+    advanceTo(now);
+    m_pending.reset();
+    m_reply.clear();
+    m_sent = 0;
+    reset(now);
+}
+
+void Module::reset(TimePoint now) {
+    m_receiver.reset();
+    m_deafUntil = now + m_options.resetDeadTime;
+    m_awake = false;
+    m_addressOutputLow = false;
+    m_address = 0;
+    m_group = 0xFF;
+    m_leader = false;
+    m_brd = kPowerUpBrd;
+    m_items = 0;
+    resetChip();
+}
+
+void Module::setAddressInput(bool low, TimePoint now) {
+    if (low == m_addressInputLow)
+        return;
+    static_cast<void>(isAwake(now));  // What it has seen until now counts.
+    m_addressInputLow = low;
+}
+
+bool Module::isAwake(TimePoint now) {
+    if (now < m_deafUntil)
+        return false;
+    if (m_addressInputLow)
+        m_awake = true;
+    else if (m_options.deafWhenAddressInputRises)
+        m_awake = false;
+    return m_awake;
+}
+
+void Module::setAddress(const Packet& packet) {
+    m_address = packet.data[0];
+    m_group = packet.data[1] | kGroupBit;
+    m_leader = (packet.data[1] & kGroupBit) == 0;
+    m_addressOutputLow = true;
+}
+
+// --- Commands
+// -------------------------------------------------------------------------------------------------
+
+void Module::hears(std::uint8_t byte, bool framingError, TimePoint now) {
+    if (m_receiver.hears(byte, framingError))
+        accept(m_receiver.packet(), now);
+}
+
+void Module::accept(const Packet& packet, TimePoint now) {
+    const bool own = packet.address == m_address;
+    if (!own && packet.address != m_group)
+        return;
+    if (m_pending)
+        m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
+    const std::uint64_t tick = ticksAt(now) + 1;
+    m_pending = Pending{packet, tickEnd(tick), tick, own, own || m_leader};
+}
+
+void Module::execute() {
+    const Pending command = *m_pending;
+    m_pending.reset();
+    runTo(command.tick);
+    m_answered = command.packet.bytes();
+
+    const bool damaged = command.packet.framingError || !command.packet.sumIsRight();
+    std::uint8_t items = m_items;
+    if (damaged) {
+        ++m_statistics.checksumErrors;
+    } else {
+        executeGood(command);
+        items = command.packet.code() == CommandCode::ReadStatus ? command.packet.data[0] : m_items;
+    }
+    const bool isReset = !damaged && command.packet.code() == CommandCode::HardReset;
+    if (command.answers && !isReset)
+        reply(command.due, items, damaged);
+}
+
+void Module::executeGood(const Pending& command) {
+    const Packet& packet = command.packet;
+    checkLength(packet);
+    ++m_statistics.executed[static_cast<std::size_t>(packet.code())];
+    switch (packet.code()) {
+        case CommandCode::SetAddress:
+            setAddress(packet);
+            return;
+        case CommandCode::DefineStatus:
+            m_items = packet.data[0];
+            return;
+        case CommandCode::SetBaud:
+            setBaud(command);
+            return;
+        case CommandCode::HardReset:
+            reset(command.due);
+            return;
+        case CommandCode::ReadStatus:
+        case CommandCode::Nop:
+        case CommandCode::Reserved:
+            return;
+        case CommandCode::ResetPosition:
+        case CommandCode::LoadTrajectory:
+        case CommandCode::StartMotion:
+        case CommandCode::SetGain:
+        case CommandCode::StopMotor:
+        case CommandCode::IoControl:
+        case CommandCode::SetHoming:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SaveAsHome:
+            executeOwn(packet);
+            return;
+    }
+}
+
+void Module::checkLength(const Packet& packet) {
+    const auto row = findCommand(m_identity.type, packet.code());
+    if (!row)
+        violates(ViolationKind::UnknownCommand);
+    else if (packet.length() < row->minData || packet.length() > row->maxData)
+        violates(ViolationKind::WrongLength);
+}
+
+void Module::setBaud(const Pending& command) {
+    if (command.toOwnAddress)
+        violates(ViolationKind::SetBaudSingle);
+    m_brd = command.packet.data[0];
+}
+
+void Module::violates(ViolationKind kind) {
+    m_violations.add({tickEnd(m_ticks), m_index, kind, m_answered});
+}
+
+// --- Reply
+// ----------------------------------------------------------------------------------------------------
+
+void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
+    m_reply.clear();
+    const unsigned error = communicationError ? kCommunicationError : 0U;
+    m_reply.push_back(static_cast<std::uint8_t>(statusByte() | error));
+    appendItems(items, m_reply);
+    m_reply.push_back(sum8(m_reply));
+    m_sent = 0;
+    m_collided = false;
+    m_replyStart = now;
+    m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
+}
+
+bool Module::replyByteSent() {
+    ++m_sent;
+    if (isReplying())
+        return false;
+    ++m_statistics.replies;
+    return true;
+}
+
+void Module::replyCollided(TimePoint now) {
+    if (!m_collided)
+        m_violations.add({now, m_index, ViolationKind::ReplyCollision, m_answered});
+    m_collided = true;
+}
+
+void Module::dropReply() {
+    if (!isReplying())
+        return;
+    ++m_statistics.repliesDropped;
+    m_reply.clear();
+    m_sent = 0;
+}
+
+// --- Time
+// -----------------------------------------------------------------------------------------------------
+
+TimePoint Module::nextEvent() const {
+    return std::min(executesAt(), isReplying() ? replyByteDue() : kNever);
+}
+
+TimePoint Module::tickEnd(std::uint64_t tick) const {
+    return TimePoint{} + m_options.tickPhase + kServoTick * (static_cast<std::int64_t>(tick) - 1);
+}
+
+std::uint64_t Module::ticksAt(TimePoint now) const {
+    const Duration sinceFirst = now - TimePoint{} - m_options.tickPhase;
+    if (sinceFirst < Duration::zero())
+        return 0;
+    return static_cast<std::uint64_t>(sinceFirst / kServoTick) + 1;
+}
+
+void Module::runTo(std::uint64_t tick) {
+    if (tick <= m_ticks)
+        return;
+    runTicks(tick - m_ticks);
+    m_ticks = tick;
+}
+
+void Module::advanceTo(TimePoint now) {
+    runTo(ticksAt(now));
+}
+
+ModuleSnapshot Module::snapshot(TimePoint now) const {
+    ModuleSnapshot s;
+    s.identity = m_identity;
+    s.address = m_address;
+    s.group = m_group;
+    s.leader = m_leader;
+    s.brd = m_brd;
+    s.listening = m_awake;
+    s.time = now;
+    s.tick = m_ticks;
+    return s;
+}
+
+}  // namespace nmc::sim

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/time.h"
+#include "protocol/baud.h"
+#include "protocol/moduletype.h"
+#include "sim/receiver.h"
+#include "sim/snapshot.h"
+#include "sim/statistics.h"
+#include "sim/violations.h"
+
+namespace nmc::sim {
+
+/// Later than any event.
+inline constexpr TimePoint kNever = TimePoint::max();
+
+struct ModuleOptions {
+    Duration tickPhase{};      ///< when its first tick ends, 0 <= phase < kServoTick
+    Duration resetDeadTime{};  ///< deaf for so long after power-up and Hard Reset
+    bool unpaced = false;      ///< replies take no wire time
+    bool deafWhenAddressInputRises = false;
+};
+
+/// What every NMC chip has, whatever it drives: UART and receive buffer, address and group, the daisy-chained
+/// address pins, execution at the end of its tick, the reply (DS-V 4.1). A chip's own commands, status items
+/// and motion are in a derived class.
+///
+/// A module is advanced only when something asks for it; between two events it runs its ticks in one go.
+class Module {
+public:
+    Module(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
+           ViolationLog& violations);
+    virtual ~Module() = default;
+    Module(const Module&) = delete;
+    Module& operator=(const Module&) = delete;
+
+    // Addressing.
+    /// As after switching its supply off and on.
+    void powerUp(TimePoint now);
+    void setAddressInput(bool low, TimePoint now);
+    [[nodiscard]] bool addressOutputIsLow() const { return m_addressOutputLow; }
+    /// Whether its UART takes part in what happens on the line.
+    [[nodiscard]] bool isAwake(TimePoint now);
+
+    // The line.
+    /// A byte of the host, while awake. `framingError`: it was not what the host sent.
+    void hears(std::uint8_t byte, bool framingError, TimePoint now);
+    /// When it next executes a command or has sent a byte; kNever while it only moves its motor.
+    [[nodiscard]] TimePoint nextEvent() const;
+    [[nodiscard]] bool hasPending() const { return m_pending.has_value(); }
+    [[nodiscard]] TimePoint executesAt() const { return m_pending ? m_pending->due : kNever; }
+    /// Runs up to the end of the tick and carries out the pending command.
+    void execute();
+    [[nodiscard]] std::uint8_t brd() const { return m_brd; }
+
+    // The reply on its way. Only while isReplying().
+    [[nodiscard]] bool isReplying() const { return m_sent < m_reply.size(); }
+    [[nodiscard]] std::uint8_t replyByte() const { return m_reply[m_sent]; }
+    [[nodiscard]] TimePoint replyByteStart() const { return m_replyStart + m_byteTime * m_sent; }
+    [[nodiscard]] TimePoint replyByteDue() const { return m_replyStart + m_byteTime * (m_sent + 1); }
+    /// True when that was the last byte.
+    bool replyByteSent();
+    void replyCollided(TimePoint now);
+    /// A byte of the host has come: the rest of the reply is not sent.
+    void dropReply();
+
+    // The world outside and the truth inside.
+    /// Runs all ticks that have ended.
+    void advanceTo(TimePoint now);
+    virtual void set(Input input, std::optional<double> value) = 0;
+    [[nodiscard]] virtual ModuleSnapshot snapshot(TimePoint now) const;
+    [[nodiscard]] const ModuleStatistics& statistics() const { return m_statistics; }
+    void countGarbled() { ++m_statistics.bytesGarbled; }
+    [[nodiscard]] std::uint8_t index() const { return m_index; }
+
+protected:
+    /// A status packet: at most status, 14 item bytes and sum.
+    using ReplyBytes = ByteBuffer<16>;
+
+    /// Logs a violation by the command that is being executed.
+    void violates(ViolationKind kind);
+    [[nodiscard]] ModuleIdentity identity() const { return m_identity; }
+
+private:
+    struct Pending {
+        Packet packet;
+        TimePoint due;
+        std::uint64_t tick = 0;
+        bool toOwnAddress = false;
+        bool answers = false;
+    };
+
+    /// Power-up state of everything that is the chip's own.
+    virtual void resetChip() = 0;
+    virtual void runTicks(std::uint64_t ticks) = 0;
+    /// A command that is not common to all chips. Its length is within the command table's bounds, or logged.
+    virtual void executeOwn(const Packet& packet) = 0;
+    /// Without the communication error bit.
+    [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
+    virtual void appendItems(std::uint8_t items, ReplyBytes& reply) const = 0;
+
+    void accept(const Packet& packet, TimePoint now);
+    void runTo(std::uint64_t tick);
+    void executeGood(const Pending& command);
+    void checkLength(const Packet& packet);
+    void setAddress(const Packet& packet);
+    void setBaud(const Pending& command);
+    void reset(TimePoint now);
+    void reply(TimePoint now, std::uint8_t items, bool communicationError);
+    [[nodiscard]] TimePoint tickEnd(std::uint64_t tick) const;
+    /// Number of ticks that have ended at `now`.
+    [[nodiscard]] std::uint64_t ticksAt(TimePoint now) const;
+
+    ModuleIdentity m_identity;
+    std::uint8_t m_index;
+    ModuleOptions m_options;
+    ViolationLog& m_violations;
+    ModuleStatistics m_statistics;
+
+    Receiver m_receiver;
+    std::optional<Pending> m_pending;
+    std::uint64_t m_ticks = 0;  ///< that have been run
+    TimePoint m_deafUntil;
+    bool m_addressInputLow = false;
+    bool m_awake = false;
+    bool m_addressOutputLow = false;
+    std::uint8_t m_address = 0;
+    std::uint8_t m_group = 0xFF;
+    bool m_leader = false;
+    std::uint8_t m_brd = kPowerUpBrd;
+    std::uint8_t m_items = 0;
+
+    ReplyBytes m_reply;
+    std::uint8_t m_sent = 0;
+    bool m_collided = false;
+    TimePoint m_replyStart;
+    Duration m_byteTime{};
+    PacketBytes m_answered;  ///< the packet that m_reply answers
+};
+
+}  // namespace nmc::sim

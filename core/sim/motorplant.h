@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace nmc::sim {
+
+/// Constants of the motor, its load, its amplifier and its encoder. The defaults are a small 24 V servo
+/// motor.
+struct MotorParameters {
+    double supplyVolts = 24.0;
+    double resistanceOhm = 1.1;
+    double inductanceHenry = 0.6e-3;
+    double motorConstant = 0.038;          ///< torque constant, N·m/A, and back-EMF constant, V·s/rad
+    double inertiaKgM2 = 1.7e-5;           ///< rotor and load
+    double viscousNmS = 1e-6;              ///< friction torque per speed, N·m·s/rad
+    double coulombNm = 0.004;              ///< dry friction; also what holds the shaft at rest
+    double loadNm = 0.0;                   ///< external torque; positive pulls the shaft backwards
+    double countsPerTurn = 2000.0;         ///< encoder edges per turn
+    double adCountsPerAmpere = 255.0 / 5;  ///< current sense: 1 V per ampere, 255 = 5 V
+    int amplifierDeadbandPwm = 0;          ///< PWM counts without any output
+    double travelMinCounts = -std::numeric_limits<double>::infinity();  ///< hard stops, in shaft counts
+    double travelMaxCounts = std::numeric_limits<double>::infinity();
+};
+
+/// A brushed DC motor behind a sign-magnitude bridge. The electrical and mechanical equations are solved
+/// exactly over each sub-step, dry friction included while the direction does not change:
+///
+///     L di/dt = V - R i - K w        J dw/dt = K i - b w - load - coulomb sgn(w)
+///
+/// At PWM 0 the bridge shorts the motor (it brakes); a disabled or unpowered bridge is open and the motor
+/// coasts.
+class MotorPlant {
+public:
+    static constexpr int kSubsteps = 4;
+    static constexpr double kSubstepSeconds = 512e-6 / kSubsteps;
+
+    explicit MotorPlant(const MotorParameters& parameters = {}) { setParameters(parameters); }
+
+    void setParameters(const MotorParameters& parameters);
+    [[nodiscard]] const MotorParameters& parameters() const { return m_parameters; }
+
+    /// One maximum-rate servo tick (512 us) with a PWM value of -255..255, the sign being the direction pin.
+    void advanceTick(int pwm, bool bridgeEnabled);
+
+    /// Position of the shaft in counts since it was made: unaffected by Reset Position or power.
+    [[nodiscard]] double shaftCounts() const { return m_state.counts; }
+    /// Whole counts, rounded down.
+    [[nodiscard]] std::int64_t shaft() const {
+        const auto whole = static_cast<std::int64_t>(m_state.counts);
+        return whole - (m_state.counts < static_cast<double>(whole) ? 1 : 0);
+    }
+    /// The encoder's index: high for one count per turn.
+    [[nodiscard]] bool index() const;
+    [[nodiscard]] double currentAmperes() const { return m_state.amperes; }
+    [[nodiscard]] double speedRadPerSecond() const { return m_state.radPerSecond; }
+    /// In counts per maximum-rate servo tick.
+    [[nodiscard]] double speedCountsPerTick() const { return m_state.radPerSecond * m_countsPerRad * 512e-6; }
+    /// The current sense voltage as the chip's converter reads it; it knows no sign.
+    [[nodiscard]] std::uint8_t currentSense() const;
+    /// Stands still, without current, and nothing but a drive or a changed parameter will move it.
+    [[nodiscard]] bool atRest() const {
+        return m_state.radPerSecond == 0.0 && m_state.amperes == 0.0 &&
+               std::abs(m_parameters.loadNm) <= m_parameters.coulombNm;
+    }
+
+private:
+    struct State {
+        double amperes = 0;
+        double radPerSecond = 0;
+        double counts = 0;
+    };
+    /// The next value of one state variable: weights of the present state, the voltage and the torque.
+    struct Row {
+        double amperes = 0, radPerSecond = 0, volts = 0, torque = 0;
+    };
+
+    void substepClosed(double volts);
+    void substepOpen();
+    void substepAtRest(double nextAmperes, double volts);
+    [[nodiscard]] State solved(double volts, double torque) const;
+    void reverse(double speedBefore, State& next) const;
+    void keepWithinTravel();
+    /// A hard stop takes up a torque of this sign.
+    [[nodiscard]] bool isStopped(double torque) const;
+
+    MotorParameters m_parameters;
+    State m_state;
+    Row m_amperes, m_speed, m_counts;  ///< terminals driven
+    double m_stalledDecay = 0;         ///< current at standstill
+    double m_stalledGain = 0;
+    double m_coastDecay = 0;  ///< terminals open
+    double m_coastGain = 0;
+    double m_coastTravel = 0;
+    double m_coastTravelGain = 0;
+    double m_countsPerRad = 0;
+    double m_voltsPerPwm = 0;
+};
+
+}  // namespace nmc::sim

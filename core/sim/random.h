@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace nmc::sim {
+
+/// The simulator's only source of chance: SplitMix64. The standard's distributions differ between libraries,
+/// and one seed has to give one history everywhere.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : m_state(seed) {}
+
+    std::uint64_t next() {
+        m_state += 0x9E37'79B9'7F4A'7C15U;
+        std::uint64_t z = m_state;
+        z = (z ^ (z >> 30U)) * 0xBF58'476D'1CE4'E5B9U;
+        z = (z ^ (z >> 27U)) * 0x94D0'49BB'1331'11EBU;
+        return z ^ (z >> 31U);
+    }
+
+    /// 0 <= result < limit. The bias of the remainder is below 1e-12 for the small limits used here.
+    std::uint64_t below(std::uint64_t limit) { return next() % limit; }
+
+    /// 0 <= result < 1.
+    double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
+
+private:
+    std::uint64_t m_state;
+};
+
+}  // namespace nmc::sim

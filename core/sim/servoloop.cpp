@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "sim/servoloop.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace nmc::sim {
+
+void ServoLoop::run(std::uint64_t ticks) {
+    for (; ticks > 0 && !m_quiet; --ticks)
+        tick();
+}
+
+void ServoLoop::tick() {
+    m_plant.advanceTick(m_pwm, m_ampEnabled && m_power);
+    m_encoder.read(m_plant.shaft());
+    m_tripped = false;
+    limitCurrent();
+    if (!m_power && (m_servoOn || m_magnitude != 0))
+        disableServo();
+    if (--m_ticksToServoTick <= 0) {
+        m_ticksToServoTick = ticksPerServoTick();
+        servoTick();
+    }
+    driveMotor();
+    if (m_homing.inProgress())
+        watchHome();
+    m_quiet = !m_servoOn && m_pwm == 0 && m_velocity == 0 && m_adjustment == 0 && !m_limiting &&
+              m_lastServoPosition == m_encoder.position() && m_plant.atRest();
+}
+
+void ServoLoop::servoTick() {
+    const std::int32_t position = m_encoder.position();
+    m_velocity = static_cast<std::int32_t>(static_cast<std::uint32_t>(position) -
+                                           static_cast<std::uint32_t>(m_lastServoPosition));
+    m_lastServoPosition = position;
+    if (!m_servoOn) {
+        m_profile.follow(position, m_velocity);
+        return;
+    }
+    m_profile.step();
+    const auto error = static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) -
+                                                 static_cast<std::uint32_t>(position));
+    if (std::abs(std::int64_t{error}) > m_gains.el) {
+        disableServo();
+        m_tripped = true;
+        return;
+    }
+    const std::int64_t output = m_filter.output(m_gains, error);
+    setOutput(std::min<std::int64_t>(std::abs(output) / 256, m_gains.ol), output < 0);
+}
+
+void ServoLoop::setOutput(std::int64_t magnitude, bool reverse) {
+    m_magnitude = static_cast<int>(magnitude);
+    m_reverse = reverse;
+    m_adjustment = std::min(m_adjustment, m_magnitude);
+}
+
+bool ServoLoop::currentIsOver() const {
+    if (m_gains.cl == 0)
+        return false;
+    return m_gains.cl % 2 == 1 ? analog() > m_gains.cl : analog() < m_gains.cl;
+}
+
+/// At the maximum rate whatever the servo rate is, and in PWM mode too (DS-V 4.3, 4.5).
+void ServoLoop::limitCurrent() {
+    m_limiting = currentIsOver();
+    m_overcurrent = m_overcurrent || m_limiting;
+    m_adjustment = std::clamp(m_adjustment + (m_limiting ? 1 : -1), 0, m_magnitude);
+}
+
+void ServoLoop::driveMotor() {
+    int magnitude = m_magnitude - m_adjustment;
+    // A raw PWM value goes to the amplifier as it is (DS-V 4.5).
+    if (magnitude > 0 && m_servoOn)
+        magnitude = std::min(magnitude + m_gains.db, 255);
+    m_pwm = m_reverse ? -magnitude : magnitude;
+}
+
+void ServoLoop::watchHome() {
+    if (!m_homing.triggered(homeInputs(), m_tripped, m_limiting))
+        return;
+    saveAsHome();
+    switch (m_homing.stop(m_version)) {
+        case Homing::Stop::None:
+            break;
+        case Homing::Stop::Off:
+            turnOff();
+            break;
+        case Homing::Stop::Abrupt:
+            stopAbruptly();
+            break;
+        case Homing::Stop::Smooth:
+            stopSmoothly();
+            break;
+    }
+}
+
+bool ServoLoop::limitPin(unsigned number) const {
+    const unsigned control = m_pinControl;
+    if ((control >> (2 + number) & 1U) == 0)
+        return (control >> number & 1U) != 0;
+    if (!m_limitsAutomatic)
+        return m_limitInput[number];
+    const auto shaft = static_cast<double>(m_plant.shaft());
+    return number == 0 ? shaft <= motor().travelMinCounts : shaft >= motor().travelMaxCounts;
+}
+
+bool ServoLoop::indexPin() const {
+    if (m_indexInput && m_plant.shaft() == m_indexInputAt)
+        return *m_indexInput;
+    return m_plant.index();
+}
+
+std::uint8_t ServoLoop::analog() const {
+    return m_analogInput ? *m_analogInput : m_plant.currentSense();
+}
+
+bool ServoLoop::inTrapezoid() const {
+    return m_servoOn && m_profile.mode() == Profile::Mode::Trapezoidal && !m_profile.done();
+}
+
+std::uint8_t ServoLoop::statusByte() const {
+    unsigned bits = 0;
+    bits |= !m_servoOn || m_profile.done() ? 0x01U : 0U;
+    bits |= m_overcurrent ? 0x04U : 0U;
+    bits |= m_power ? 0x08U : 0U;
+    bits |= m_positionError || !m_servoOn ? 0x10U : 0U;
+    bits |= limitPin(0) ? 0x20U : 0U;
+    bits |= limitPin(1) ? 0x40U : 0U;
+    bits |= m_homing.inProgress() ? 0x80U : 0U;
+    return static_cast<std::uint8_t>(bits);
+}
+
+std::uint8_t ServoLoop::auxiliaryByte() const {
+    unsigned bits = 0;
+    bits |= indexPin() ? 0U : 0x01U;
+    bits |= m_encoder.wrapped() ? 0x02U : 0U;
+    bits |= m_servoOn ? 0x04U : 0U;
+    bits |= m_profile.accelerationDone() ? 0x08U : 0U;
+    bits |= m_profile.slewDone() ? 0x10U : 0U;
+    bits |= m_servoOverrun ? 0x20U : 0U;
+    return static_cast<std::uint8_t>(bits);
+}
+
+ServoSnapshot ServoLoop::snapshot() const {
+    ServoSnapshot s;
+    s.position = m_encoder.position();
+    s.shaftCounts = m_plant.shaftCounts();
+    s.commandPosition = static_cast<double>(m_profile.finePosition()) / 65536.0;
+    s.positionError = s.commandPosition - s.position;
+    s.commandVelocity = static_cast<double>(m_profile.velocity()) / 65536.0;
+    s.velocity = m_plant.speedCountsPerTick();
+    s.amperes = m_plant.currentAmperes();
+    s.pwm = m_pwm;
+    s.currentLimitAdjustment = m_adjustment;
+    s.analog = analog();
+    s.servoOn = m_servoOn;
+    s.ampEnabled = m_ampEnabled;
+    s.power = m_power;
+    if (m_servoOn && m_stoppedHere)
+        s.mode = ServoMode::StopHere;
+    else if (m_servoOn)
+        s.mode =
+            m_profile.mode() == Profile::Mode::Trapezoidal ? ServoMode::Trapezoidal : ServoMode::Velocity;
+    s.home = m_home;
+    s.limit1 = limitPin(0);
+    s.limit2 = limitPin(1);
+    s.index = indexPin();
+    s.gains = m_gains;
+    return s;
+}
+
+}  // namespace nmc::sim

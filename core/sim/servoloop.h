@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "sim/encoder.h"
+#include "sim/homing.h"
+#include "sim/motorplant.h"
+#include "sim/pid.h"
+#include "sim/profile.h"
+#include "sim/snapshot.h"
+
+namespace nmc::sim {
+
+/// What Load Trajectory leaves in the chip's memory. A value that is not loaded keeps what it was.
+struct Trajectory {
+    static constexpr std::uint8_t kServo = 0x10;
+    static constexpr std::uint8_t kVelocityProfile = 0x20;
+    static constexpr std::uint8_t kReverse = 0x40;
+    static constexpr std::uint8_t kStartNow = 0x80;
+
+    std::int32_t position = 0;
+    std::uint32_t velocity = 0;      ///< 16.16 counts/tick, 0..7FFFFFFF
+    std::uint32_t acceleration = 0;  ///< 16.16 counts/tick², 0..7FFFFFFF
+    std::uint8_t pwm = 0;
+    std::uint8_t control = 0;
+
+    [[nodiscard]] bool has(std::uint8_t bit) const { return (control & bit) != 0; }
+    [[nodiscard]] bool isTrapezoidal() const { return has(kServo) && !has(kVelocityProfile); }
+};
+
+/// The part of the PIC-SERVO that moves a motor, with the motor: encoder, profile, control filter, current
+/// limit, home search, power monitor (DS-V 4.2 - 4.5). Knows nothing of packets. Time comes as ticks of 512
+/// us.
+class ServoLoop {
+public:
+    explicit ServoLoop(std::uint8_t version) : m_version(version) {}
+
+    /// Power-up state of the chip. The motor and its shaft do not know about it.
+    void reset();
+    /// That many maximum-rate ticks: shaft, then encoder, then everything that is computed from it.
+    void run(std::uint64_t ticks);
+
+    // Commands (DS-V 5.2).
+    void resetPosition();
+    void setGains(const Gains& gains);
+    void load(const Trajectory& trajectory) { m_loaded = trajectory; }
+    [[nodiscard]] const Trajectory& loaded() const { return m_loaded; }
+    void start();
+    void setAmplifier(bool enabled);
+    void turnOff();
+    void stopAbruptly();
+    void stopSmoothly();
+    void stopHere(std::int32_t position);
+    void controlPins(std::uint8_t control);
+    void setHoming(std::uint8_t control);
+    void clearStickyBits();
+    void saveAsHome() { m_home = m_encoder.position(); }
+
+    // Status items (DS-V 5.2 Define Status, 5.3).
+    /// Without the checksum bit, which is the receiver's.
+    [[nodiscard]] std::uint8_t statusByte() const;
+    [[nodiscard]] std::uint8_t auxiliaryByte() const;
+    [[nodiscard]] std::int32_t position() const { return m_encoder.position(); }
+    [[nodiscard]] std::int32_t home() const { return m_home; }
+    [[nodiscard]] std::uint8_t analog() const;
+    /// Counts the motor moved in the last servo tick; forward is positive.
+    [[nodiscard]] std::int32_t velocity() const { return m_velocity; }
+
+    /// In the middle of a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
+    [[nodiscard]] bool inTrapezoid() const;
+    [[nodiscard]] std::int64_t commandVelocity() const { return m_profile.velocity(); }
+
+    /// The value must be in the range that Input states.
+    void set(Input input, std::optional<double> value);
+    [[nodiscard]] bool limitsAreAutomatic() const { return m_limitsAutomatic; }
+    [[nodiscard]] const MotorParameters& motor() const { return m_plant.parameters(); }
+    [[nodiscard]] ServoSnapshot snapshot() const;
+
+private:
+    void tick();
+    void servoTick();
+    void limitCurrent();
+    void watchHome();
+    void driveMotor();
+    void turnServoOn();
+    void disableServo();
+    void setOutput(std::int64_t magnitude, bool reverse);
+    void setSwitch(Input input, bool level);
+    void setLoad(Input input, std::optional<double> value);
+    [[nodiscard]] int ticksPerServoTick() const { return m_gains.sr == 0 ? 256 : m_gains.sr; }
+    [[nodiscard]] bool currentIsOver() const;
+    [[nodiscard]] bool limitPin(unsigned number) const;
+    [[nodiscard]] bool indexPin() const;
+    [[nodiscard]] HomeInputs homeInputs() const { return {limitPin(0), limitPin(1), indexPin()}; }
+
+    std::uint8_t m_version;
+    MotorPlant m_plant;
+    Encoder m_encoder;
+    Profile m_profile;
+    PidFilter m_filter;
+    Homing m_homing;
+    Gains m_gains;
+    Trajectory m_loaded;
+
+    std::int32_t m_lastServoPosition = 0;
+    std::int32_t m_velocity = 0;
+    std::int32_t m_home = 0;
+    int m_ticksToServoTick = 1;
+    int m_magnitude = 0;  ///< PWM before current limiting
+    int m_adjustment = 0;
+    int m_pwm = 0;  ///< what the amplifier gets
+    bool m_reverse = false;
+    bool m_servoOn = false;
+    bool m_stoppedHere = false;
+    bool m_ampEnabled = false;
+    bool m_overcurrent = false;
+    bool m_positionError = true;
+    bool m_servoOverrun = false;
+    bool m_tripped = false;   ///< the position error limit was exceeded in this tick
+    bool m_limiting = false;  ///< the current is over its limit in this tick
+    bool m_quiet = false;     ///< another tick would change nothing
+    std::uint8_t m_pinControl = kPinsAreInputs;
+
+    static constexpr std::uint8_t kPinsAreInputs = 0x0C;
+    // The world outside.
+    bool m_power = true;
+    bool m_limitsAutomatic = false;
+    bool m_limitInput[2] = {false, false};
+    std::optional<std::uint8_t> m_analogInput;
+    std::optional<bool> m_indexInput;
+    std::int64_t m_indexInputAt = 0;  ///< shaft position at which m_indexInput holds
+};
+
+}  // namespace nmc::sim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/time.h"
+#include "protocol/commandcode.h"
+#include "protocol/moduletype.h"
+
+namespace nmc::sim {
+
+/// What one module has done since the chain was made; a reset does not clear it.
+struct ModuleStatistics {
+    ModuleType type = ModuleType::Servo;
+    std::array<std::uint64_t, 16> executed{};  ///< by command code
+    std::uint64_t checksumErrors = 0;          ///< packets for it with a wrong sum or a framing error
+    std::uint64_t replies = 0;                 ///< sent to the last byte
+    std::uint64_t repliesDropped = 0;          ///< cut short by a byte of the host
+    std::uint64_t bytesGarbled = 0;  ///< heard wrong, or heard wrong by the host, at different rates
+
+    [[nodiscard]] std::uint64_t executions(CommandCode code) const {
+        return executed[static_cast<std::size_t>(code)];
+    }
+};
+
+struct ChainStatistics {
+    TimePoint time;
+    std::uint64_t exchanges = 0;  ///< commands that were answered, to the last byte
+    std::uint64_t bytesIn = 0;    ///< host to modules
+    std::uint64_t bytesOut = 0;   ///< modules to host
+    std::uint64_t bytesLost = 0;  ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
+    std::vector<ModuleStatistics> modules;
+};
+
+}  // namespace nmc::sim

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much faster than real time a full chain runs; the goal is 100 for 32 moving servos on one core.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/chain.h"
+#include "sim/chainspec.h"
+
+namespace {
+
+using nmc::TimePoint;
+using nmc::sim::Chain;
+
+class BenchHost {
+public:
+    explicit BenchHost(unsigned servos) : m_chain(chainOf(servos)) {
+        m_now += std::chrono::milliseconds(20);
+        for (unsigned i = 1; i <= servos; ++i)
+            send({0, 0x21, byte(i), 0xFF});
+        // Kp 200, Kd 2000, Ki 20, IL 200, OL 255, no current limit, EL 16383, SR 1, no deadband.
+        send({0xFF, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xFF, 0x3F, 1, 0});
+        send({0xFF, 0x17, 0x05});
+    }
+
+    /// A sum is added, and the answer waited for.
+    void send(std::vector<std::uint8_t> body) {
+        unsigned sum = 0;
+        for (const std::uint8_t b : body)
+            sum += b;
+        body.push_back(byte(sum));
+        body.insert(body.begin(), 0xAA);
+        m_chain.hostSends(body, m_now);
+        while (const auto next = m_chain.nextEvent()) {
+            m_now = *next;
+            m_chain.advanceTo(m_now);
+        }
+        static_cast<void>(m_chain.takeHostBytes());
+    }
+    void run(nmc::Duration time) {
+        m_now += time;
+        m_chain.advanceTo(m_now);
+    }
+    [[nodiscard]] TimePoint now() const { return m_now; }
+
+private:
+    static std::uint8_t byte(unsigned value) { return static_cast<std::uint8_t>(value & 0xFFU); }
+    static Chain chainOf(unsigned servos) {
+        std::string spec = "servo";
+        for (unsigned i = 1; i < servos; ++i)
+            spec += ",servo";
+        return Chain(nmc::sim::parseChain(spec).value());
+    }
+
+    Chain m_chain;
+    TimePoint m_now;
+};
+
+void report(benchmark::State& state, nmc::Duration simulated) {
+    state.counters["sim_s_per_s"] =
+        benchmark::Counter(nmc::toSeconds(simulated), benchmark::Counter::kIsRate);
+}
+
+/// Servos at 5 counts per tick, nobody on the line.
+void MovingServosInVelocityMode(benchmark::State& state) {
+    BenchHost host(static_cast<unsigned>(state.range(0)));
+    host.send({0xFF, 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
+    const TimePoint begin = host.now();
+    for (auto _ : state)
+        host.run(std::chrono::seconds(1));
+    report(state, host.now() - begin);
+}
+BENCHMARK(MovingServosInVelocityMode)->Arg(1)->Arg(32)->Unit(benchmark::kMillisecond);
+
+/// Trapezoidal moves to and fro, mostly accelerating and decelerating.
+void MovingServosInTrapezoidalMode(benchmark::State& state) {
+    BenchHost host(static_cast<unsigned>(state.range(0)));
+    const TimePoint begin = host.now();
+    std::uint8_t goal = 0;
+    for (auto _ : state) {
+        goal = goal == 0 ? 0x40 : 0;  // 16 384 counts
+        host.send({0xFF, 0xD4, 0x97, 0, goal, 0, 0, 0, 0, 20, 0, 0x00, 0x06, 0, 0});
+        host.run(std::chrono::seconds(1));
+    }
+    report(state, host.now() - begin);
+}
+BENCHMARK(MovingServosInTrapezoidalMode)->Arg(32)->Unit(benchmark::kMillisecond);
+
+/// Moving servos, each asked for everything in turn at 115 200 Bd without a pause.
+void PolledMovingServos(benchmark::State& state) {
+    const auto servos = static_cast<unsigned>(state.range(0));
+    BenchHost host(servos);
+    host.send({0xFF, 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
+    const TimePoint begin = host.now();
+    for (auto _ : state)
+        for (unsigned i = 1; i <= servos; ++i)
+            host.send({static_cast<std::uint8_t>(i), 0x13, 0x1F});
+    report(state, host.now() - begin);
+}
+BENCHMARK(PolledMovingServos)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
+
+}  // namespace

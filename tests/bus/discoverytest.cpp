@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/bus/scriptedbus.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+TEST(Discovery, FindsThirtyTwoModulesInOrder) {
+    VirtualBus bus(servos(32));
+    ASSERT_TRUE(bus.connect());
+    const auto found = *bus.last<ChainFound>();
+    ASSERT_EQ(found.modules.size(), 32U);
+    for (std::uint8_t i = 0; i < 32; ++i) {
+        EXPECT_EQ(found.modules[i].index, ModuleIndex(i));
+        EXPECT_EQ(found.modules[i].address, BusAddress(static_cast<std::uint8_t>(i + 1)));
+        EXPECT_EQ(found.modules[i].identity, (ModuleIdentity{ModuleType::Servo, 4}));
+        EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
+    }
+    EXPECT_EQ(found.baud, 19'200U);
+    bus.expectNoViolations();
+}
+
+TEST(Discovery, BeginsWithAResetAtEveryRate) {
+    ScriptedBus bus(1);
+    std::vector<std::uint32_t> rates;
+    bus.engine.connect(bus.now);
+    for (int i = 0; i < 1000 && bus.sent.size() < 9; ++i) {
+        for (const Output& output : bus.engine.takeOutput())
+            if (const auto* rate = std::get_if<SetHostBaud>(&output))
+                rates.push_back(rate->baud);
+            else if (const auto* send = std::get_if<Send>(&output))
+                bus.sent.push_back({bus.now, toHex(send->bytes)});
+        bus.now = *bus.engine.nextDeadline();
+        bus.engine.onDeadline(bus.now);
+    }
+    EXPECT_EQ(rates, (std::vector<std::uint32_t>{115'200, 57'600, 9'600, 19'200}));
+    for (std::size_t i = 0; i < 8; i += 2) {
+        EXPECT_EQ(bus.sent[i].hex, ScriptedBus::kNulls);
+        EXPECT_EQ(bus.sent[i + 1].hex, "AA FF 0F 0E");
+        // Sixteen bytes and one millisecond.
+        EXPECT_GE(bus.sent[i + 1].time - bus.sent[i].time, 16 * byteTimeAtBaud(rates[i / 2]) + 1ms);
+    }
+    EXPECT_EQ(bus.sent[8].hex, ScriptedBus::kNulls);
+    EXPECT_GE(bus.sent[8].time - bus.sent[7].time, 4 * byteTimeAtBaud(19'200) + EngineConfig{}.resetWait);
+}
+
+TEST(Discovery, AsksInTheOrderOfTheDataSheet) {
+    ScriptedBus bus(2);
+    ASSERT_TRUE(bus.connect());
+    std::vector<std::string> packets;
+    for (const auto& sent : bus.sent)
+        if (sent.hex != ScriptedBus::kNulls && sent.hex != "AA FF 0F 0E")
+            packets.push_back(sent.hex);
+    ASSERT_GE(packets.size(), 6U);
+    EXPECT_EQ(packets[0], "AA 00 21 01 FF 21");
+    EXPECT_EQ(packets[1], "AA 00 21 02 FF 22");
+    EXPECT_EQ(packets[2], "AA 00 21 03 FF 23");
+    EXPECT_EQ(packets[3], "AA 03 0E 11") << "nobody answered: is it the answer that got lost?";
+    const std::vector<std::string> tail(packets.end() - 4, packets.end());
+    EXPECT_EQ(tail[0], "AA 01 13 20 34");
+    EXPECT_EQ(tail[1], "AA 02 13 20 35");
+    EXPECT_EQ(tail[2], "AA 01 12 0B 1E");
+    EXPECT_EQ(tail[3], "AA 02 12 0B 1F");
+}
+
+TEST(Discovery, FindsChainLeftAtAnotherRate) {
+    for (const std::uint32_t baud : {9'600U, 57'600U, 115'200U}) {
+        SCOPED_TRACE(baud);
+        // One engine leaves the chain at a rate; a second one, at 19 200, does not know.
+        EngineConfig config;
+        config.baud = baud;
+        VirtualBus bus(servos(3), config);
+        ASSERT_TRUE(bus.connect());
+        bus.engine = Engine(EngineConfig{});
+        ASSERT_TRUE(bus.connect());
+        EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
+        EXPECT_EQ(bus.last<ChainFound>()->baud, 19'200U);
+    }
+}
+
+TEST(Discovery, SurvivesALostAnswerAtEveryPosition) {
+    for (std::uint8_t n = 1; n <= 8; ++n) {
+        SCOPED_TRACE(int{n});
+        VirtualBus bus(servos(8));
+        int lost = 0;
+        bus.losesReply = [&](ByteSpan command) {
+            return command.size() > 3 && command[1] == 0 && command[3] == n && lost++ == 0;
+        };
+        ASSERT_TRUE(bus.connect());
+        EXPECT_EQ(lost, 1);
+        ASSERT_EQ(bus.last<ChainFound>()->modules.size(), 8U);
+        for (std::uint8_t i = 0; i < 8; ++i)
+            EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
+        bus.expectNoViolations();
+    }
+}
+
+TEST(Discovery, SurvivesALostCommandAtEveryPosition) {
+    for (std::uint8_t n = 1; n <= 8; ++n) {
+        SCOPED_TRACE(int{n});
+        VirtualBus bus(servos(8));
+        int lost = 0;
+        bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+            if (command.size() > 3 && command[1] == 0 && command[3] == n && lost++ == 0)
+                command.pop_back();
+        };
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.last<ChainFound>()->modules.size(), 8U);
+        for (std::uint8_t i = 0; i < 8; ++i)
+            EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
+    }
+}
+
+TEST(Discovery, SaysThatNobodyAnswers) {
+    ScriptedBus bus(0);
+    EXPECT_FALSE(bus.connect());
+    const auto failed = bus.all<ConnectFailed>();
+    ASSERT_EQ(failed.size(), 1U);
+    EXPECT_EQ(failed[0].reason, ConnectFailure::NobodyAnswers);
+    EXPECT_EQ(failed[0].baud, 19'200U);
+    EXPECT_FALSE(bus.engine.nextDeadline()) << "nothing goes on by itself";
+}
+
+TEST(Discovery, SaysThatAnswersAreGarbled) {
+    ScriptedBus bus(1);
+    bus.answer = [](ByteSpan packet) {
+        return packet[1] == 0xFF ? std::vector<std::uint8_t>{} : std::vector<std::uint8_t>{0x55, 0xAA};
+    };
+    EXPECT_FALSE(bus.connect());
+    EXPECT_EQ(bus.all<ConnectFailed>().at(0).reason, ConnectFailure::Garbled);
+}
+
+TEST(Discovery, NamesTheModuleThatDoesNotFollowToTheNewRate) {
+    EngineConfig config;
+    config.baud = 115'200;
+    ScriptedBus bus(3, config);
+    bool changed = false;
+    bus.answer = [&](ByteSpan packet) {
+        changed = changed || toHex(packet) == "AA FF 1A 0A 23";
+        return changed && packet[1] == 2 ? std::vector<std::uint8_t>{} : bus.likeAServo(packet);
+    };
+    EXPECT_FALSE(bus.connect());
+    const auto failed = bus.all<ConnectFailed>();
+    ASSERT_EQ(failed.size(), 1U);
+    EXPECT_EQ(failed[0].reason, ConnectFailure::RateChange);
+    EXPECT_EQ(failed[0].modules, std::vector{ModuleIndex(1)});
+    EXPECT_EQ(failed[0].baud, 115'200U);
+    EXPECT_EQ(bus.sends("AA 02 0E 10"), 2U) << "asked twice";
+}
+
+TEST(Discovery, RefusesARateThatTheChipsCannotMakeBeforeItResetsAnything) {
+    EngineConfig config;
+    config.baud = 38'400;
+    ScriptedBus bus(3, config);
+    EXPECT_FALSE(bus.connect());
+    EXPECT_TRUE(bus.sent.empty());
+    EXPECT_EQ(bus.all<ConnectFailed>().at(0).reason, ConnectFailure::RateChange);
+}
+
+TEST(Discovery, SendsTheBetterDivisor) {
+    EngineConfig config;
+    config.baud = 57'600;
+    VirtualBus bus(servos(1), config);
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.sends("AA FF 1A 15 2E"), 1U);
+}
+
+TEST(Discovery, TellsHowFarItIs) {
+    EngineConfig config;
+    config.baud = 115'200;
+    VirtualBus bus(servos(2), config);
+    ASSERT_TRUE(bus.connect());
+    std::vector<std::pair<ConnectStage, int>> stages;
+    for (const auto& progress : bus.all<ConnectProgress>())
+        stages.emplace_back(progress.stage, progress.modules);
+    using enum ConnectStage;
+    const std::vector<std::pair<ConnectStage, int>> expected{
+        {Restarting, 0},  {Addressing, 0},   {Addressing, 1}, {Addressing, 2},
+        {Identifying, 2}, {ChangingRate, 2}, {Preparing, 2}};
+    EXPECT_EQ(stages, expected);
+}
+
+TEST(Discovery, StartsCleanWheneverItIsAskedFor) {
+    VirtualBus bus(servos(3));
+    for (int i = 0; i < 60; ++i) {
+        bus.engine.connect(bus.now);
+        bus.runFor(i * 23ms);
+    }
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
+    EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
+}
+
+TEST(Discovery, TakesLessThanASecondForAShortChain) {
+    VirtualBus bus(servos(3));
+    const TimePoint began = bus.now;
+    ASSERT_TRUE(bus.connect());
+    EXPECT_LT(bus.now - began, 1000ms);
+    std::printf("connect: %.3f s\n", toSeconds(bus.now - began));
+}
+
+TEST(Discovery, RunsAtEveryRate) {
+    for (const std::uint32_t baud : {9'600U, 19'200U, 57'600U, 115'200U}) {
+        SCOPED_TRACE(baud);
+        EngineConfig config;
+        config.baud = baud;
+        VirtualBus bus(servos(3), config);
+        ASSERT_TRUE(bus.connect());
+        EXPECT_EQ(bus.last<ChainFound>()->baud, baud);
+        const TimePoint began = bus.now;
+        const auto before = bus.engine.statistics();
+        bus.runFor(2s);
+        const auto& after = bus.engine.statistics();
+        EXPECT_NEAR(static_cast<double>(after.answered - before.answered),
+                    static_cast<double>(after.exchanges - before.exchanges), 1);
+        const double used = toSeconds(after.wireTime - before.wireTime) / toSeconds(bus.now - began);
+        std::printf("%u Bd: %.1f polls/s, %.1f %% of the wire\n", baud,
+                    static_cast<double>(after.answered - before.answered) / 2, used * 100);
+        EXPECT_GT(used, 0.9);
+        bus.expectNoViolations();
+    }
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bus/gate.h"
+#include "tests/bus/steps.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint8_t kMoveDone = 0x01;
+constexpr std::uint8_t kPower = 0x08;
+constexpr std::uint8_t kServoOn = 0x04;
+
+/// A belief with a hand on the wire: every send is one millisecond later.
+class Module {
+public:
+    explicit Module(ModuleIdentity identity = {ModuleType::Servo, 4})
+        : belief({ModuleIndex(0), BusAddress(1), identity}) {}
+
+    void status(std::uint8_t bits, std::uint8_t aux, std::int16_t velocity = 0) {
+        StatusReport report;
+        report.items = StatusItems(0x3F);
+        report.status = bits;
+        report.aux = aux;
+        report.velocity = velocity;
+        belief.onStatus(report, m_now += 1ms);
+    }
+    void executed(const Step& step) {
+        belief.onSent(step.command, m_now += 1ms);
+        belief.onExecuted(step.command);
+    }
+    void unanswered(const Step& step) { belief.onSent(step.command, m_now += 1ms); }
+    [[nodiscard]] Verdict judge(const Step& step) const { return bus::judge(belief, step.command); }
+    [[nodiscard]] Verdict judge(ServoCommand command) const { return bus::judge(belief, command); }
+
+    Belief belief;
+
+private:
+    TimePoint m_now{};
+};
+
+[[nodiscard]] Module standing() {
+    Module module;
+    module.status(kMoveDone | kPower, kServoOn);
+    return module;
+}
+
+TEST(Gate, LetsAStandingServoLoadAndStart) {
+    Module module = standing();
+    EXPECT_EQ(module.judge(loadMove(0, 10)), Verdict::Allowed);
+    EXPECT_EQ(module.judge(start(0)), Verdict::Never) << "nothing loaded";
+    module.executed(loadMove(0, 10));
+    EXPECT_EQ(module.judge(start(0)), Verdict::Allowed);
+}
+
+TEST(Gate, WantsToSeeAStatusFirst) {
+    Module module;
+    EXPECT_EQ(module.judge(loadMove(0, 10)), Verdict::NeedsStatus);
+    EXPECT_EQ(module.judge(ResetPosition{}), Verdict::NeedsStatus);
+    module = standing();
+    module.executed(enable(0));
+    EXPECT_EQ(module.judge(loadMove(0, 10)), Verdict::NeedsStatus) << "older than the last motion command";
+}
+
+TEST(Gate, ForbidsWhatMustNotHappenInAMove) {
+    Module module = standing();
+    module.executed(loadMove(0, 10));
+    module.executed(start(0));
+    module.status(kPower, kServoOn);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    EXPECT_EQ(module.judge(ResetPosition{}), Verdict::InMotion);
+    EXPECT_EQ(module.judge(loadVelocity(0, 10, true)), Verdict::Allowed);
+    module.status(kMoveDone | kPower, kServoOn);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+    EXPECT_EQ(module.judge(ResetPosition{}), Verdict::Allowed);
+    EXPECT_EQ(module.judge(start(0)), Verdict::Never) << "used up";
+}
+
+TEST(Gate, KnowsThatMoveDoneSaysNothingAtConstantVelocity) {
+    Module module = standing();
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower, kServoOn, 1);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    module.executed(loadVelocity(0, 0, true));
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+}
+
+TEST(Gate, CountsAnUnansweredStartAsMoving) {
+    Module module = standing();
+    module.unanswered(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    module.unanswered(enable(0));
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion) << "nor was the stop answered";
+    module.executed(enable(0));
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+}
+
+TEST(Gate, DoesNotStartALoadThatWasNotAnswered) {
+    Module module = standing();
+    module.unanswered(loadMove(0, 10));
+    EXPECT_EQ(module.judge(start(0)), Verdict::Never);
+    module.executed(loadMove(0, 10));
+    module.unanswered(loadMove(0, 20));
+    EXPECT_EQ(module.judge(start(0)), Verdict::Never) << "which of the two?";
+}
+
+TEST(Gate, ForbidsTrapezoidalStartNow) {
+    servo::LoadTrajectory load;
+    load.position = Counts(5);
+    load.startNow = true;
+    EXPECT_EQ(standing().judge(load), Verdict::Never);
+}
+
+TEST(Gate, TakesACoastingMotorForMoving) {
+    Module module;
+    module.status(kMoveDone | kPower, 0, 3);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    module.status(kMoveDone | kPower, 0, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+}
+
+TEST(Gate, TakesAPwmOutputForMoving) {
+    Module module = standing();
+    module.executed(loadPwm(0, 60));
+    module.status(kMoveDone | kPower, 0, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    module.executed(motorOff(0));
+    module.status(kMoveDone | kPower, 0, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+}
+
+TEST(Gate, KnowsThatHomingStopsByItself) {
+    constexpr std::uint8_t kHoming = 0x80;
+    servo::SetHoming homing;
+    homing.onLimit1Change = homing.stopAbruptly = true;
+    Module module = standing();
+    module.executed(toServo(0, homing));
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower | kHoming, kServoOn, 1);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+}
+
+TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
+    Module old({ModuleType::Servo, 1});
+    old.status(kMoveDone | kPower, kServoOn);
+    servo::SetGain fourteen{};
+    fourteen.db = 0;
+    EXPECT_EQ(old.judge(fourteen), Verdict::Never);
+    EXPECT_EQ(old.judge(servo::SetGain{}), Verdict::Allowed);
+    EXPECT_EQ(old.judge(servo::StopMotor{true, servo::StopManner::Here, Counts(1)}), Verdict::Never);
+}
+
+TEST(Gate, ForbidsTheOtherChipsCommands) {
+    Module stepper({ModuleType::Step, 1});
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(step::SetOutputs{1})), Verdict::Allowed);
+    EXPECT_EQ(stepper.judge(servo::ClearStickyBits{}), Verdict::Never);
+    EXPECT_EQ(bus::judge(standing().belief, StepCommand(step::SetOutputs{1})), Verdict::Never);
+}
+
+TEST(Gate, ForbidsValuesOutsideTheDataSheet) {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(0x8000'0000U);
+    load.profile = servo::ProfileMode::Velocity;
+    EXPECT_EQ(standing().judge(load), Verdict::Never);
+}
+
+TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
+    constexpr std::uint8_t kMoving = 0x01;
+    Module stepper({ModuleType::Step, 1});
+    step::LoadTrajectory load;
+    load.position = Counts(100);
+    load.speed = std::uint8_t{10};
+    stepper.status(kMoving | kPower | 0x04, 0);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::InMotion);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(ResetPosition{})), Verdict::InMotion);
+    stepper.status(kPower | 0x04, 0);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Allowed);
+}
+
+TEST(Belief, RemembersThatAServoMayBeOn) {
+    Module module;
+    module.status(kMoveDone | kPower, 0);
+    EXPECT_FALSE(module.belief.mayBeOn());
+    module.unanswered(loadVelocity(0, 1, true));
+    EXPECT_TRUE(module.belief.mayBeOn());
+    EXPECT_FALSE(module.belief.on());
+    module.status(kMoveDone | kPower, 0);
+    EXPECT_FALSE(module.belief.mayBeOn());
+    module.unanswered(toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}}));
+    EXPECT_FALSE(module.belief.mayBeOn()) << "only an abrupt stop switches a servo on";
+    module.unanswered(enable(0));
+    EXPECT_TRUE(module.belief.mayBeOn());
+    module.executed(motorOff(0));
+    EXPECT_FALSE(module.belief.mayBeOn());
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/bus/scriptedbus.h"
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr const char* kSmoothStop = "AA 01 17 09 21";
+
+class Hold : public ::testing::Test {
+protected:
+    void enableFirst() {
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+        bus.runFor(100ms);
+        from = bus.sent.size();
+    }
+    /// As a held button does, every 100 ms.
+    void holdFor(Duration time, const HoldToMove& hold) {
+        for (const TimePoint end = bus.now + time; bus.now < end; bus.runFor(100ms))
+            bus.engine.hold(hold, bus.now);
+    }
+
+    VirtualBus bus{servos(2)};
+    std::size_t from = 0;
+};
+
+TEST_F(Hold, MovesUntilReleased) {
+    enableFirst();
+    holdFor(1s, forward(0));
+    // One count a tick: 1953 counts a second, less the time to get to speed.
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 1e-3);
+    EXPECT_EQ(bus.sends("AA 01 94 B6 00 00 01 00", from), 1U) << "the same again sends nothing";
+    bus.engine.release(bus.now);
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_TRUE(bus.servo(0).servoOn);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+    EXPECT_GT(bus.servo(0).position, 1500);
+    bus.expectNoViolations();
+}
+
+TEST_F(Hold, EndsByItselfWhenTheEvidenceStopsComing) {
+    enableFirst();
+    bus.engine.hold(forward(0), bus.now);
+    const TimePoint last = bus.now;
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<HoldExpired>() == 1; }, 1s));
+    EXPECT_EQ(bus.now - last, Duration(250ms));
+    EXPECT_EQ(bus.last<HoldExpired>()->module, ModuleIndex(0));
+    bus.runFor(300ms);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+}
+
+TEST_F(Hold, ChangesTheVelocityOnTheFly) {
+    enableFirst();
+    holdFor(500ms, forward(0));
+    holdFor(500ms, forward(0, 32'768));
+    EXPECT_EQ(bus.sends("AA 01 94 B6", from), 2U);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 0.5, 1e-3);
+    bus.expectNoViolations();
+}
+
+TEST_F(Hold, NeverSwitchesAServoOn) {
+    ASSERT_TRUE(bus.connect());
+    holdFor(500ms, forward(0));
+    EXPECT_EQ(bus.sends("AA 01 94"), 0U);
+    EXPECT_EQ(bus.sends("AA 01 17"), 0U);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+}
+
+TEST_F(Hold, NeverSwitchesATrippedServoOn) {
+    enableFirst();
+    holdFor(300ms, forward(0));
+    bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, bus.now);
+    holdFor(200ms, forward(0));
+    bus.chain.set(ModuleIndex(0), sim::Input::Power, 1.0, bus.now);
+    holdFor(200ms, forward(0));
+    ASSERT_FALSE(bus.servo(0).servoOn);
+    holdFor(300ms, forward(0, 20'000));
+    bus.engine.release(bus.now);
+    bus.runFor(300ms);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    EXPECT_EQ(bus.sends("AA 01 94", from), 1U);
+    EXPECT_EQ(bus.sends("AA 01 17", from), 0U);
+}
+
+TEST_F(Hold, IsSentOnceTheServoIsKnownToBeOn) {
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    holdFor(300ms, forward(0));  // no poll in between: the engine looks first
+    EXPECT_EQ(bus.sends("AA 01 94"), 1U);
+}
+
+TEST_F(Hold, StopsAbruptlyWithoutAnAcceleration) {
+    enableFirst();
+    HoldToMove hold = forward(0);
+    hold.acceleration = CountsPerTickSquared(0);
+    holdFor(200ms, hold);
+    bus.engine.release(bus.now);
+    bus.runFor(100ms);
+    EXPECT_EQ(bus.sends("AA 01 17 05 1D", from), 1U);
+}
+
+TEST_F(Hold, OfAnotherModuleStopsTheFirst) {
+    enableFirst();
+    ASSERT_EQ(bus.perform({gains(1), enable(1)}), Outcome::Done);
+    holdFor(200ms, forward(0));
+    holdFor(300ms, forward(1));
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_NEAR(bus.servo(1).commandVelocity, 1.0, 1e-3);
+    bus.engine.release(bus.now);
+    bus.runFor(300ms);
+    EXPECT_EQ(bus.servo(1).commandVelocity, 0);
+}
+
+TEST_F(Hold, StopsAlthoughAnswersGetLost) {
+    enableFirst();
+    holdFor(300ms, forward(0));
+    int lost = 0;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() == 5 && command[2] == 0x17 && lost++ < 3)
+            command.clear();
+    };
+    bus.engine.release(bus.now);
+    bus.runFor(1s);
+    EXPECT_EQ(lost, 4);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+}
+
+TEST_F(Hold, StopsWhenItsStartIsNotAnswered) {
+    enableFirst();
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x94; };
+    bus.engine.hold(forward(0), bus.now);
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.sends("AA 01 94", from), 1U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_EQ(bus.count<HoldExpired>(), 1U);
+}
+
+TEST_F(Hold, DoesNotWaitForAQuarantineToStop) {
+    enableFirst();
+    holdFor(300ms, forward(0));
+    const auto before = bus.engine.statistics().timeouts;
+    bus.losesReply = [](ByteSpan) { return true; };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.engine.statistics().timeouts > before; }, 1s));
+    bus.losesReply = {};
+    const TimePoint released = bus.now;
+    bus.engine.release(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(kSmoothStop, from) > 0; }, 1s));
+    EXPECT_LT(bus.now - released, 15ms);
+}
+
+TEST_F(Hold, EndsWithAStopOfAllMotors) {
+    enableFirst();
+    holdFor(300ms, forward(0));
+    ASSERT_TRUE(bus.stopAll());
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.sends("AA 01 94", from), 1U);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 0U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+}
+
+TEST_F(Hold, DoesNotStartAgainAfterARefusalOnceReleased) {
+    enableFirst();
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() > 5 && command[2] == 0x94)
+            command.back() ^= 0x40U;  // the module flags a communication error
+    };
+    bus.engine.hold(forward(0), bus.now);
+    bus.runFor(3ms);
+    bus.engine.release(bus.now);
+    bus.runFor(300ms);
+    EXPECT_LE(bus.sends("AA 01 94", from), 1U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+}
+
+}  // namespace
+
+}  // namespace nmc::test

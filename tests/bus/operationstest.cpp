@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/bus/scriptedbus.h"
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+[[nodiscard]] bool has(ByteSpan packet, const std::string& prefix) {
+    return toHex(packet).rfind(prefix, 0) == 0;
+}
+
+TEST(Operations, MoveAServoToItsGoal) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(1), enable(1)}), Outcome::Done);
+    ASSERT_EQ(bus.perform({loadMove(1, 1000), start(1)}), Outcome::Done);
+    bus.runFor(2s);
+    EXPECT_NEAR(bus.servo(1).position, 1000, 3);
+    EXPECT_EQ(bus.servo(0).position, 0);
+    EXPECT_NEAR(bus.lastSample(1)->report.position.value(), 1000, 3);
+    bus.expectNoViolations();
+}
+
+TEST(Operations, RunInTheirOrder) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    const auto a = bus.submit({toServo(0, servo::ClearStickyBits{}), toServo(1, servo::ClearStickyBits{})});
+    const auto b = bus.submit({toServo(0, SaveAsHome{})});
+    bus.runFor(200ms);
+    const auto finished = bus.all<OperationFinished>();
+    ASSERT_EQ(finished.size(), 2U);
+    EXPECT_EQ(finished[0].id, a);
+    EXPECT_EQ(finished[0].module, ModuleIndex(1));
+    EXPECT_EQ(finished[0].commandByte, 0x0B);
+    EXPECT_EQ(finished[1].id, b);
+    EXPECT_EQ(finished[1].commandByte, 0x0C);
+}
+
+TEST(Operations, GoBeforePolls) {
+    ScriptedBus bus(3);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(100ms);
+    bus.engine.submit({OperationId(1), {toServo(2, SaveAsHome{}), toServo(2, servo::ClearStickyBits{})}},
+                      bus.now);
+    const std::size_t from = bus.sent.size();
+    bus.runFor(40ms);
+    ASSERT_GE(bus.sent.size(), from + 2);
+    EXPECT_EQ(bus.sent[from].hex, "AA 03 0C 0F");
+    EXPECT_EQ(bus.sent[from + 1].hex, "AA 03 0B 0E");
+}
+
+/// Golden frames of protocol.md section 4, out of the engine.
+TEST(Operations, PutTheGoldenFramesOnTheWire) {
+    ScriptedBus bus(1);
+    ASSERT_TRUE(bus.connect());
+    bus.aux = 0x04;  // servo on
+    bus.runFor(200ms);
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(100'000);
+    load.profile = servo::ProfileMode::Velocity;
+    load.reverse = load.startNow = true;
+    load.servo = true;
+    bus.engine.submit(
+        {OperationId(1),
+         {toServo(0, load), toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}}),
+          toServo(0, servo::StopMotor{true, servo::StopManner::Here, Counts(100)}), motorOff(0)}},
+        bus.now);
+    const std::size_t from = bus.sent.size();
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.sends("AA 01 54 F2 A0 86 01 00 6E", from), 1U);
+    EXPECT_EQ(bus.sends("AA 01 17 09 21", from), 1U);
+    EXPECT_EQ(bus.sends("AA 01 57 11 64 00 00 00 CD", from), 1U);
+    EXPECT_EQ(bus.sends("AA 01 17 02 1A", from), 1U);
+    EXPECT_EQ(bus.all<OperationFinished>().at(0).outcome, Outcome::Done);
+}
+
+TEST(Operations, AreReportedWithTheTimeAtWhichTheModuleTookThem) {
+    ScriptedBus bus(1);
+    ASSERT_TRUE(bus.connect());
+    bus.engine.submit({OperationId(1), {toServo(0, SaveAsHome{})}}, bus.now);
+    bus.runFor(100ms);
+    const auto executed = bus.all<CommandExecuted>();
+    ASSERT_EQ(executed.size(), 1U);
+    TimePoint sent{};
+    for (const auto& s : bus.sent)
+        if (s.hex == "AA 01 0C 0D")
+            sent = s.time;
+    // Four bytes of ten bits at 19 200 Bd, then half a tick of 512 us.
+    EXPECT_EQ(executed[0].time - sent, Duration(4 * 520'833) + 256us);
+}
+
+TEST(Operations, EndAtTheFirstStepThatFails) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bus.losesReply = [](ByteSpan command) { return has(command, "AA 01 D4"); };
+    EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::NoAnswer);
+    EXPECT_EQ(bus.sends("AA 01 05"), 0U);
+    EXPECT_EQ(bus.sends("AA 01 D4"), 3U);
+    bus.runFor(500ms);
+    EXPECT_NEAR(bus.servo(0).position, 0, 3);
+}
+
+TEST(Operations, RepeatALoadWhoseAnswerIsLost) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bool lost = false;
+    bus.losesReply = [&](ByteSpan command) { return has(command, "AA 01 D4") && !std::exchange(lost, true); };
+    EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done);
+    EXPECT_EQ(bus.sends("AA 01 D4"), 2U);
+    EXPECT_EQ(bus.sends("AA 01 05"), 1U);
+    EXPECT_EQ(bus.engine.statistics().retries, 1U);
+}
+
+TEST(Operations, NeverRepeatAStartBlindly) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bus.losesReply = [](ByteSpan command) { return has(command, "AA 01 05"); };
+    EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::NoAnswer);
+    EXPECT_EQ(bus.sends("AA 01 05"), 1U);
+    EXPECT_EQ(bus.last<OperationFinished>()->commandByte, 0x05);
+}
+
+TEST(Operations, AreNotRepeatedWhenTheyAreNotIdempotent) {
+    const std::vector<std::pair<ServoCommand, std::string>> commands{
+        {ResetPosition{}, "AA 01 00 01"},          {SaveAsHome{}, "AA 01 0C 0D"},
+        {servo::ClearStickyBits{}, "AA 01 0B 0C"}, {servo::IoControl{}, "AA 01 18"},
+        {servo::SetHoming{}, "AA 01 19"},          {servo::SetGain{}, "AA 01 D6"}};
+    for (const auto& [command, hex] : commands) {
+        SCOPED_TRACE(hex);
+        VirtualBus bus(servos(1));
+        ASSERT_TRUE(bus.connect());
+        bus.losesReply = [h = hex](ByteSpan c) { return has(c, h); };
+        EXPECT_EQ(bus.perform({toServo(0, command)}), Outcome::NoAnswer);
+        EXPECT_EQ(bus.sends(hex), 1U);
+        EXPECT_EQ(bus.count<CommandExecuted>(), 0U);
+    }
+}
+
+TEST(Operations, TryThreeTimesWhenTheModuleRefuses) {
+    ScriptedBus bus(1);
+    ASSERT_TRUE(bus.connect());
+    bus.answer = [&](ByteSpan packet) {
+        auto reply = bus.likeAServo(packet);
+        if (toHex(packet) == "AA 01 0C 0D") {
+            reply.pop_back();
+            reply[0] |= 0x02U;
+            reply = withSum(reply);
+        }
+        return reply;
+    };
+    bus.engine.submit({OperationId(7), {toServo(0, SaveAsHome{})}}, bus.now);
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.sends("AA 01 0C 0D"), 3U);
+    const auto refused = bus.all<CommandRefused>();
+    ASSERT_EQ(refused.size(), 3U);
+    EXPECT_EQ(refused[0].attempt, 1);
+    EXPECT_EQ(refused[2].attempt, 3);
+    EXPECT_EQ(bus.all<OperationFinished>().at(0).outcome, Outcome::Refused);
+    EXPECT_EQ(bus.count<CommandExecuted>(), 0U);
+    EXPECT_EQ(bus.engine.statistics().refused, 3U);
+    EXPECT_EQ(bus.engine.statistics().retries, 2U);
+    EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
+}
+
+TEST(Operations, SucceedWhenTheSecondAttemptIsAccepted) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    ASSERT_EQ(bus.perform({loadMove(0, 500)}), Outcome::Done);
+    bool spoilt = false;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (has(command, "AA 01 05") && !std::exchange(spoilt, true))
+            command.back() ^= 0x40U;
+    };
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Done);
+    EXPECT_EQ(bus.count<CommandRefused>(), 1U);
+    bus.runFor(1500ms);
+    EXPECT_NEAR(bus.servo(0).position, 500, 3);
+}
+
+TEST(Operations, NeverStartWhatWasNotLoaded) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden);
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 100)}), Outcome::Done);
+    // Stop Motor zeroes the velocity parameter.
+    ASSERT_EQ(bus.perform({enable(0)}), Outcome::Done);
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.sends("AA 01 05"), 0U);
+}
+
+TEST(Operations, AreForbiddenWhileATrapezoidalMoveRuns) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 4000), start(0)}), Outcome::Done);
+    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({toServo(0, ResetPosition{})}), Outcome::Forbidden);
+    EXPECT_EQ(bus.sends("AA 01 D4"), 1U);
+    EXPECT_EQ(bus.sends("AA 01 00"), 0U);
+    // Velocity mode may be entered from a trapezoidal move.
+    EXPECT_EQ(bus.perform({loadVelocity(0, 32'768, true)}), Outcome::Done);
+    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden);
+    bus.runFor(3s);
+    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden)
+        << "still at speed, although move_done is set";
+    ASSERT_EQ(bus.perform({toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}})}),
+              Outcome::Done);
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Done);
+    bus.expectNoViolations();
+}
+
+TEST(Operations, MayStartAgainAsSoonAsTheMoveHasEnded) {
+    VirtualBus bus(servos(8));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 200), start(0)}), Outcome::Done);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.servo(0).commandPosition >= 200; }, 5s));
+    // The last poll may still say "moving": the gate looks once more.
+    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Done);
+    bus.expectNoViolations();
+}
+
+TEST(Operations, OnModulesWithoutADataSheetAreForbidden) {
+    ScriptedBus bus(1);
+    bus.type = 7;
+    ASSERT_TRUE(bus.connect());
+    for (const ServoCommand& command :
+         {ServoCommand(SaveAsHome{}), ServoCommand(servo::IoControl{}), ServoCommand(servo::SetGain{})}) {
+        bus.events.clear();
+        bus.engine.submit({OperationId(1), {toServo(0, command)}}, bus.now);
+        bus.runFor(50ms);
+        EXPECT_EQ(bus.all<OperationFinished>().at(0).outcome, Outcome::Forbidden);
+    }
+    bus.events.clear();
+    bus.engine.submit({OperationId(2), {motorOff(0)}}, bus.now);
+    bus.runFor(50ms);
+    EXPECT_EQ(bus.all<OperationFinished>().at(0).outcome, Outcome::Done);
+    EXPECT_EQ(bus.sends("AA 01 12 0B 1E"), 0U);
+    EXPECT_GT(bus.sends("AA 01 13 20 34"), 3U);
+}
+
+TEST(Operations, ForTheEngineAloneAreForbidden) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    for (const ServoCommand& command : {ServoCommand(HardReset{}), ServoCommand(SetBaud{10}),
+                                        ServoCommand(SetAddress{BusAddress(9), BusAddress(0xFF), false})})
+        EXPECT_EQ(bus.perform({toServo(0, command)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({toServo(5, Nop{})}), Outcome::Forbidden) << "there is no such module";
+}
+
+TEST(Operations, ChangeTheLengthOfRepliesWithDefineStatus) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({toServo(0, DefineStatus{StatusItems(0x1F)})}), Outcome::Done);
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
+    EXPECT_TRUE(bus.lastSample(0)->report.velocity.has_value());
+}
+
+TEST(Operations, AreBounded) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    for (std::uint32_t i = 0; i < 300; ++i)
+        bus.engine.submit({OperationId(i), {toServo(0, Nop{})}}, bus.now);
+    bus.runFor(3s);
+    const auto finished = bus.all<OperationFinished>();
+    ASSERT_EQ(finished.size(), 300U);
+    EXPECT_EQ(std::count_if(finished.begin(), finished.end(),
+                            [](const auto& f) { return f.outcome == Outcome::Cancelled; }),
+              300 - 256);
+}
+
+TEST(Operations, WithoutAConnectionAreCancelled) {
+    VirtualBus bus(servos(1));
+    EXPECT_EQ(bus.perform({toServo(0, Nop{})}), Outcome::Cancelled);
+}
+
+TEST(Operations, AreCancelledByANewConnection) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    const auto id = bus.submit({toServo(0, Nop{}), toServo(0, Nop{})});
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::Cancelled);
+}
+
+}  // namespace
+
+}  // namespace nmc::test

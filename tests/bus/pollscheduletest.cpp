@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bus/pollschedule.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using bus::PollSchedule;
+
+constexpr ModuleIndex kFirst{0};
+constexpr ModuleIndex kSecond{1};
+
+void silence(PollSchedule& schedule, ModuleIndex module, TimePoint now) {
+    for (unsigned i = 0; i < PollSchedule::kSilentAfter; ++i)
+        (void)schedule.onTimeout(module, now);
+}
+
+TEST(PollSchedule, TakesModulesInTurn) {
+    PollSchedule schedule(3);
+    for (int i = 0; i < 9; ++i)
+        EXPECT_EQ(schedule.next(TimePoint{})->module.value(), i % 3);
+}
+
+TEST(PollSchedule, AsksForEverythingEveryEighthTime) {
+    PollSchedule schedule(2);
+    for (int i = 0; i < 32; ++i)
+        EXPECT_EQ(schedule.next(TimePoint{})->full, i / 2 % 8 == 0) << i;
+}
+
+TEST(PollSchedule, CallsAModuleSilentAfterThreeTimeoutsInARow) {
+    PollSchedule schedule(2);
+    EXPECT_FALSE(schedule.onTimeout(kFirst, TimePoint{}));
+    EXPECT_FALSE(schedule.onTimeout(kFirst, TimePoint{}));
+    EXPECT_FALSE(schedule.onAnswer(kFirst, TimePoint{}));
+    EXPECT_FALSE(schedule.onTimeout(kFirst, TimePoint{}));
+    EXPECT_FALSE(schedule.onTimeout(kFirst, TimePoint{}));
+    EXPECT_TRUE(schedule.onTimeout(kFirst, TimePoint{}));
+    EXPECT_TRUE(schedule.silent(kFirst));
+    EXPECT_EQ(schedule.answering(), 1U);
+    EXPECT_FALSE(schedule.allSilent());
+    EXPECT_FALSE(schedule.onTimeout(kFirst, TimePoint{})) << "told once";
+    EXPECT_TRUE(schedule.onAnswer(kFirst, TimePoint{}));
+    EXPECT_FALSE(schedule.silent(kFirst));
+}
+
+TEST(PollSchedule, AsksASilentModuleEverMoreRarely) {
+    PollSchedule schedule(2);
+    silence(schedule, kFirst, TimePoint{});
+    std::vector<TimePoint> asked;
+    for (TimePoint now{}; now < TimePoint(20s); now += 10ms) {
+        if (schedule.next(now)->module != kFirst)
+            continue;
+        asked.push_back(now);
+        (void)schedule.onTimeout(kFirst, now);
+    }
+    ASSERT_GE(asked.size(), 4U);
+    EXPECT_EQ(asked[0], TimePoint(1s));
+    EXPECT_EQ(asked[1] - asked[0], Duration(2s));
+    EXPECT_EQ(asked[2] - asked[1], Duration(4s));
+    EXPECT_EQ(asked[3] - asked[2], Duration(4s));
+}
+
+TEST(PollSchedule, SpacesTheQuestionsToSeveralSilentModules) {
+    PollSchedule schedule(32);
+    for (std::uint8_t i = 1; i < 32; ++i)
+        silence(schedule, ModuleIndex(i), TimePoint{});
+    int probes = 0;
+    for (TimePoint now{}; now < TimePoint(10s); now += 10ms) {
+        const auto turn = schedule.next(now);
+        if (turn->module == kFirst)
+            continue;
+        ++probes;
+        (void)schedule.onTimeout(turn->module, now);
+    }
+    EXPECT_LE(probes, 17) << "one in 600 ms";
+    EXPECT_GE(probes, 14);
+}
+
+TEST(PollSchedule, AsksOnceASecondWhenAllAreSilent) {
+    PollSchedule schedule(2);
+    silence(schedule, kFirst, TimePoint{});
+    silence(schedule, kSecond, TimePoint{});
+    EXPECT_TRUE(schedule.allSilent());
+    EXPECT_FALSE(schedule.next(TimePoint{}));
+    std::vector<int> asked;
+    for (TimePoint now{}; now < TimePoint(6500ms);) {
+        now = *schedule.nextDue();
+        const auto turn = schedule.next(now);
+        ASSERT_TRUE(turn) << "due, but nothing to do";
+        asked.push_back(turn->module.value());
+        (void)schedule.onTimeout(turn->module, now + 20ms);
+    }
+    EXPECT_EQ(asked, (std::vector<int>{0, 1, 0, 1, 0, 1, 0}));
+}
+
+TEST(PollSchedule, AsksTheOthersSoonWhenOneAnswersAgain) {
+    PollSchedule schedule(2);
+    silence(schedule, kFirst, TimePoint{});
+    silence(schedule, kSecond, TimePoint{});
+    EXPECT_EQ(schedule.next(TimePoint(1s))->module, kFirst);
+    EXPECT_TRUE(schedule.onAnswer(kFirst, TimePoint(1s)));
+    EXPECT_EQ(schedule.next(TimePoint(1s))->module, kSecond);
+    EXPECT_TRUE(schedule.next(TimePoint(1s))->full) << "everything may be new";
+}
+
+TEST(PollSchedule, HasNothingToDoWithoutModules) {
+    PollSchedule schedule(0);
+    EXPECT_FALSE(schedule.next(TimePoint{}));
+    EXPECT_FALSE(schedule.nextDue());
+    EXPECT_FALSE(schedule.allSilent());
+}
+
+}  // namespace
+
+}  // namespace nmc::test

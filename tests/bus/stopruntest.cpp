@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bus/stoprun.h"
+#include "tests/bus/scriptedbus.h"
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+[[nodiscard]] std::vector<std::uint8_t> numbers(const std::vector<ModuleIndex>& modules) {
+    std::vector<std::uint8_t> n;
+    for (const ModuleIndex m : modules)
+        n.push_back(m.value());
+    return n;
+}
+
+[[nodiscard]] bool has(const std::string& hex, const std::string& prefix) {
+    return hex.rfind(prefix, 0) == 0;
+}
+
+TEST(StopRun, StopsWhatMovesAndKeepsItHolding) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(1), enable(1), loadVelocity(1, 65'536, true)}), Outcome::Done);
+    bus.runFor(500ms);
+    ASSERT_GT(bus.servo(1).velocity, 0.5);
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0, 1, 2));
+    EXPECT_THAT(stopped->unreached, IsEmpty());
+    EXPECT_TRUE(bus.servo(1).servoOn);
+    EXPECT_NEAR(bus.servo(1).velocity, 0, 0.1);
+    EXPECT_LT(stopped->took, 500ms);
+}
+
+TEST(StopRun, KeepsAServoThatIsOffOff) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    const std::size_t from = bus.sent.size();
+    ASSERT_TRUE(bus.stopAll());
+    EXPECT_TRUE(bus.servo(0).servoOn);
+    EXPECT_FALSE(bus.servo(1).servoOn);
+    EXPECT_EQ(bus.sends("AA 02 17", from), 0U);
+    EXPECT_EQ(bus.sends("AA FF", from), 0U) << "not all of them may take the same packet";
+}
+
+TEST(StopRun, SwitchesOffAPwmOutput) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(
+        bus.perform({toServo(0, servo::StopMotor{true, servo::StopManner::MotorOff, {}}), loadPwm(0, 60)}),
+        Outcome::Done);
+    bus.runFor(300ms);
+    ASSERT_GT(bus.servo(0).pwm, 0);
+    const std::size_t from = bus.sent.size();
+    const auto stopped = bus.stopAll();
+    EXPECT_GT(bus.sends("AA 01 17 02 1A", from), 0U);
+    EXPECT_EQ(bus.servo(0).pwm, 0);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
+}
+
+TEST(StopRun, StopsAServoThatMayHaveBeenSwitchedOn) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0)}), Outcome::Done);
+    // Executed, but the answer never comes.
+    bus.losesReply = [](ByteSpan) { return true; };
+    bus.submit({loadVelocity(0, 65'536, true)});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 94") == 1; }, 1s));
+    bus.runFor(30ms);
+    bus.losesReply = {};
+    const std::size_t from = bus.sent.size();
+    const auto stopped = bus.stopAll();
+    EXPECT_GT(bus.sends("AA 01 17 05 1D", from), 0U);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 0, 1e-9);
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
+}
+
+TEST(StopRun, OvertakesQueuedMoves) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
+    std::vector<OperationId> queued;
+    for (int i = 0; i < 10; ++i)
+        queued.push_back(bus.submit({loadMove(0, 1000 + i), start(0)}));
+    const std::size_t from = bus.sent.size();
+    ASSERT_TRUE(bus.stopAll());
+    bus.runFor(300ms);
+    for (const OperationId id : queued)
+        EXPECT_EQ(bus.outcomeOf(id), Outcome::Cancelled);
+    EXPECT_EQ(bus.sends("AA 01 05", from), 0U);
+    EXPECT_EQ(bus.sends("AA 01 D4", from), 0U);
+}
+
+TEST(StopRun, CancelsWhatIsSubmittedWhileItRuns) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    bus.engine.stopAll(bus.now);
+    const auto id = bus.submit({toServo(0, Nop{})});
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::Cancelled);
+}
+
+TEST(StopRun, PreEmptsAReplyAndLeavesTheGap) {
+    ScriptedBus bus(1);
+    bus.aux = 0x04;
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(100ms);
+    // A poll has just gone out and its reply is under way.
+    const std::size_t polls = bus.sent.size();
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > polls; }));
+    const auto poll = bus.sent.back();
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return has(bus.sent.back().hex, "AA 01 17"); }));
+    EXPECT_EQ(bus.sent.back().hex, "AA 01 17 05 1D");
+    const Duration onWire = Duration(520'833) * static_cast<Duration::rep>(fromHex(poll.hex + " ").size());
+    EXPECT_EQ(bus.sent.back().time - poll.time, onWire + 512us);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }));
+    EXPECT_THAT(bus.all<StopFinished>()[0].unreached, IsEmpty());
+}
+
+TEST(StopRun, SendsNullsFirstWhenTheLinkIsSuspect) {
+    ScriptedBus bus(2);
+    bus.aux = 0x04;
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(100ms);
+    auto servo = bus.answer;
+    bus.answer = [](ByteSpan) { return std::vector<std::uint8_t>{}; };
+    const auto before = bus.engine.statistics().timeouts;
+    ASSERT_TRUE(bus.runUntil([&] { return bus.engine.statistics().timeouts > before; }));
+    bus.answer = servo;
+    const std::size_t from = bus.sent.size();
+    bus.engine.stopAll(bus.now);
+    bus.runFor(50ms);
+    ASSERT_GT(bus.sent.size(), from + 1);
+    EXPECT_EQ(bus.sent[from].hex, ScriptedBus::kNulls);
+    EXPECT_EQ(bus.sent[from + 1].hex, "AA FF 17 05 1B");
+    EXPECT_LT(bus.sent[from + 1].time - bus.sent[from].time, 12ms) << "no quarantine before a stop";
+}
+
+TEST(StopRun, ReachesEverybodyWithOnePacketWhereAllMayTakeIt) {
+    VirtualBus bus(servos(32));
+    ASSERT_TRUE(bus.connect());
+    std::vector<Step> steps;
+    for (std::uint8_t i = 0; i < 32; ++i) {
+        steps.push_back(gains(i));
+        steps.push_back(enable(i));
+    }
+    ASSERT_EQ(bus.perform(steps), Outcome::Done);
+    bus.runFor(1s);
+    const std::size_t from = bus.sent.size();
+    const TimePoint asked = bus.now;
+    const auto stopped = bus.stopAll();
+    EXPECT_EQ(bus.sends("AA FF 17 05 1B", from), 1U);
+    EXPECT_LT(bus.sent[from].time - asked, 10ms);
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->stopped.size(), 32U);
+    EXPECT_THAT(numbers(stopped->unreached), IsEmpty());
+}
+
+TEST(StopRun, TellsWhichModuleDidNotAnswer) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    bus.losesReply = [](ByteSpan command) {
+        return command.size() > 1 && command[0] == 0xAA && command[1] == 2;
+    };
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0, 2));
+    EXPECT_THAT(numbers(stopped->unreached), ElementsAre(1));
+    EXPECT_LE(stopped->took, StopRun::kLimit + 100ms);
+}
+
+TEST(StopRun, EndsInTimeWhenNobodyAnswers) {
+    VirtualBus bus(servos(32));
+    ASSERT_TRUE(bus.connect());
+    bus.losesReply = [](ByteSpan) { return true; };
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->unreached.size(), 32U);
+    EXPECT_LE(stopped->took, StopRun::kLimit + 100ms);
+}
+
+TEST(StopRun, RepeatsAStopThatGotLost) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
+    bus.runFor(300ms);
+    int lost = 0;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() == 5 && command[2] == 0x17 && lost++ < 2)
+            command.clear();
+    };
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 0, 1e-9);
+}
+
+TEST(StopRun, DoesNotSwitchATrippedServoOnAgain) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    // Sixty times the inertia: an abrupt stop from 15 600 counts/s takes some 450 counts, the error limit is
+    // 150.
+    bus.chain.set(ModuleIndex(0), sim::Input::Inertia, 1e-3, bus.now);
+    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 150, 1, std::uint8_t{0}}),
+                           enable(0), loadVelocity(0, 8 * 65'536, true)}),
+              Outcome::Done);
+    bus.runFor(2s);
+    ASSERT_TRUE(bus.servo(0).servoOn);
+    const auto stopped = bus.stopAll();
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    ASSERT_TRUE(stopped);
+}
+
+TEST(StopRun, EndsOnceWhenAskedForTwice) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    bus.engine.stopAll(bus.now);
+    bus.runFor(10ms);
+    bus.engine.stopAll(bus.now);
+    bus.runFor(1s);
+    EXPECT_EQ(bus.count<StopFinished>(), 1U);
+    EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 2U);
+}
+
+TEST(StopRun, WithoutAConnectionEndsAtOnce) {
+    VirtualBus bus(servos(2));
+    bus.engine.stopAll(bus.now);
+    bus.runFor(1ms);
+    EXPECT_EQ(bus.count<StopFinished>(), 1U);
+}
+
+TEST(StopRun, DuringDiscoveryEndsWithTheRestart) {
+    VirtualBus bus(servos(2));
+    bus.engine.connect(bus.now);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 1; }, 5s));
+    EXPECT_EQ(bus.count<StopFinished>(), 1U);
+    bus.engine.connect(bus.now);
+    bus.runFor(400ms);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 5s));
+    EXPECT_EQ(bus.count<StopFinished>(), 2U);
+}
+
+TEST(StopRun, GoesOnPollingAfterwards) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_TRUE(bus.stopAll());
+    const std::size_t before = bus.samplesOf(0);
+    bus.runFor(1s);
+    EXPECT_GT(bus.samplesOf(0), before + 30);
+}
+
+TEST(StopRun, IsReportedAsExecutedForTheModel) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    const std::size_t before = bus.count<CommandExecuted>();
+    ASSERT_TRUE(bus.stopAll());
+    EXPECT_GT(bus.count<CommandExecuted>(), before);
+    EXPECT_EQ(bus.last<CommandExecuted>()->command,
+              ModuleCommand(ServoCommand(servo::StopMotor{true, servo::StopManner::Abruptly, {}})));
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/busworker.h"
+
+#include <gtest/gtest.h>
+
+#include "link/simulatortransport.h"
+#include "tests/link/connection.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+BusWorker::TransportFactory simulator(int modules) {
+    return [modules] {
+        return std::make_unique<SimulatorTransport>(
+            std::vector<ModuleIdentity>(static_cast<std::size_t>(modules), {ModuleType::Servo, 4}));
+    };
+}
+
+TEST(BusWorker, RunsAChainInThisProcess) {
+    Connection connection;
+    connection.open(simulator(2), 115'200);
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    EXPECT_EQ(connection.news<bus::ChainFound>()->baud, 115'200U);
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    ASSERT_EQ(connection.carryOut(move(0, 2'000)), bus::Outcome::Done);
+    ASSERT_TRUE(connection.waitUntil([&] { return !connection.module(0).moving(); }));
+    EXPECT_TRUE(connection.waitUntil([&] { return std::abs(*connection.module(0).latest->position - 2'000) <= 5; }));
+    const ModuleHistory* history = connection.store().history(ModuleIndex(0));
+    ASSERT_NE(history, nullptr);
+    EXPECT_GT(history->position.size(), 20U);
+    ASSERT_FALSE(history->command.empty());
+    EXPECT_EQ(history->command.last()->value, 2'000);
+}
+
+TEST(BusWorker, DoesNotNeedTheGuiThreadToPollOrToStop) {
+    Connection connection;
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    // No event loop turns in this thread from here on.
+    const std::uint64_t before = connection.worker().statistics().answered;
+    while (connection.worker().statistics().answered < before + 20)
+        std::this_thread::yield();
+    connection.worker().stopAll();
+    bool stopped = false;
+    while (!stopped)
+        for (const WorkerEvent& event : connection.worker().takeEvents())
+            if (const auto* busEvent = std::get_if<bus::Event>(&event))
+                stopped = stopped || std::holds_alternative<bus::StopFinished>(*busEvent);
+}
+
+TEST(BusWorker, StopsTheMotorsBeforeItCloses) {
+    Connection connection;
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    ASSERT_EQ(connection.carryOut(move(0, 2'000'000)), bus::Outcome::Done);
+    connection.forgetNews();
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
+    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_FALSE(connection.worker().isOpen());
+}
+
+TEST(BusWorker, CanBeOpenedAgainAndDestroyedWhileOpen) {
+    Connection connection;
+    for (int i = 0; i < 3; ++i) {
+        connection.forgetNews();
+        connection.open(simulator(1));
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+        connection.worker().close();
+        ASSERT_TRUE(connection.waitFor<PortClosed>());
+    }
+    connection.open(simulator(1));
+}
+
+TEST(BusWorker, RestartFindsTheChainAnew) {
+    Connection connection;
+    connection.open(simulator(2));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    ASSERT_TRUE(connection.module(0).gains.has_value());
+    connection.forgetNews();
+    connection.worker().restart();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    EXPECT_FALSE(connection.module(0).gains.has_value()) << "a restarted module has lost them";
+}
+
+TEST(BusStore, FiguresAreRatesSinceTheLastPull) {
+    Connection connection;
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    (void)connection.store().pullFigures(TimePoint(std::chrono::seconds(10)));
+    const std::uint64_t before = connection.worker().statistics().answered;
+    while (connection.worker().statistics().answered < before + 30)
+        std::this_thread::yield();
+    const std::uint64_t least = connection.worker().statistics().answered - before;
+    const LinkFigures figures = connection.store().pullFigures(TimePoint(std::chrono::seconds(12)));
+    EXPECT_GE(figures.exchangesPerSecond, static_cast<double>(least) / 2.0 - 1.0);
+    EXPECT_GT(figures.meanRoundTripMs, 0.0);
+    EXPECT_EQ(figures.errors, 0U);
+}
+
+}  // namespace
+}  // namespace nmc

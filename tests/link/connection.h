@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSignalSpy>
+#include <QTest>
+#include <memory>
+#include <vector>
+
+#include "link/busstore.h"
+#include "link/busworker.h"
+#include "link/serialtransport.h"
+
+namespace nmc::testing_support {
+
+/// A worker and a store as the panel has them, and what the store had to tell.
+class Connection {
+public:
+    Connection() {
+        QObject::connect(&m_store, &BusStore::happened,
+                         [this](const StoreEvent& event) { m_news.push_back(event); });
+    }
+
+    void open(BusWorker::TransportFactory factory, std::uint32_t baud = 19'200) {
+        bus::EngineConfig config;
+        config.baud = baud;
+        m_store.begin(QStringLiteral("test"), false, baud);
+        m_worker.open(std::move(factory), config);
+    }
+    void openSerial(const QString& port, std::uint32_t baud = 19'200) {
+        open([port] { return std::make_unique<SerialTransport>(port); }, baud);
+    }
+
+    template <typename Event>
+    [[nodiscard]] const Event* news() const {
+        for (const StoreEvent& event : m_news)
+            if (const auto* found = std::get_if<Event>(&event))
+                return found;
+        return nullptr;
+    }
+    template <typename Event>
+    [[nodiscard]] int count() const {
+        int number = 0;
+        for (const StoreEvent& event : m_news)
+            number += std::holds_alternative<Event>(event) ? 1 : 0;
+        return number;
+    }
+    void forgetNews() { m_news.clear(); }
+
+    template <typename Predicate>
+    bool waitUntil(Predicate predicate, int patienceMs = 20'000) {
+        return QTest::qWaitFor(predicate, patienceMs);
+    }
+    template <typename Event>
+    bool waitFor() {
+        return waitUntil([this] { return news<Event>() != nullptr; });
+    }
+
+    void submit(std::vector<bus::Step> steps) {
+        m_worker.submit({bus::OperationId(++m_lastId), std::move(steps)});
+    }
+    /// Sends the steps and waits for how they ended.
+    bus::Outcome carryOut(std::vector<bus::Step> steps) {
+        m_news.clear();
+        submit(std::move(steps));
+        return waitFor<bus::OperationFinished>() ? news<bus::OperationFinished>()->outcome
+                                                 : bus::Outcome::Cancelled;
+    }
+
+    BusWorker& worker() { return m_worker; }
+    BusStore& store() { return m_store; }
+    const ModuleState& module(std::uint8_t index) { return *m_store.module(ModuleIndex(index)); }
+
+private:
+    BusWorker m_worker;
+    BusStore m_store{m_worker};
+    std::vector<StoreEvent> m_news;
+    std::uint32_t m_lastId = 0;
+};
+
+inline bus::Step step(std::uint8_t module, ServoCommand command) {
+    return {ModuleIndex(module), std::move(command)};
+}
+
+/// The gains, the enabling and the move that every end-to-end test makes.
+inline std::vector<bus::Step> gainsAndEnable(std::uint8_t module) {
+    return {step(module, servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}),
+            step(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}})};
+}
+
+inline std::vector<bus::Step> move(std::uint8_t module, std::int32_t goal) {
+    servo::LoadTrajectory load;
+    load.position = Counts(goal);
+    load.velocity = CountsPerTick(8 << 16);
+    load.acceleration = CountsPerTickSquared(1'311);  // 0.02 counts/tick^2
+    return {step(module, load), step(module, StartMotion{})};
+}
+
+}  // namespace nmc::testing_support

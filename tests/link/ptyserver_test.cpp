@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/ptyserver.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace nmc {
+namespace {
+
+using testing::ElementsAre;
+
+std::string freshPath(const char* name) {
+    return testing::TempDir() + name + "-" + std::to_string(::getpid());
+}
+
+/// A host's side of the terminal.
+class Host {
+public:
+    explicit Host(const std::string& path) : m_fd(::open(path.c_str(), O_RDWR | O_NOCTTY)) {}
+    ~Host() { ::close(m_fd); }
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+    void setBaud(speed_t baud) {
+        termios settings{};
+        ASSERT_EQ(::tcgetattr(m_fd, &settings), 0);
+        ::cfsetspeed(&settings, baud);
+        ASSERT_EQ(::tcsetattr(m_fd, TCSANOW, &settings), 0);
+    }
+    void write(std::vector<std::uint8_t> bytes) {
+        ASSERT_EQ(::write(m_fd, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    }
+    std::vector<std::uint8_t> read() {
+        std::uint8_t buffer[64];
+        const auto got = ::read(m_fd, buffer, sizeof buffer);
+        return {buffer, buffer + got};
+    }
+
+private:
+    int m_fd;
+};
+
+TEST(PtyServer, CarriesEveryByteValueBothWaysUnchanged) {
+    const auto server = PtyServer::create({});
+    ASSERT_TRUE(server.has_value());
+    Host host(server->path());
+    // The ones a terminal likes to interpret: interrupt, end of file, carriage return, line feed, XON, XOFF.
+    const std::vector<std::uint8_t> bytes{0x00, 0x03, 0x04, 0x0D, 0x0A, 0x11, 0x13, 0x7F, 0xAA, 0xFF};
+    host.write(bytes);
+    EXPECT_EQ(server->read(), bytes);
+    server->write(bytes);
+    EXPECT_EQ(host.read(), bytes);
+}
+
+TEST(PtyServer, IsForItsOwnerOnly) {
+    const auto server = PtyServer::create({});
+    struct stat info {};
+    ASSERT_EQ(::stat(server->path().c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777U, 0600U);
+}
+
+TEST(PtyServer, SeesTheRateTheHostChoosesAndNoneOnAFreshTerminal) {
+    const auto server = PtyServer::create({});
+    EXPECT_FALSE(server->hostBaud().has_value());
+    Host host(server->path());
+    host.setBaud(B19200);
+    EXPECT_EQ(server->hostBaud(), 19'200U);
+    host.setBaud(B115200);
+    EXPECT_EQ(server->hostBaud(), 115'200U);
+}
+
+TEST(PtyServer, OutlivesAHostThatClosesAndComesBack) {
+    const auto server = PtyServer::create({});
+    { const Host host(server->path()); }
+    EXPECT_TRUE(server->read().empty());
+    Host host(server->path());
+    host.write({1, 2, 3});
+    EXPECT_THAT(server->read(), ElementsAre(1, 2, 3));
+}
+
+TEST(PtyServer, MakesItsLinkReplacesAStaleOneAndRemovesItAtTheEnd) {
+    const std::string link = freshPath("nmc-link");
+    std::filesystem::create_symlink("/dev/pts/nowhere", link);
+    {
+        const auto server = PtyServer::create(link);
+        ASSERT_TRUE(server.has_value());
+        EXPECT_EQ(std::filesystem::read_symlink(link), server->path());
+    }
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(link)));
+}
+
+TEST(PtyServer, NeverReplacesAFile) {
+    const std::string path = freshPath("nmc-file");
+    std::ofstream(path) << "mine";
+    const auto server = PtyServer::create(path);
+    EXPECT_FALSE(server.has_value());
+    EXPECT_THAT(server.error(), testing::HasSubstr(path));
+    EXPECT_TRUE(std::filesystem::is_regular_file(path));
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace nmc

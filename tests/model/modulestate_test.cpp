@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/modulestate.h"
+
+#include <gtest/gtest.h>
+
+#include "servofixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+TEST(ModuleState, AServoThatNobodySwitchedOnIsOffAndNotAFault) {
+    // After reset the chip sets pos_error (DS-V 4.5); interface.md: that is "Servo off", not a fault.
+    ModuleState module = servoModule();
+    EXPECT_EQ(module.activity(), Activity::Unknown);
+    module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::ServoOff);
+    EXPECT_EQ(severityOf(module.activity()), Severity::Normal);
+}
+
+TEST(ModuleState, WithoutMotorPowerSaysSo) {
+    ModuleState module = servoModule();
+    module.apply(sampleOf(0, kMoveDone | kPosError, 0));
+    EXPECT_EQ(module.activity(), Activity::NoPower);
+}
+
+TEST(ModuleState, HoldsAfterItWasSwitchedOnAlthoughPosErrorSticks) {
+    const ModuleState module = holdingServo();
+    EXPECT_TRUE(module.servoOn());
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    EXPECT_FALSE(module.moving());
+}
+
+TEST(ModuleState, ATrapezoidalMoveGoesThroughItsPhases) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, trapezoid(20'000, 8 << 16, 1311)));
+    EXPECT_FALSE(module.moving()) << "loaded only";
+    module.apply(executedAt(1.1, StartMotion{}));
+    module.apply(sampleOf(1.1, kPower, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Accelerating);
+    module.apply(sampleOf(1.4, kPower, kServoOn | kAccelDone));
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    module.apply(sampleOf(2.2, kPower, kServoOn | kAccelDone | kSlewDone));
+    EXPECT_EQ(module.activity(), Activity::Decelerating);
+    EXPECT_TRUE(module.moving());
+    module.apply(sampleOf(2.5, kPower | kMoveDone, kServoOn | kAccelDone | kSlewDone, 20'000));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    EXPECT_FALSE(module.moving());
+}
+
+TEST(ModuleState, ConstantVelocityIsMotionAlthoughMoveDoneIsSet) {
+    // DS-V 5.3: in velocity mode move_done is set once the goal velocity is reached.
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(2.0, kPower | kMoveDone, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    EXPECT_TRUE(module.moving());
+    module.apply(executedAt(3.0, stopWith(servo::StopManner::Smoothly)));
+    module.apply(sampleOf(3.0, kPower, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Decelerating);
+    module.apply(sampleOf(4.0, kPower | kMoveDone, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+}
+
+TEST(ModuleState, AServoThatGoesOffByItselfIsTripped) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(1.0, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::Tripped);
+    EXPECT_EQ(severityOf(module.activity()), Severity::Fault);
+}
+
+TEST(ModuleState, PowerLossIsToldFromATripAndStaysWhenPowerIsBack) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(1.0, kMoveDone | kPosError, 0));
+    EXPECT_EQ(module.activity(), Activity::PowerLost);
+    module.apply(sampleOf(2.0, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::PowerLost);
+}
+
+TEST(ModuleState, SwitchingItOffIsNotATrip) {
+    for (const bool sampleFirst : {false, true}) {
+        ModuleState module = holdingServo();
+        const auto off = executedAt(1.0, stopWith(servo::StopManner::MotorOff, false));
+        const auto seen = sampleOf(1.0, kMoveDone | kPosError | kPower, 0);
+        if (sampleFirst) {
+            module.apply(seen);
+            module.apply(off);
+        } else {
+            module.apply(off);
+            module.apply(seen);
+        }
+        EXPECT_EQ(module.activity(), Activity::ServoOff);
+        EXPECT_FALSE(module.amplifierEnabled);
+    }
+}
+
+TEST(ModuleState, KeepsWhatAShorterStatusDoesNotCarry) {
+    ModuleState module = servoModule();
+    StatusReport full;
+    full.items = StatusItems(StatusItems::All);
+    full.position = 5;
+    full.home = 77;
+    full.analog = std::uint8_t{12};
+    full.aux = std::uint8_t{0};
+    module.apply(bus::Sample{ModuleIndex(0), atSeconds(1), full});
+    module.apply(sampleOf(2, kPower, 0, 6));
+    EXPECT_EQ(module.latest->position, 6);
+    EXPECT_EQ(module.latest->home, 77);
+    EXPECT_EQ(module.latest->analog, 12);
+}
+
+TEST(ModuleState, GainsAreUnknownUntilTheyWereConfirmed) {
+    EXPECT_FALSE(servoModule().gains.has_value());
+    EXPECT_EQ(holdingServo().gains->kd, 2'000);
+}
+
+TEST(ModuleState, APwmValueOnAServoThatIsOffIsMotion) {
+    ModuleState module = holdingServo();
+    servo::LoadTrajectory pwm;
+    pwm.servo = false;
+    pwm.pwm = std::uint8_t{40};
+    pwm.startNow = true;
+    module.apply(executedAt(1, pwm));
+    module.apply(sampleOf(1, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::PwmMode);
+    EXPECT_TRUE(module.moving());
+}
+
+TEST(ModuleState, SilenceComesBeforeEverythingElse) {
+    ModuleState module = holdingServo();
+    module.silent = true;
+    EXPECT_EQ(module.activity(), Activity::Silent);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/commands.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace nmc {
+namespace {
+
+template <typename T>
+T inRange(ValueRange range) {
+    return static_cast<T>(*rc::gen::inRange<std::int64_t>(range.min, range.max + 1));
+}
+
+template <typename T, typename Make>
+std::optional<T> maybe(Make make) {
+    return *rc::gen::arbitrary<bool>() ? std::optional<T>(make()) : std::nullopt;
+}
+
+bool flag() {
+    return *rc::gen::arbitrary<bool>();
+}
+
+template <typename Command>
+void expectRoundTrip(const Command& command) {
+    const auto decoded = Command::decode(command.encode());
+    RC_ASSERT(decoded.has_value());
+    RC_ASSERT(*decoded == command);
+}
+
+RC_GTEST_PROP(ServoLoadTrajectory, DecodesToWhatWasEncoded, ()) {
+    servo::LoadTrajectory load;
+    load.position = maybe<Counts>([] { return Counts(inRange<std::int32_t>(servo::kPositionRange)); });
+    load.velocity =
+        maybe<CountsPerTick>([] { return CountsPerTick(inRange<std::uint32_t>(servo::kVelocityRange)); });
+    load.acceleration = maybe<CountsPerTickSquared>(
+        [] { return CountsPerTickSquared(inRange<std::uint32_t>(servo::kVelocityRange)); });
+    load.pwm = maybe<std::uint8_t>([] { return inRange<std::uint8_t>(servo::kByteRange); });
+    load.servo = flag();
+    load.profile = flag() ? servo::ProfileMode::Velocity : servo::ProfileMode::Trapezoidal;
+    load.reverse = flag();
+    load.startNow = flag();
+    expectRoundTrip(load);
+}
+
+RC_GTEST_PROP(StepLoadTrajectory, DecodesToWhatWasEncoded, ()) {
+    step::LoadTrajectory load;
+    load.position = maybe<Counts>([] { return Counts(inRange<std::int32_t>(step::kPositionRange)); });
+    load.speed = maybe<std::uint8_t>([] { return inRange<std::uint8_t>(step::kSpeedRange); });
+    load.accelerationTime =
+        maybe<std::uint8_t>([] { return inRange<std::uint8_t>(step::kAccelerationTimeRange); });
+    load.timer = maybe<step::TimerCount>([] {
+        return step::TimerCount{inRange<std::uint16_t>(step::kTimerCountRange),
+                                inRange<std::uint8_t>(step::kSpeedRange)};
+    });
+    load.reverse = flag();
+    load.startNow = flag();
+    expectRoundTrip(load);
+}
+
+RC_GTEST_PROP(ServoSetGain, DecodesToWhatWasEncoded, ()) {
+    servo::SetGain gains;
+    gains.kp = inRange<std::uint16_t>(servo::kGainRange);
+    gains.kd = inRange<std::uint16_t>(servo::kGainRange);
+    gains.ki = inRange<std::uint16_t>(servo::kGainRange);
+    gains.il = inRange<std::uint16_t>(servo::kGainRange);
+    gains.ol = inRange<std::uint8_t>(servo::kByteRange);
+    gains.cl = inRange<std::uint8_t>(servo::kByteRange);
+    gains.el = inRange<std::uint16_t>(servo::kPositionErrorRange);
+    gains.sr = inRange<std::uint8_t>(servo::kServoRateRange);
+    gains.db = maybe<std::uint8_t>([] { return inRange<std::uint8_t>(servo::kByteRange); });
+    expectRoundTrip(gains);
+}
+
+RC_GTEST_PROP(ServoBits, IoControlAndHomingDecodeToWhatWasEncoded, ()) {
+    expectRoundTrip(servo::IoControl{flag(), flag(), flag(), flag()});
+    servo::SetHoming homing{flag(), flag(), flag(), flag(), flag(), false, false, false};
+    const int stop = *rc::gen::inRange(0, 4);
+    homing.motorOff = stop == 1;
+    homing.stopAbruptly = stop == 2;
+    homing.stopSmoothly = stop == 3;
+    expectRoundTrip(homing);
+}
+
+RC_GTEST_PROP(ServoStop, DecodesToWhatWasEncoded, ()) {
+    servo::StopMotor stop;
+    stop.amplifierEnable = flag();
+    stop.manner = static_cast<servo::StopManner>(*rc::gen::inRange(0, 5));
+    if (stop.manner == servo::StopManner::Here)
+        stop.here = Counts(*rc::gen::arbitrary<std::int32_t>());
+    expectRoundTrip(stop);
+}
+
+RC_GTEST_PROP(StepCommands, DecodeToWhatWasEncoded, ()) {
+    expectRoundTrip(step::SetParameters{
+        static_cast<step::SpeedMode>(*rc::gen::inRange(0, 4)), flag(), flag(), flag(),
+        inRange<std::uint8_t>(step::kSpeedRange), inRange<std::uint8_t>(step::kByteRange),
+        inRange<std::uint8_t>(step::kByteRange), inRange<std::uint8_t>(step::kByteRange)});
+    expectRoundTrip(step::StopMotor{flag(), static_cast<step::StopManner>(*rc::gen::inRange(0, 3))});
+    expectRoundTrip(step::SetOutputs{static_cast<std::uint8_t>(*rc::gen::inRange(0, 32))});
+    expectRoundTrip(step::SetHoming{flag(), flag(), flag(), flag(), false, false});
+    expectRoundTrip(step::SetHoming{flag(), flag(), flag(), false, false, flag()});
+}
+
+RC_GTEST_PROP(Decoders, NeverReadBeyondAnyPayload, (std::uint8_t code, std::vector<std::uint8_t> bytes)) {
+    bytes.resize(bytes.size() % (kMaxData + 1));
+    const Payload payload{static_cast<CommandCode>(code & 0xFU), DataBytes(bytes)};
+    const auto asServo = decodeServoCommand(payload);
+    const auto asStep = decodeStepCommand(payload);
+    if (asServo)
+        RC_ASSERT(encode(*asServo).code == payload.code);
+    if (asStep)
+        RC_ASSERT(encode(*asStep).code == payload.code);
+}
+
+RC_GTEST_PROP(Packets, ParseToTheFrameTheyWereMadeFrom,
+              (std::uint8_t address, std::uint8_t code, std::vector<std::uint8_t> data)) {
+    data.resize(data.size() % (kMaxData + 1));
+    const Frame frame{BusAddress(address), {static_cast<CommandCode>(code & 0xFU), DataBytes(data)}};
+    const auto parsed = parsePacket(toPacket(frame));
+    RC_ASSERT(parsed.has_value());
+    RC_ASSERT(*parsed == frame);
+}
+
+TEST(SetGain, IsThirteenBytesWithoutAndFourteenWithDeadband) {
+    servo::SetGain gains;
+    EXPECT_EQ(gains.encode().commandByte(), 0xD6);  // DS-V 5.2: 0xD6 for versions 1, 2 and 3
+    gains.db = std::uint8_t{0};
+    EXPECT_EQ(gains.encode().commandByte(), 0xE6);  // 0xE6 for version 4
+}
+
+TEST(SetGain, PutsEveryValueAtItsDataSheetPlace) {
+    const servo::SetGain gains{0x0102, 0x0304, 0x0506, 0x0708, 0x09, 0x0A, 0x0B0C, 0x0D, std::uint8_t{0x0E}};
+    EXPECT_EQ(toHex(gains.encode().data), "02 01 04 03 06 05 08 07 09 0A 0C 0B 0D 0E");
+}
+
+TEST(SetGain, IgnoresAFifteenthByte) {
+    DataBytes data{1, 0, 2, 0, 3, 0, 4, 0, 5, 6, 7, 0, 8, 9, 0xFF};
+    const auto gains = servo::SetGain::decode({CommandCode::SetGain, data});
+    ASSERT_TRUE(gains.has_value());
+    EXPECT_EQ(gains->db, 9);
+}
+
+TEST(SetGain, RefusesWhatTheDataSheetDoesNotAllow) {
+    servo::SetGain gains;
+    gains.kp = 0x8000;
+    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+    gains = {};
+    gains.el = 0x4000;
+    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+    gains = {};
+    gains.sr = 0;
+    EXPECT_EQ(servo::SetGain::decode(gains.encode()).error(), CommandError::OutOfRange);
+}
+
+TEST(LoadTrajectory, RefusesDataThatItsControlByteDoesNotAnnounce) {
+    EXPECT_EQ(servo::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).error(),
+              CommandError::Length);
+    EXPECT_EQ(servo::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x10, 1}}).error(),
+              CommandError::Length);
+    EXPECT_EQ(step::LoadTrajectory::decode({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
+              CommandError::Length);
+}
+
+TEST(StopMotor, TakesOnlyOneMannerAtATime) {
+    EXPECT_EQ(servo::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+    EXPECT_EQ(step::StopMotor::decode({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+}
+
+TEST(StepCommandBits, AreWhereTheDataSheetPutsThem) {
+    // DS-S 5.1: speed mode 1x = 11, limits off bit 2, E-stop off bit 3, motor off bit 4.
+    const step::SetParameters parameters{step::SpeedMode::X1, true, true, true, 10, 200, 50, 70};
+    EXPECT_EQ(toHex(parameters.encode().data), "1F 0A C8 32 46");
+    EXPECT_EQ(parameters.encode().commandByte(), 0x56);
+    EXPECT_EQ(toHex(step::StopMotor{true, step::StopManner::Smoothly}.encode().data), "09");
+    EXPECT_EQ(toHex(step::StopMotor{false, step::StopManner::Abruptly}.encode().data), "04");
+    EXPECT_EQ(toHex(step::SetOutputs{0x10}.encode().data), "10");
+    EXPECT_EQ(toHex(step::SetHoming{true, false, true, false, true, false}.encode().data), "19");
+    step::LoadTrajectory load;
+    load.timer = step::TimerCount{0xFE0C, 50};
+    load.reverse = load.startNow = true;
+    EXPECT_EQ(toHex(load.encode().data), "98 0C FE 32");
+}
+
+TEST(SetAddress, ClearsBit7ForALeaderAndReadsItBackAsTheGroup) {
+    const auto leader = SetAddress::decode({CommandCode::SetAddress, {5, 0x02}});
+    ASSERT_TRUE(leader.has_value());
+    EXPECT_EQ(leader->group, BusAddress(0x82));
+    EXPECT_TRUE(leader->leader);
+}
+
+TEST(ParsePacket, NamesWhatIsWrong) {
+    const auto error = [](std::initializer_list<std::uint8_t> bytes) {
+        return parsePacket(ByteBuffer<32>(bytes)).error();
+    };
+    EXPECT_EQ(error({0xAA, 0x01, 0x0E}), FrameError::TooShort);
+    EXPECT_EQ(error({0xAB, 0x01, 0x0E, 0x0F}), FrameError::NoHeader);
+    EXPECT_EQ(error({0xAA, 0x01, 0x1E, 0x1F}), FrameError::LengthMismatch);
+    EXPECT_EQ(error({0xAA, 0x01, 0x0E, 0x10}), FrameError::Checksum);
+}
+
+}  // namespace
+}  // namespace nmc

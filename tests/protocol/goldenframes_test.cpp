@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frames of protocol.md section 4: bytes that came from data sheets and host programs, not from our
+// encoder.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "protocol/commands.h"
+#include "protocol/frame.h"
+
+namespace nmc {
+namespace {
+
+struct Golden {
+    std::string name;
+    std::string hex;
+    std::uint8_t address;
+    ServoCommand command;
+};
+
+std::vector<std::uint8_t> fromHex(const std::string& text) {
+    std::vector<std::uint8_t> bytes;
+    std::istringstream stream(text);
+    for (unsigned byte = 0; stream >> std::hex >> byte;)
+        bytes.push_back(static_cast<std::uint8_t>(byte));
+    return bytes;
+}
+
+servo::LoadTrajectory trapezoid() {
+    servo::LoadTrajectory load;
+    load.position = Counts(-1024);
+    load.velocity = CountsPerTick(100'000);
+    load.acceleration = CountsPerTickSquared(100);
+    load.startNow = true;
+    return load;
+}
+
+servo::LoadTrajectory velocity() {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(100'000);
+    load.profile = servo::ProfileMode::Velocity;
+    load.reverse = true;
+    load.startNow = true;
+    return load;
+}
+
+servo::LoadTrajectory pwm() {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(100'000);
+    load.acceleration = CountsPerTickSquared(100);
+    load.pwm = std::uint8_t{0};
+    load.servo = false;
+    load.startNow = true;
+    return load;
+}
+
+servo::SetHoming homing() {
+    servo::SetHoming set;
+    set.onLimit1Change = set.onLimit2Change = set.stopAbruptly = true;
+    return set;
+}
+
+const std::vector<Golden>& goldenFrames() {
+    static const std::vector<Golden> frames{
+        {"ResetPosition", "AA 01 00 01", 1, ResetPosition{}},
+        {"Start", "AA 01 05 06", 1, StartMotion{}},
+        {"Nop", "AA 01 0E 0F", 1, Nop{}},
+        {"AddressMember", "AA 00 21 01 81 A3", 0, SetAddress{BusAddress(1), BusAddress(0x81), false}},
+        {"AddressLeader", "AA 01 21 01 01 24", 1, SetAddress{BusAddress(1), BusAddress(0x81), true}},
+        {"ReadTypeAndVersion", "AA 01 13 20 34", 1, ReadStatus{StatusItems(StatusItems::Identity)}},
+        {"MotorOff", "AA 01 17 02 1A", 1, servo::StopMotor{false, servo::StopManner::MotorOff, {}}},
+        {"SmoothAmplifierOn", "AA 01 17 09 21", 1, servo::StopMotor{true, servo::StopManner::Smoothly, {}}},
+        {"StopHere", "AA 01 57 11 64 00 00 00 CD", 1,
+         servo::StopMotor{true, servo::StopManner::Here, Counts(100)}},
+        {"Trapezoid", "AA 01 D4 97 00 FC FF FF A0 86 01 00 64 00 00 00 F1", 1, trapezoid()},
+        {"Velocity", "AA 01 54 F2 A0 86 01 00 6E", 1, velocity()},
+        {"Pwm", "AA 01 A4 8E A0 86 01 00 64 00 00 00 00 BE", 1, pwm()},
+        {"Home", "AA 01 19 13 2D", 1, homing()},
+        {"AllTo115200", "AA FF 1A 0A 23", 0xFF, SetBaud{10}},
+        {"ClearStickyBits", "AA 01 0B 0C", 1, servo::ClearStickyBits{}},
+        {"SaveAsHomeGroup", "AA 81 0C 8D", 0x81, SaveAsHome{}},
+        {"ResetAll", "AA FF 0F 0E", 0xFF, HardReset{}},
+    };
+    return frames;
+}
+
+class GoldenFrames : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenFrames, EncodeToTheseBytes) {
+    const Golden& golden = GetParam();
+    const PacketBytes bytes = toPacket({BusAddress(golden.address), encode(golden.command)});
+    EXPECT_EQ(toHex(bytes), golden.hex);
+}
+
+TEST_P(GoldenFrames, DecodeToTheirMeaning) {
+    const Golden& golden = GetParam();
+    const auto frame = parsePacket(fromHex(golden.hex));
+    ASSERT_TRUE(frame.has_value());
+    EXPECT_EQ(frame->address.value(), golden.address);
+    const auto command = decodeServoCommand(frame->payload);
+    ASSERT_TRUE(command.has_value());
+    EXPECT_EQ(*command, golden.command);
+}
+
+INSTANTIATE_TEST_SUITE_P(ProtocolPage, GoldenFrames, testing::ValuesIn(goldenFrames()),
+                         [](const auto& golden) { return golden.param.name; });
+
+TEST(DataSheetExample, LoadPositionAndAcceleration) {
+    // DS-V 5.2 Load Trajectory: "the command byte would be 0x94, the control byte would be 0x15".
+    servo::LoadTrajectory load;
+    load.position = Counts(1);
+    load.acceleration = CountsPerTickSquared(2);
+    const Payload payload = load.encode();
+    EXPECT_EQ(payload.commandByte(), 0x94);
+    EXPECT_EQ(toHex(payload.data), "15 01 00 00 00 02 00 00 00");
+}
+
+TEST(GoldenReply, IdleServoWithItems1F) {
+    const auto reply = fromHex("11 22 25 00 00 4F 00 00 18 E0 05 00 00 A4");
+    const auto report = decodeStatus(ModuleType::Servo, StatusItems(0x1F), reply);
+    ASSERT_TRUE(report.has_value());
+    EXPECT_TRUE(report->servoStatus().moveDone());
+    EXPECT_TRUE(report->servoStatus().positionError());
+    EXPECT_FALSE(report->servoStatus().powerOn());
+    EXPECT_EQ(report->position, 0x2522);
+    EXPECT_EQ(report->analog, 0x4F);
+    EXPECT_EQ(report->velocity, 0);
+    EXPECT_EQ(report->aux, 0x18);
+    EXPECT_EQ(report->home, 0x05E0);
+    EXPECT_FALSE(report->identity.has_value());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/chainspec.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace nmc::sim {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ChainSpec, ServosHaveVersion4UnlessTheySayOtherwise) {
+    const auto chain = parseChain("servo, servo@1,servo@3");
+    ASSERT_TRUE(chain);
+    ASSERT_EQ(chain->size(), 3U);
+    EXPECT_EQ((*chain)[0], (ModuleIdentity{ModuleType::Servo, 4}));
+    EXPECT_EQ((*chain)[1], (ModuleIdentity{ModuleType::Servo, 1}));
+    EXPECT_EQ((*chain)[2], (ModuleIdentity{ModuleType::Servo, 3}));
+}
+
+TEST(ChainSpec, AnErrorNamesTheItemAndWhatIsAllowed) {
+    for (const std::string item : {"motor", "servo@0", "servo@5", "servo@", "servo@44", "Servo", "servo@x"}) {
+        const auto chain = parseChain("servo," + item);
+        ASSERT_FALSE(chain) << item;
+        EXPECT_THAT(chain.error(), HasSubstr("'" + item + "'"));
+        EXPECT_THAT(chain.error(), HasSubstr("servo@4"));
+    }
+}
+
+TEST(ChainSpec, SaysThatSteppersAreNotSimulatedYet) {
+    for (const std::string item : {"step", "step@1"}) {
+        const auto chain = parseChain("servo," + item);
+        ASSERT_FALSE(chain);
+        EXPECT_THAT(chain.error(), HasSubstr("PIC-STEP is not simulated yet"));
+    }
+}
+
+TEST(ChainSpec, RefusesAnEmptyChainAndAnEmptyItem) {
+    for (const char* text : {"", "  ", ",", "servo,", "servo,,servo"}) {
+        const auto chain = parseChain(text);
+        ASSERT_FALSE(chain) << text;
+        EXPECT_THAT(chain.error(), HasSubstr("empty"));
+    }
+}
+
+TEST(ChainSpec, TakesThirtyTwoModulesAndNoMore) {
+    std::string text = "servo";
+    for (int i = 1; i < 32; ++i)
+        text += ",servo";
+    ASSERT_TRUE(parseChain(text));
+    EXPECT_EQ(parseChain(text)->size(), 32U);
+    const auto chain = parseChain(text + ",servo@2");
+    ASSERT_FALSE(chain);
+    EXPECT_THAT(chain.error(), HasSubstr("'servo@2'"));
+    EXPECT_THAT(chain.error(), HasSubstr("32"));
+}
+
+}  // namespace
+}  // namespace nmc::sim

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/control.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/sim/hostwire.h"
+
+namespace nmc::sim::test {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+class Control : public testing::Test {
+protected:
+    Control() : wire("servo,servo@2") { wire.address(2); }
+    nlohmann::json say(std::string_view line, double lag = 0.0) {
+        const std::string answer = handleControlLine(wire.chain, line, wire.now, lag);
+        EXPECT_EQ(answer.find('\n'), std::string::npos);
+        return nlohmann::json::parse(answer);
+    }
+    std::string errorOf(std::string_view line) {
+        const auto answer = say(line);
+        EXPECT_EQ(answer.size(), 1U) << line;
+        return answer.value("error", "");
+    }
+    HostWire wire;
+};
+
+TEST_F(Control, StateTellsTheTruthAboutAModule) {
+    wire.gains(gainData(200, 2000, 20, 300, 255, 101, 4000, 2, 7));
+    wire.servoOn();
+    wire.command(1, 0x57, {0x11, 50, 0, 0, 0});
+    wire.wait(milliseconds(300));
+    const auto s = say("state 1");
+    EXPECT_EQ(s["module"], 1);
+    EXPECT_EQ(s["type"], "servo");
+    EXPECT_EQ(s["version"], 4);
+    EXPECT_EQ(s["address"], 1);
+    EXPECT_EQ(s["group"], 255);
+    EXPECT_EQ(s["leader"], false);
+    EXPECT_EQ(s["baud"], 19531);
+    EXPECT_DOUBLE_EQ(s["time"], toSeconds(wire.now.time_since_epoch()));
+    EXPECT_NEAR(s["tick"].get<double>(), toSeconds(wire.now.time_since_epoch()) / 512e-6, 1.0);
+    EXPECT_EQ(s["command_position"], 50.0);
+    EXPECT_NEAR(s["position"].get<int>(), 50, 3);
+    EXPECT_EQ(s["position_error"].get<double>(), 50.0 - s["position"].get<int>());
+    EXPECT_EQ(s["servo_on"], true);
+    EXPECT_EQ(s["amp_enabled"], true);
+    EXPECT_EQ(s["power"], true);
+    EXPECT_EQ(s["mode"], "stop-here");
+    EXPECT_EQ(s["home"], 0);
+    EXPECT_EQ(s["limit1"], false);
+    EXPECT_EQ(s["gains"], (nlohmann::json{{"kp", 200},
+                                          {"kd", 2000},
+                                          {"ki", 20},
+                                          {"il", 300},
+                                          {"ol", 255},
+                                          {"cl", 101},
+                                          {"el", 4000},
+                                          {"sr", 2},
+                                          {"db", 7}}));
+    for (const char* key : {"velocity", "pwm", "current_limit_adjustment", "limit2", "index"})
+        EXPECT_TRUE(s.contains(key)) << key;
+    EXPECT_EQ(say("state 2")["version"], 2);
+    EXPECT_EQ(say("state 2")["mode"], "pwm");
+}
+
+TEST_F(Control, SetReachesTheInputsAndTheLoad) {
+    for (const char* line :
+         {"set 1 limit1 1", "set 1 limit2 1", "set 1 index 0", "set 1 power 0", "set 1 analog 77",
+          "set 1 load -0.25", "set 1 inertia 2.5e-5", "set 1 friction 0.01", "set 1 travel_min -1000",
+          "set 1 travel_max 1000", "set 1 limits manual"})
+        EXPECT_EQ(say(line), (nlohmann::json{{"ok", true}})) << line;
+    const auto s = say("state 1");
+    EXPECT_EQ(s["limit1"], true);
+    EXPECT_EQ(s["limit2"], true);
+    EXPECT_EQ(s["index"], false);
+    EXPECT_EQ(s["power"], false);
+    EXPECT_EQ(s["analog"], 77);
+    say("set 1 analog auto");
+    EXPECT_EQ(say("state 1")["analog"], 0);
+    say("set 1 limits auto");
+    EXPECT_EQ(say("state 1")["limit1"], false) << "away from the stop";
+    EXPECT_EQ(say("state 2")["limit1"], false) << "module 2 is another one";
+}
+
+TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
+    const auto before = say("state 1");
+    EXPECT_THAT(errorOf("set 1 limit1 2"), HasSubstr("0 or 1"));
+    EXPECT_THAT(errorOf("set 1 limit1 0.5"), HasSubstr("0 or 1"));
+    EXPECT_THAT(errorOf("set 1 limit1 high"), HasSubstr("0 or 1"));
+    EXPECT_THAT(errorOf("set 1 analog 256"), HasSubstr("0 to 255 or auto"));
+    EXPECT_THAT(errorOf("set 1 inertia 0"), HasSubstr("kg·m²"));
+    EXPECT_THAT(errorOf("set 1 inertia nan"), HasSubstr("kg·m²"));
+    EXPECT_THAT(errorOf("set 1 friction -1"), HasSubstr("N·m"));
+    EXPECT_THAT(errorOf("set 1 load inf"), HasSubstr("N·m"));
+    EXPECT_THAT(errorOf("set 1 limits on"), HasSubstr("auto, manual"));
+    EXPECT_THAT(errorOf("set 1 estop 1"), HasSubstr("travel_max"));
+    EXPECT_THAT(errorOf("set 1 power"), HasSubstr("set N NAME VALUE"));
+    EXPECT_THAT(errorOf("set 3 power 1"), HasSubstr("1 to 2"));
+    EXPECT_THAT(errorOf("state 0"), HasSubstr("1 to 2"));
+    EXPECT_THAT(errorOf("state one"), HasSubstr("1 to 2"));
+    EXPECT_THAT(errorOf("state"), HasSubstr("state N"));
+    EXPECT_THAT(errorOf("power-cycle 9"), HasSubstr("all"));
+    EXPECT_THAT(errorOf("break 0"), HasSubstr("1 to 2"));
+    EXPECT_THAT(errorOf("stats 1"), HasSubstr("stats"));
+    for (const char* line : {"", "  ", "hello", "quit", "fault bus drop", "\xff\xfe"})
+        EXPECT_THAT(errorOf(line),
+                    HasSubstr("state N, set N NAME VALUE, power-cycle N|all, break N, mend N, stats, time"));
+    EXPECT_EQ(say("state 1"), before);
+}
+
+TEST_F(Control, PowerCycleBreakAndMendReachTheAddressLine) {
+    EXPECT_EQ(say("power-cycle all"), (nlohmann::json{{"ok", true}}));
+    wire.wait(milliseconds(10));
+    EXPECT_EQ(say("state 1")["address"], 0);
+    say("break 1");
+    wire.address(1);
+    EXPECT_TRUE(wire.command(0, 0x0E).empty());
+    say("mend 1");
+    EXPECT_EQ(wire.command(0, 0x21, {2, 0xFF}).size(), 2U);
+    say("power-cycle 2");
+    EXPECT_EQ(say("state 2")["address"], 0);
+    EXPECT_EQ(say("state 1")["address"], 1);
+}
+
+TEST_F(Control, StatsCountWhatHappened) {
+    wire.command(1, 0x0E);
+    wire.command(1, 0x0E);
+    Bytes wrong = packet(2, 0x0E);
+    wrong.back() ^= 1;
+    wire.exchange(wrong);
+    wire.command(2, 0x0D);
+    const auto s = say("stats");
+    // Two addresses, two nops, the wrong one and the unknown one were answered with two bytes each.
+    EXPECT_EQ(s["exchanges"], 6);
+    EXPECT_EQ(s["bytes_out"], 12);
+    EXPECT_EQ(s["bytes_in"], 2 * 6 + 4 * 4);
+    EXPECT_EQ(s["modules"][0]["module"], 1);
+    EXPECT_EQ(s["modules"][0]["executed"], (nlohmann::json{{"set_address", 1}, {"nop", 2}}));
+    EXPECT_EQ(s["modules"][0]["replies"], 3);
+    EXPECT_EQ(s["modules"][0]["replies_dropped"], 0);
+    EXPECT_EQ(s["modules"][0]["bytes_garbled"], 0);
+    EXPECT_EQ(s["modules"][1]["checksum_errors"], 1);
+    ASSERT_EQ(s["violations"].size(), 1U);
+    EXPECT_EQ(s["violations"][0]["module"], 2);
+    EXPECT_EQ(s["violations"][0]["kind"], "unknown_command");
+    EXPECT_EQ(s["violations"][0]["bytes"], "AA 02 0D 0F");
+    EXPECT_GT(s["violations"][0]["time"], 0.01);
+}
+
+TEST_F(Control, TimeHasTheTicksAndTheCallersLag) {
+    wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
+    const auto t = say("time", 0.25);
+    EXPECT_EQ(t, (nlohmann::json{{"time", 5.12}, {"ticks", 10000}, {"lag", 0.25}}));
+}
+
+}  // namespace
+}  // namespace nmc::sim::test

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bytes and their times (DS-V 3.1, 4.1; protocol.md 1).
+#include "sim/line.h"
+
+#include "tests/sim/hostwire.h"
+
+namespace nmc::sim::test {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+const Bytes kIdle{0x19, 0x19};
+
+TEST(Line, TheReplyBeginsAtTheEndOfTheTickWithin512Microseconds) {
+    Duration least = kTick;
+    Duration most{};
+    HostWire wire;
+    wire.address(1);
+    for (int i = 0; i < 500; ++i) {
+        const TimePoint last = wire.now + nanoseconds(4 * 10'000'000'000 / 19'200);
+        const auto reply = wire.exchange(packet(1, 0x0E));
+        ASSERT_EQ(reply.size(), 2U);
+        const Duration delay = reply[0].due - nanoseconds(512'000) - last;  // 19 531 Bd: 512 us a byte
+        least = std::min(least, delay);
+        most = std::max(most, delay);
+        wire.wait(microseconds(777 + 37 * i));  // not in step with the ticks
+    }
+    EXPECT_GE(least, Duration::zero());
+    EXPECT_LT(least, microseconds(60));
+    EXPECT_LE(most, kTick + nanoseconds(1));
+    EXPECT_GT(most, microseconds(450));
+}
+
+TEST(Line, AReplyIsPacedAtTheModulesOwnRate) {
+    HostWire wire;
+    wire.address(1);
+    auto reply = wire.exchange(packet(1, 0x13, {0x1F}));
+    ASSERT_EQ(reply.size(), 14U);
+    for (std::size_t i = 1; i < reply.size(); ++i)
+        EXPECT_EQ(reply[i].due - reply[i - 1].due, nanoseconds(512'000)) << "10 bits at 19 531.25 Bd";
+    wire.command(0xFF, 0x1A, {10});
+    wire.chain.setHostBaud(115'200);
+    reply = wire.exchange(packet(1, 0x13, {0x1F}));
+    ASSERT_EQ(reply.size(), 14U);
+    for (std::size_t i = 1; i < reply.size(); ++i)
+        EXPECT_EQ(reply[i].due - reply[i - 1].due, nanoseconds(88'000)) << "10 bits at 113 636 Bd";
+}
+
+TEST(Line, AnUnpacedReplyTakesNoTimeOnTheWire) {
+    ChainOptions options;
+    options.unpaced = true;
+    HostWire wire("servo", options);
+    const auto reply = wire.exchange(packet(0, 0x13, {0x1F}));
+    ASSERT_EQ(reply.size(), 14U);
+    EXPECT_EQ(reply.front().due, reply.back().due);
+}
+
+TEST(Line, NothingIsOnTheLineWhileNobodyTalks) {
+    HostWire wire;
+    EXPECT_EQ(wire.chain.nextEvent(), std::nullopt);
+    wire.chain.hostSends(packet(0, 0x0E), wire.now);
+    EXPECT_EQ(wire.chain.nextEvent(), wire.now + nanoseconds(10'000'000'000 / 19'200));
+}
+
+TEST(Line, AByteOfTheHostCutsAReplyShortAndTheNewCommandIsAnswered) {
+    HostWire wire;
+    wire.address(1);
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    const TimePoint cut = wire.now;
+    const auto reply = wire.exchange(packet(1, 0x0E));
+    // What was complete when the first byte had come in is there, then only the second answer.
+    const TimePoint firstByteIn = cut + nanoseconds(10'000'000'000 / 19'200);
+    std::size_t before = 0;
+    while (before < reply.size() && reply[before].due <= firstByteIn)
+        ++before;
+    EXPECT_LE(before, 2U);
+    ASSERT_EQ(reply.size() - before, 2U);
+    EXPECT_EQ(reply.back().value, 0x19);
+    EXPECT_EQ(wire.chain.statistics().modules[0].repliesDropped, 1U);
+}
+
+TEST(Line, AReplyIsCutByABytesThatIsNotForTheModule) {
+    HostWire wire("servo,servo");
+    wire.address(2);
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    const auto rest = wire.exchange({0x00});
+    EXPECT_LE(rest.size(), 2U);
+    EXPECT_EQ(wire.chain.statistics().modules[0].repliesDropped, 1U);
+    EXPECT_TRUE(wire.violations().empty()) << "a null is not a command";
+}
+
+TEST(Line, AWrongSumIsAnsweredWithTheErrorBitAndNotExecuted) {
+    HostWire wire;
+    wire.address(1);
+    Bytes wrong = packet(1, 0x12, {0x20});
+    wrong.back() ^= 0x10;
+    EXPECT_EQ(values(wire.exchange(wrong)), (Bytes{0x1B, 0x1B})) << "bit 1, and the items of before";
+    EXPECT_EQ(wire.command(1, 0x0E), kIdle) << "the bit is about the packet just received";
+    EXPECT_EQ(wire.chain.statistics().modules[0].checksumErrors, 1U);
+    EXPECT_EQ(wire.chain.statistics().modules[0].executions(CommandCode::DefineStatus), 0U);
+    EXPECT_TRUE(wire.violations().empty());
+}
+
+TEST(Line, AMemberOfAGroupIsSilentAboutAWrongSumAndALeaderIsNot) {
+    HostWire wire("servo,servo");
+    wire.address(2);
+    Bytes wrong = packet(0xFF, 0x0E);
+    wrong.back() ^= 0x01;
+    EXPECT_TRUE(wire.exchange(wrong).empty());
+    wire.command(1, 0x21, {1, 0x7F});
+    EXPECT_EQ(values(wire.exchange(wrong)), (Bytes{0x1B, 0x1B}));
+}
+
+TEST(Line, ALostByteMakesTheNextPacketTheTailAndSixteenNullsRecover) {
+    HostWire wire;
+    wire.address(1);
+    Bytes torn = packet(1, 0x17, {0x01});
+    torn.erase(torn.begin() + 3);  // the sum is taken for the control byte
+    EXPECT_TRUE(wire.exchange(torn).empty());
+    // The next header is taken for the sum; the rest of that packet cuts the error reply short.
+    EXPECT_TRUE(wire.exchange(packet(1, 0x0E)).empty());
+    EXPECT_EQ(wire.chain.statistics().modules[0].checksumErrors, 1U);
+    EXPECT_EQ(wire.chain.statistics().modules[0].repliesDropped, 1U);
+    EXPECT_FALSE(wire.truth().servo.ampEnabled);
+    EXPECT_EQ(wire.command(1, 0x0E), kIdle);
+
+    // The longest packet, cut behind its command byte: 15 data bytes and the sum are wanted.
+    EXPECT_TRUE(wire.exchange({0xAA, 0x01, 0xFE}).empty());
+    EXPECT_TRUE(wire.exchange(packet(1, 0x0E)).empty());
+    wire.exchange(Bytes(16, 0));
+    wire.wait(milliseconds(10));
+    EXPECT_EQ(wire.command(1, 0x0E), kIdle);
+}
+
+TEST(Line, EverythingBeforeAHeaderIsIgnored) {
+    HostWire wire;
+    Bytes bytes{0x01, 0x0E, 0x0F, 0xFF, 0x55};
+    const Bytes command = packet(0, 0x0E);
+    for (const std::uint8_t byte : command)
+        bytes.push_back(byte);
+    EXPECT_EQ(values(wire.exchange(bytes)), kIdle);
+}
+
+TEST(Line, BytesAreGarbledFrom2PercentAndAllOfThemFrom5Percent) {
+    // protocol.md 1: real rate 1 250 000 / (brd + 1).
+    EXPECT_EQ(garbleProbability(63, 19'200), 0.0);                             // +1.7 %
+    EXPECT_EQ(garbleProbability(64, 19'200), 0.0);                             // +0.2 %
+    EXPECT_EQ(garbleProbability(129, 9'600), 0.0);                             // +0.2 %
+    EXPECT_EQ(garbleProbability(21, 57'600), 0.0);                             // -1.4 %
+    EXPECT_EQ(garbleProbability(10, 115'200), 0.0);                            // -1.4 %
+    EXPECT_NEAR(garbleProbability(20, 57'600), (0.0323 - 0.02) / 0.03, 0.01);  // 57 600 is 3.2 % below 59 524
+    EXPECT_EQ(garbleProbability(63, 115'200), 1.0);
+    EXPECT_EQ(garbleProbability(10, 19'200), 1.0);
+}
+
+TEST(Line, AHostAtAnotherRateIsNotUnderstood) {
+    HostWire wire;
+    wire.address(1);
+    wire.chain.setHostBaud(57'600);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(wire.chain.statistics().modules[0].executions(CommandCode::Nop), 0U);
+    wire.command(1, 0x0E);
+    EXPECT_GE(wire.chain.statistics().modules[0].bytesGarbled, 4U);
+    wire.chain.setHostBaud(19'200);
+    wire.exchange(Bytes(16, 0));
+    wire.wait(milliseconds(10));
+    EXPECT_EQ(wire.command(1, 0x0E), kIdle);
+}
+
+TEST(Line, At57600WithTheDataSheetsCodeSomeBytesAreLost) {
+    HostWire wire;
+    wire.address(1);
+    wire.command(0xFF, 0x1A, {20});
+    wire.chain.setHostBaud(57'600);
+    int good = 0;
+    for (int i = 0; i < 200; ++i) {
+        good += wire.command(1, 0x0E) == kIdle ? 1 : 0;
+        wire.exchange(Bytes(16, 0));
+        wire.wait(milliseconds(2));
+    }
+    EXPECT_LT(good, 100);
+    EXPECT_GT(wire.chain.statistics().modules[0].bytesGarbled, 100U);
+}
+
+TEST(Line, SetBaudTakesEffectBeforeTheLeadersReply) {
+    HostWire wire;
+    wire.address(1);
+    wire.command(1, 0x21, {1, 0x7F});
+    wire.chain.hostSends(packet(0xFF, 0x1A, {10}), wire.now);
+    wire.wait(nanoseconds(5 * 10'000'000'000 / 19'200));
+    wire.chain.setHostBaud(115'200);
+    const auto reply = wire.exchange({});
+    ASSERT_EQ(values(reply), kIdle);
+    EXPECT_EQ(reply[1].due - reply[0].due, nanoseconds(88'000));
+}
+
+TEST(Line, TwoAnswersAtOnceCollide) {
+    HostWire wire("servo@1,servo@2");
+    wire.command(0, 0x21, {5, 0xFF});
+    wire.command(0, 0x21, {5, 0xFF});
+    const Bytes heard = wire.command(5, 0x13, {0x20});
+    EXPECT_NE(heard, (Bytes{0x19, 0, 1, 0x1A}));
+    EXPECT_NE(heard, (Bytes{0x19, 0, 2, 0x1B}));
+    EXPECT_GE(heard.size(), 4U);
+    EXPECT_LE(heard.size(), 5U);
+}
+
+TEST(Line, TheSameSeedGivesTheSameHistoryAndAnotherSeedAnother) {
+    const auto history = [](std::uint64_t seed) {
+        ChainOptions options;
+        options.seed = seed;
+        HostWire wire("servo,servo", options);
+        std::vector<std::pair<Duration, int>> all;
+        wire.address(2);
+        wire.command(0xFF, 0x1A, {20});
+        wire.chain.setHostBaud(57'600);
+        for (unsigned i = 0; i < 50; ++i) {
+            for (const HostByte& byte : wire.exchange(packet(1 + i % 2, 0x13, {0x1F})))
+                all.emplace_back(byte.due.time_since_epoch(), byte.value);
+            wire.exchange(Bytes(16, 0));
+            wire.wait(milliseconds(2));
+        }
+        return all;
+    };
+    EXPECT_EQ(history(1), history(1));
+    EXPECT_NE(history(1), history(2));
+}
+
+TEST(Line, HowOftenTheChainIsAskedChangesNothing) {
+    const auto position = [](Duration step) {
+        HostWire wire;
+        wire.address(1);
+        wire.gains(goodGains());
+        wire.servoOn();
+        wire.velocity(3 * 65536, 6554);
+        const TimePoint end = wire.now + milliseconds(1500);
+        while (wire.now < end)
+            wire.wait(std::min(step, end - wire.now));
+        return wire.truth().servo.shaftCounts;
+    };
+    EXPECT_EQ(position(milliseconds(1500)), position(microseconds(100)));
+}
+
+TEST(Line, MemoryStaysBoundedWhateverIsSentAndNeverTaken) {
+    HostWire wire;
+    wire.chain.hostSends(Bytes(200'000, 0xAA), wire.now);
+    EXPECT_EQ(wire.chain.statistics().bytesLost, 200'000U - HostLine::kCapacity);
+    for (int i = 0; i < 12'000; ++i) {
+        wire.chain.hostSends(packet(0, 0x13, {0x1F}), wire.now);
+        wire.now += milliseconds(20);
+        wire.chain.advanceTo(wire.now);
+    }
+    EXPECT_EQ(wire.chain.takeHostBytes().size(), kMaxWaitingHostBytes);
+}
+
+}  // namespace
+}  // namespace nmc::sim::test

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/violations.h"
+
+#include <algorithm>
+
+#include "tests/sim/hostwire.h"
+
+namespace nmc::sim::test {
+namespace {
+
+using std::chrono::milliseconds;
+using Kind = ViolationKind;
+using Kinds = std::vector<Kind>;
+
+constexpr std::uint32_t kOne = 65536;
+
+class Violations : public testing::Test {
+protected:
+    Violations() : wire("servo,servo") {
+        wire.address(2);
+        wire.gains(goodGains());
+        wire.servoOn();
+    }
+    [[nodiscard]] bool has(Kind kind) const {
+        const Kinds all = wire.violations();
+        return std::find(all.begin(), all.end(), kind) != all.end();
+    }
+    HostWire wire;
+};
+
+TEST_F(Violations, ACommandThatCutsAReplyIsOneAndHasItsBytesAndTime) {
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    wire.exchange(packet(2, 0x0E));
+    ASSERT_EQ(wire.violations(), Kinds{Kind::CommandInFlight});
+    const Violation& v = wire.chain.violations().entries()[0];
+    EXPECT_EQ(v.module, 0) << "whose reply was cut";
+    EXPECT_EQ(toHex(v.bytes), "AA 02 0E 10");
+    EXPECT_GT(v.time, TimePoint{} + milliseconds(10));
+    EXPECT_LE(v.time, wire.now);
+}
+
+TEST_F(Violations, AStopMotorMayCutAReply) {
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    wire.exchange(packet(1, 0x17, {0x05}));
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
+TEST_F(Violations, NullsGarbageAndAWrongSumAreNone) {
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    wire.exchange(Bytes(16, 0));
+    wire.wait(milliseconds(5));
+    Bytes wrong = packet(1, 0x0E);
+    wrong.back() ^= 1;
+    wire.exchange(wrong);
+    wire.exchange({1, 2, 3, 0xAA, 0xAA, 0xAA, 0xAA});
+    wire.exchange(Bytes(16, 0));
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
+TEST_F(Violations, ACommandBehindAnUnansweredGroupCommandWithoutAPauseIsOne) {
+    wire.command(0xFF, 0x1A, {10});
+    wire.chain.setHostBaud(115'200);
+    ASSERT_EQ(wire.violations(), Kinds{});
+    Bytes two = packet(0xFF, 0x0C);
+    for (const std::uint8_t byte : packet(0xFF, 0x0E))
+        two.push_back(byte);
+    wire.exchange(two);
+    // At 115 200 Bd a command takes 347 us, less than a tick: it may or may not overwrite the first.
+    ASSERT_FALSE(wire.violations().empty());
+    EXPECT_TRUE(has(Kind::CommandInFlight));
+}
+
+TEST_F(Violations, WaitingHalfAMillisecondBehindAGroupCommandIsEnough) {
+    for (int i = 0; i < 100; ++i) {
+        wire.chain.hostSends(packet(0xFF, 0x0C), wire.now);
+        wire.wait(std::chrono::nanoseconds(4 * 520'833) + std::chrono::microseconds(510 + 3 * i));
+    }
+    wire.wait(milliseconds(5));
+    EXPECT_EQ(wire.violations(), Kinds{});
+    EXPECT_EQ(wire.chain.statistics().modules[0].executions(CommandCode::SaveAsHome), 100U);
+}
+
+TEST_F(Violations, ASecondCommandBeforeTheFirstIsExecutedOverwritesIt) {
+    wire.command(0xFF, 0x1A, {4});  // 250 kBd: a command takes 160 us
+    wire.chain.setHostBaud(250'000);
+    for (int i = 0; i < 20 && wire.violations().empty(); ++i) {
+        Bytes two = packet(1, 0x12, {0x20});
+        for (const std::uint8_t byte : packet(1, 0x0E))
+            two.push_back(byte);
+        wire.exchange(two);
+        wire.wait(std::chrono::microseconds(100));
+    }
+    EXPECT_TRUE(has(Kind::CommandOverwritten));
+    EXPECT_EQ(wire.command(1, 0x0E).size(), 2U) << "Define Status was lost";
+}
+
+TEST_F(Violations, ATrapezoidStartedOrChangedInMotionIsOne) {
+    wire.trapezoid(100000, kOne, kOne);
+    EXPECT_EQ(wire.violations(), Kinds{});
+    wire.trapezoid(50000, kOne, kOne);
+    EXPECT_EQ(wire.violations(), Kinds{Kind::TrapezoidInMotion});
+    wire.velocity(2 * kOne, kOne);
+    EXPECT_EQ(wire.violations().size(), 1U) << "velocity mode may be entered from a trapezoid";
+    wire.waitTicks(20);
+    wire.trapezoid(0, kOne, kOne);
+    EXPECT_EQ(wire.violations().size(), 2U);
+}
+
+TEST_F(Violations, LoadingWithoutStartingInMotionIsNone) {
+    wire.trapezoid(1000, kOne, kOne);
+    wire.command(1, 0x54, {0x11, 0, 0, 0, 0});
+    EXPECT_EQ(wire.violations(), Kinds{});
+    EXPECT_EQ(wire.truth().servo.mode, ServoMode::Trapezoidal);
+    wire.wait(milliseconds(700));
+    EXPECT_EQ(wire.truth().servo.commandPosition, 1000) << "the move that runs is not touched";
+    wire.command(1, 0x05);
+    wire.wait(milliseconds(100));
+    EXPECT_LT(wire.truth().servo.commandPosition, 1000);
+}
+
+TEST_F(Violations, ResetPositionDuringATrapezoidIsOneAndInVelocityModeNone) {
+    wire.velocity(kOne, kOne);
+    wire.waitTicks(20);
+    wire.command(1, 0x00);
+    EXPECT_EQ(wire.violations(), Kinds{});
+    wire.servoOn();
+    wire.waitTicks(20);
+    wire.trapezoid(1000, kOne, kOne);
+    wire.command(1, 0x00);
+    EXPECT_EQ(wire.violations(), Kinds{Kind::ResetInMotion});
+}
+
+TEST_F(Violations, TwoLeadersOfAGroupAreReportedWhenTheyAnswerTogether) {
+    wire.command(1, 0x21, {1, 0x01});
+    wire.command(2, 0x21, {2, 0x01});
+    wire.command(0x81, 0x0E);
+    EXPECT_EQ(wire.violations(), (Kinds{Kind::ReplyCollision, Kind::ReplyCollision}));
+}
+
+TEST_F(Violations, WrongLengthsAreReported) {
+    wire.command(1, 0x1E, {0});                 // No Operation with data
+    wire.command(1, 0x07);                      // Stop Motor without its control byte
+    wire.command(1, 0x17, {0x11});              // stop here without a position
+    wire.command(1, 0x57, {0x05, 0, 0, 0, 0});  // a position without stop here
+    wire.command(1, 0x24, {0x11, 1});           // a trajectory shorter than it says
+    wire.command(1, 0xC6, Bytes(12, 1));        // Set Gain of 12
+    EXPECT_EQ(wire.violations(), Kinds(6, Kind::WrongLength));
+}
+
+TEST_F(Violations, OutOfRangeValuesAreReported) {
+    wire.gains(gainData(0x8000, 0, 0, 0, 0, 0, 0, 1, 0));
+    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0x4000, 1, 0));
+    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 0, 0));
+    wire.command(1, 0x54, {0x02, 0, 0, 0, 0x80});
+    EXPECT_EQ(wire.violations(), Kinds(4, Kind::OutOfRange));
+}
+
+TEST_F(Violations, MoreThanOneMannerOfStoppingIsReportedAndMotorOffWins) {
+    wire.command(1, 0x17, {0x07});
+    EXPECT_FALSE(wire.truth().servo.servoOn);
+    wire.command(1, 0x19, {0x31});
+    EXPECT_EQ(wire.violations(), (Kinds{Kind::StopBits, Kind::StopBits}));
+}
+
+TEST_F(Violations, SetBaudToASingleAddressIsReported) {
+    wire.command(1, 0x1A, {63});
+    EXPECT_EQ(wire.violations(), Kinds{Kind::SetBaudSingle});
+}
+
+TEST(ViolationLog, IsBoundedAndGoesOnCounting) {
+    ViolationLog log;
+    for (std::size_t i = 0; i < ViolationLog::kCapacity + 5; ++i)
+        log.add({TimePoint{}, 0, Kind::StopBits, {}});
+    EXPECT_EQ(log.entries().size(), 10'000U);
+    EXPECT_EQ(log.count(), 10'005U);
+}
+
+}  // namespace
+}  // namespace nmc::sim::test

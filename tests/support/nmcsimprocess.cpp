@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/nmcsimprocess.h"
+
+#include <QJsonDocument>
+
+namespace nmc::testing_support {
+
+namespace {
+
+constexpr int kPatienceMs = 10'000;
+
+}  // namespace
+
+NmcsimProcess::NmcsimProcess(const QString& chain, const QStringList& options) {
+    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_process.start(QStringLiteral(NMCSIM_PATH), QStringList{QStringLiteral("--chain"), chain} + options);
+    const QByteArray ready = readLine();
+    if (ready.startsWith("ready "))
+        m_terminal = QString::fromLocal8Bit(ready.mid(6));
+}
+
+NmcsimProcess::~NmcsimProcess() {
+    quit();
+}
+
+QJsonObject NmcsimProcess::control(const QString& line) {
+    m_process.write(line.toUtf8() + '\n');
+    return QJsonDocument::fromJson(readLine()).object();
+}
+
+void NmcsimProcess::quit() {
+    if (m_process.state() == QProcess::NotRunning)
+        return;
+    m_process.write("quit\n");
+    if (!m_process.waitForFinished(kPatienceMs))
+        m_process.kill();
+}
+
+QByteArray NmcsimProcess::readLine() {
+    while (!m_process.canReadLine())
+        if (!m_process.waitForReadyRead(kPatienceMs))
+            return {};
+    return m_process.readLine().trimmed();
+}
+
+}  // namespace nmc::testing_support

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStringList>
+
+namespace nmc::testing_support {
+
+/// The real nmcsim in a process of its own, and its control lines.
+class NmcsimProcess {
+public:
+    explicit NmcsimProcess(const QString& chain, const QStringList& options = {});
+    ~NmcsimProcess();
+
+    /// The terminal to open; empty when it did not start.
+    [[nodiscard]] const QString& terminal() const { return m_terminal; }
+    [[nodiscard]] QJsonObject control(const QString& line);
+    [[nodiscard]] QJsonObject state(int module) { return control(QStringLiteral("state %1").arg(module)); }
+    [[nodiscard]] QJsonArray violations() {
+        return control(QStringLiteral("stats"))[QStringLiteral("violations")].toArray();
+    }
+    /// Ends it; a terminal that is open is hung up.
+    void quit();
+
+private:
+    QByteArray readLine();
+
+    QProcess m_process;
+    QString m_terminal;
+};
+
+}  // namespace nmc::testing_support

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/bytes.h"
+#include "bus/engine.h"
+#include "sim/chain.h"
+
+namespace nmc::test {
+
+/// The bus engine and a simulated chain, coupled in virtual time: hours of traffic in seconds, no thread, no
+/// clock. Every byte, event and output is kept.
+class VirtualBus {
+public:
+    struct Sent {
+        TimePoint time;
+        std::vector<std::uint8_t> bytes;
+        [[nodiscard]] std::string hex() const { return toHex(bytes); }
+    };
+
+    explicit VirtualBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config = {},
+                        sim::ChainOptions options = {})
+        : engine(config), chain(modules, options) {
+        run(now + std::chrono::milliseconds(100));
+    }
+
+    bus::Engine engine;
+    sim::Chain chain;
+    TimePoint now{};
+    std::vector<bus::Event> events;
+    std::vector<Sent> sent;
+    /// Bytes reach the host this much later: the latency of a serial adapter.
+    Duration adapterDelay{};
+    /// Changes what goes to the chain; emptied means lost.
+    std::function<void(std::vector<std::uint8_t>& command)> onCommand;
+    /// Asked with each command: true loses everything the host would hear until the next one.
+    std::function<bool(ByteSpan command)> losesReply;
+    /// Asked for each byte to the host: true loses it.
+    std::function<bool(std::uint8_t byte)> losesByte;
+
+    void runFor(Duration time) { run(now + time); }
+
+    /// Runs until the condition holds; false when it does not within the limit.
+    template <typename Condition>
+    [[nodiscard]] bool runUntil(Condition condition, Duration limit) {
+        const TimePoint end = now + limit;
+        pump();
+        while (!condition()) {
+            if (now >= end)
+                return false;
+            step(end);
+        }
+        return true;
+    }
+
+    /// Finds the chain; false when that fails.
+    [[nodiscard]] bool connect() {
+        const std::size_t before = count<bus::ChainFound>();
+        const std::size_t failed = count<bus::ConnectFailed>();
+        engine.connect(now);
+        return runUntil(
+                   [&] { return count<bus::ChainFound>() > before || count<bus::ConnectFailed>() > failed; },
+                   std::chrono::seconds(20)) &&
+               count<bus::ChainFound>() > before;
+    }
+
+    /// Submits the steps as one operation and runs until it has ended.
+    [[nodiscard]] std::optional<bus::Outcome> perform(std::vector<bus::Step> steps) {
+        const bus::OperationId id = submit(std::move(steps));
+        std::optional<bus::Outcome> outcome;
+        const auto ended = [&] { return (outcome = outcomeOf(id)).has_value(); };
+        return runUntil(ended, std::chrono::seconds(10)) ? outcome : std::nullopt;
+    }
+    bus::OperationId submit(std::vector<bus::Step> steps) {
+        const bus::OperationId id(++m_lastId);
+        engine.submit({id, std::move(steps)}, now);
+        pump();
+        return id;
+    }
+    [[nodiscard]] std::optional<bus::Outcome> outcomeOf(bus::OperationId id) const {
+        for (const auto& finished : all<bus::OperationFinished>())
+            if (finished.id == id)
+                return finished.outcome;
+        return std::nullopt;
+    }
+
+    /// Stops everything and runs until that has ended.
+    [[nodiscard]] std::optional<bus::StopFinished> stopAll() {
+        const std::size_t before = count<bus::StopFinished>();
+        engine.stopAll(now);
+        if (!runUntil([&] { return count<bus::StopFinished>() > before; }, std::chrono::seconds(5)))
+            return std::nullopt;
+        return all<bus::StopFinished>().back();
+    }
+
+    template <typename T>
+    [[nodiscard]] std::vector<T> all() const {
+        std::vector<T> found;
+        for (const bus::Event& event : events)
+            if (const T* e = std::get_if<T>(&event))
+                found.push_back(*e);
+        return found;
+    }
+    template <typename T>
+    [[nodiscard]] std::size_t count() const {
+        return static_cast<std::size_t>(std::count_if(
+            events.begin(), events.end(), [](const bus::Event& e) { return std::holds_alternative<T>(e); }));
+    }
+    template <typename T>
+    [[nodiscard]] std::optional<T> last() const {
+        for (auto it = events.rbegin(); it != events.rend(); ++it)
+            if (const T* e = std::get_if<T>(&*it))
+                return *e;
+        return std::nullopt;
+    }
+    [[nodiscard]] std::optional<bus::Sample> lastSample(std::uint8_t module) const {
+        for (auto it = events.rbegin(); it != events.rend(); ++it)
+            if (const auto* e = std::get_if<bus::Sample>(&*it); e != nullptr && e->module.value() == module)
+                return *e;
+        return std::nullopt;
+    }
+    [[nodiscard]] std::size_t samplesOf(std::uint8_t module) const {
+        std::size_t n = 0;
+        for (const auto& sample : all<bus::Sample>())
+            n += sample.module.value() == module ? 1U : 0U;
+        return n;
+    }
+    /// How often a packet that begins with these bytes went out, from the given entry of `sent` on.
+    [[nodiscard]] std::size_t sends(const std::string& prefix, std::size_t from = 0) const {
+        std::size_t n = 0;
+        for (std::size_t i = from; i < sent.size(); ++i)
+            n += sent[i].hex().rfind(prefix, 0) == 0 ? 1U : 0U;
+        return n;
+    }
+
+    [[nodiscard]] sim::ServoSnapshot servo(std::uint8_t module) {
+        return chain.snapshot(ModuleIndex(module), now).servo;
+    }
+
+    /// The host did nothing that a real chip would not forgive.
+    void expectNoViolations() const {
+        for (const sim::Violation& v : chain.violations().entries())
+            ADD_FAILURE() << "violation " << sim::toText(v.kind) << " at "
+                          << toSeconds(v.time.time_since_epoch()) << " s, module " << int{v.module} << ": "
+                          << toHex(v.bytes);
+    }
+
+private:
+    void run(TimePoint end) {
+        pump();
+        while (now < end)
+            step(end);
+    }
+
+    void step(TimePoint end) {
+        TimePoint next = end;
+        for (const auto& candidate : {engine.nextDeadline(), chain.nextEvent(), arrival()})
+            if (candidate)
+                next = std::min(next, *candidate);
+        // A deadline that is not in the future would be a busy loop.
+        m_stuck = next <= now ? m_stuck + 1 : 0;
+        if (m_stuck > 1000) {
+            ADD_FAILURE() << "time stands still";
+            next = end;
+        }
+        now = std::max(now, next);
+        chain.advanceTo(now);
+        for (const sim::HostByte& byte : chain.takeHostBytes())
+            if (!m_losesReply && (!losesByte || !losesByte(byte.value)))
+                m_arriving.push_back({byte.due + adapterDelay, byte.value});
+        std::vector<std::uint8_t> bytes;
+        for (; !m_arriving.empty() && m_arriving.front().due <= now; m_arriving.pop_front())
+            bytes.push_back(m_arriving.front().value);
+        if (!bytes.empty())
+            engine.onBytes(bytes, now);
+        pump();
+        if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
+            engine.onDeadline(now);
+        pump();
+    }
+
+    [[nodiscard]] std::optional<TimePoint> arrival() const {
+        return m_arriving.empty() ? std::nullopt : std::optional(m_arriving.front().due);
+    }
+
+    void pump() {
+        for (bus::Output& output : engine.takeOutput())
+            carryOut(output);
+        for (bus::Event& event : engine.takeEvents())
+            events.push_back(std::move(event));
+    }
+
+    void carryOut(bus::Output& output) {
+        if (const auto* rate = std::get_if<bus::SetHostBaud>(&output)) {
+            chain.setHostBaud(rate->baud);
+        } else if (auto* send = std::get_if<bus::Send>(&output)) {
+            sent.push_back({now, send->bytes});
+            m_losesReply = losesReply && losesReply(send->bytes);
+            if (onCommand)
+                onCommand(send->bytes);
+            chain.hostSends(send->bytes, now);
+        } else {
+            m_arriving.clear();
+        }
+    }
+
+    std::deque<sim::HostByte> m_arriving;
+    bool m_losesReply = false;
+    std::uint32_t m_lastId = 0;
+    unsigned m_stuck = 0;
+};
+
+/// `count` PIC-SERVOs of a version.
+[[nodiscard]] inline std::vector<ModuleIdentity> servos(std::size_t count, std::uint8_t version = 4) {
+    return std::vector<ModuleIdentity>(count, ModuleIdentity{ModuleType::Servo, version});
+}
+
+}  // namespace nmc::test

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chain/chainmodel.h"
+
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+ChainModel::Row ChainModel::rowOf(const ModuleState& module) {
+    Row row;
+    row.address = module.info.address.value();
+    row.name = texts::moduleName(module.info.index);
+    row.type = texts::moduleType(module.info.identity);
+    row.activity = module.activity();
+    row.position = module.latest.has_value() && module.latest->position.has_value()
+                       ? texts::grouped(*module.latest->position)
+                       : u"–"_s;
+    row.old = module.silent;
+    return row;
+}
+
+void ChainModel::showLink(const LinkState& state) {
+    const bool open = state.phase != LinkPhase::Disconnected;
+    const std::size_t count = open ? state.modules.size() : 0;
+    if (open != m_open || count != m_rows.size()) {
+        beginResetModel();
+        m_open = open;
+        m_rows.clear();
+        for (std::size_t i = 0; i < count; ++i)
+            m_rows.push_back(rowOf(state.modules[i]));
+        m_host = texts::portName(QString::fromStdString(state.port));
+        endResetModel();
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        Row row = rowOf(state.modules[i]);
+        if (row == m_rows[i])
+            continue;
+        m_rows[i] = std::move(row);
+        const QModelIndex changed = index(static_cast<int>(i));
+        emit dataChanged(changed, changed);
+    }
+    const QString host = texts::portName(QString::fromStdString(state.port));
+    if (host != m_host) {
+        m_host = host;
+        const QModelIndex changed = index(moduleCount());
+        emit dataChanged(changed, changed);
+    }
+}
+
+int ChainModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !m_open ? 0 : moduleCount() + 1;
+}
+
+QVariant ChainModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() > moduleCount())
+        return {};
+    if (index.row() == moduleCount()) {
+        if (role == IsHost)
+            return true;
+        if (role == Qt::DisplayRole || role == Name || role == Qt::AccessibleTextRole)
+            return tr("PC");
+        if (role == TypeText)
+            return m_host;
+        return {};
+    }
+    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case Qt::DisplayRole:
+        case Name:
+            return row.name;
+        case IsHost:
+            return false;
+        case Address:
+            return row.address;
+        case TypeText:
+            return row.type;
+        case ActivityValue:
+            return static_cast<int>(row.activity);
+        case ActivityText:
+            return texts::activity(row.activity);
+        case Position:
+            return row.position;
+        case PositionIsOld:
+            return row.old;
+        case Qt::AccessibleTextRole:
+            return tr("%1, address %2, %3, %4, position %5 counts")
+                .arg(row.name)
+                .arg(row.address)
+                .arg(row.type, texts::activity(row.activity), row.position);
+        case Qt::ToolTipRole:
+            return tr("%1 at address %2 on the wire. %3")
+                .arg(row.name)
+                .arg(row.address)
+                .arg(texts::activityMeaning(row.activity));
+        default:
+            return {};
+    }
+}
+
+Qt::ItemFlags ChainModel::flags(const QModelIndex& index) const {
+    if (!index.isValid() || index.row() >= moduleCount())
+        return Qt::ItemNeverHasChildren;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+}
+
+}  // namespace nmc

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractListModel>
+#include <vector>
+
+#include "model/linkstate.h"
+
+namespace nmc {
+
+/// The modules in wire order, the one farthest from the host first, and the host itself as the last row.
+class ChainModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        IsHost = Qt::UserRole,
+        Address,   ///< int
+        Name,      ///< "Module 1"
+        TypeText,  ///< "PIC-SERVO v4"
+        ActivityValue,
+        ActivityText,
+        Position,      ///< "12 345", or a dash
+        PositionIsOld  ///< the module does not answer
+    };
+
+    using QAbstractListModel::QAbstractListModel;
+
+    void showLink(const LinkState& state);
+    [[nodiscard]] int moduleCount() const { return static_cast<int>(m_rows.size()); }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+private:
+    struct Row {
+        int address = 0;
+        QString name;
+        QString type;
+        Activity activity = Activity::Unknown;
+        QString position;
+        bool old = false;
+        bool operator==(const Row&) const = default;
+    };
+    [[nodiscard]] static Row rowOf(const ModuleState& module);
+
+    std::vector<Row> m_rows;
+    QString m_host;
+    bool m_open = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QListView>
+#include <optional>
+
+#include "model/linkstate.h"
+
+namespace nmc {
+
+class ChainModel;
+
+/// The chain as a list; choosing a row chooses the module that the panel and the scope show.
+class ChainView : public QListView {
+    Q_OBJECT
+
+public:
+    explicit ChainView(QWidget* parent = nullptr);
+
+    /// Emits nothing, not even when the first chain appears and its first module becomes the selected one.
+    void showLink(const LinkState& state);
+    [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+    void moduleSelected(nmc::ModuleIndex module);
+
+protected:
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ChainModel* m_model;
+    bool m_showing = false;
+    int m_lastRow = 0;  ///< chosen before the chain went away
+};
+
+}  // namespace nmc

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/glyphs.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <array>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+namespace {
+
+QRectF square(const QRectF& rect) {
+    const double side = std::min(rect.width(), rect.height());
+    return {rect.center().x() - side / 2, rect.center().y() - side / 2, side, side};
+}
+
+/// Paints `mark` of an activity in a unit square mapped on `rect`, in `colour`.
+class MarkPainter {
+public:
+    MarkPainter(QPainter& painter, const QRectF& rect, const QColor& colour)
+        : m_painter(painter), m_rect(rect), m_colour(colour) {}
+
+    void polygon(std::initializer_list<QPointF> points) {
+        QPolygonF shape;
+        for (const QPointF& p : points)
+            shape << at(p);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(m_colour);
+        m_painter.drawPolygon(shape);
+    }
+    void line(std::initializer_list<QPointF> points) {
+        QPolygonF shape;
+        for (const QPointF& p : points)
+            shape << at(p);
+        stroke();
+        m_painter.drawPolyline(shape);
+    }
+    void ring(double radius) {
+        stroke();
+        m_painter.drawEllipse(at({0.5, 0.5}), radius * m_rect.width(), radius * m_rect.height());
+    }
+    void disc(QPointF centre, double radius) {
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(m_colour);
+        m_painter.drawEllipse(at(centre), radius * m_rect.width(), radius * m_rect.height());
+    }
+    void text(QChar character) {
+        QFont font = m_painter.font();
+        font.setPixelSize(qMax(5, qRound(m_rect.height() * 0.86)));
+        font.setBold(true);
+        m_painter.setFont(font);
+        m_painter.setPen(m_colour);
+        m_painter.drawText(m_rect, Qt::AlignCenter, QString(character));
+    }
+
+private:
+    [[nodiscard]] QPointF at(QPointF p) const {
+        return {m_rect.left() + p.x() * m_rect.width(), m_rect.top() + p.y() * m_rect.height()};
+    }
+    void stroke() {
+        m_painter.setPen(QPen(m_colour, m_rect.width() * 0.14, Qt::SolidLine, Qt::RoundCap, Qt::MiterJoin));
+        m_painter.setBrush(Qt::NoBrush);
+    }
+
+    QPainter& m_painter;
+    QRectF m_rect;
+    QColor m_colour;
+};
+
+void paintMark(MarkPainter mark, Activity activity) {
+    switch (activity) {
+        case Activity::Unknown:
+            mark.text(u'?');
+            break;
+        case Activity::Silent:
+            for (double x : {0.15, 0.5, 0.85})
+                mark.disc({x, 0.5}, 0.12);
+            break;
+        case Activity::NoPower:
+        case Activity::PowerLost:
+            mark.polygon({{0.62, 0.0}, {0.18, 0.58}, {0.45, 0.58}, {0.36, 1.0}, {0.82, 0.40}, {0.54, 0.40}});
+            break;
+        case Activity::ServoOff:
+            mark.ring(0.38);
+            break;
+        case Activity::Tripped:
+            mark.line({{0.16, 0.16}, {0.84, 0.84}});
+            mark.line({{0.84, 0.16}, {0.16, 0.84}});
+            break;
+        case Activity::PwmMode:
+            mark.line(
+                {{0.05, 0.8}, {0.05, 0.2}, {0.4, 0.2}, {0.4, 0.8}, {0.75, 0.8}, {0.75, 0.2}, {0.98, 0.2}});
+            break;
+        case Activity::Holding:
+            mark.ring(0.40);
+            mark.disc({0.5, 0.5}, 0.20);
+            break;
+        case Activity::Accelerating:
+            mark.polygon({{0.06, 0.86}, {0.94, 0.86}, {0.94, 0.12}});
+            break;
+        case Activity::AtSpeed:
+            mark.polygon({{0.02, 0.1}, {0.5, 0.5}, {0.02, 0.9}});
+            mark.polygon({{0.5, 0.1}, {0.98, 0.5}, {0.5, 0.9}});
+            break;
+        case Activity::Decelerating:
+            mark.polygon({{0.06, 0.12}, {0.06, 0.86}, {0.94, 0.86}});
+            break;
+    }
+}
+
+/// The container of a severity; returns where a mark goes and in which colour.
+std::pair<QRectF, QColor> paintContainer(QPainter& painter, const QRectF& r, Severity severity,
+                                         const QPalette& palette) {
+    const QColor on = look::onSeverityFill(severity, palette);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look::severityFill(severity, palette));
+    const double side = r.width();
+    switch (severity) {
+        case Severity::Normal:
+            return {r.adjusted(side * 0.08, side * 0.08, -side * 0.08, -side * 0.08),
+                    palette.color(QPalette::Active, QPalette::WindowText)};
+        case Severity::Attention: {
+            const QPolygonF triangle{QPointF(r.center().x(), r.top()), r.bottomRight(), r.bottomLeft()};
+            painter.drawPolygon(triangle);
+            return {QRectF(r.left() + side * 0.29, r.top() + side * 0.46, side * 0.42, side * 0.46), on};
+        }
+        case Severity::Fault:
+            painter.drawRect(r.adjusted(side * 0.03, side * 0.03, -side * 0.03, -side * 0.03));
+            return {r.adjusted(side * 0.24, side * 0.24, -side * 0.24, -side * 0.24), on};
+    }
+    return {r, on};
+}
+
+}  // namespace
+
+void paintActivity(QPainter& painter, const QRectF& rect, Activity activity, const QPalette& palette) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto [inner, colour] = paintContainer(painter, square(rect), severityOf(activity), palette);
+    paintMark(MarkPainter(painter, inner, colour), activity);
+    painter.restore();
+}
+
+void paintSeverity(QPainter& painter, const QRectF& rect, Severity severity, const QPalette& palette) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto [inner, colour] = paintContainer(painter, square(rect), severity, palette);
+    MarkPainter mark(painter, inner, colour);
+    if (severity == Severity::Normal)
+        mark.ring(0.48);
+    const QRectF letter = severity == Severity::Normal
+                              ? inner.adjusted(inner.width() * 0.1, inner.height() * 0.1,
+                                               -inner.width() * 0.1, -inner.height() * 0.1)
+                              : inner;
+    MarkPainter(painter, letter, colour).text(severity == Severity::Normal ? u'i' : u'!');
+    painter.restore();
+}
+
+void paintBit(QPainter& painter, const QRectF& rect, std::optional<bool> set, const QPalette& palette) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF r = square(rect);
+    MarkPainter mark(painter, r, palette.color(QPalette::Active, QPalette::WindowText));
+    if (!set.has_value())
+        mark.line({{0.25, 0.5}, {0.75, 0.5}});
+    else if (*set)
+        mark.polygon({{0.12, 0.12}, {0.88, 0.12}, {0.88, 0.88}, {0.12, 0.88}});
+    else
+        MarkPainter(painter, r, look::mutedText(palette)).ring(0.30);
+    painter.restore();
+}
+
+void GlyphLabel::showActivity(Activity activity) {
+    if (m_kind == Kind::Activity && m_activity == activity)
+        return;
+    m_kind = Kind::Activity;
+    m_activity = activity;
+    update();
+}
+
+void GlyphLabel::showSeverity(Severity severity) {
+    if (m_kind == Kind::Severity && m_severity == severity)
+        return;
+    m_kind = Kind::Severity;
+    m_severity = severity;
+    update();
+}
+
+void GlyphLabel::showBit(std::optional<bool> set) {
+    if (m_kind == Kind::Bit && m_bit == set)
+        return;
+    m_kind = Kind::Bit;
+    m_bit = set;
+    update();
+}
+
+QSize GlyphLabel::sizeHint() const {
+    const int side = m_kind == Kind::Bit ? qRound(fontMetrics().capHeight() * 1.15)
+                                         : qRound(fontMetrics().ascent() * 1.15);
+    return {side, side};
+}
+
+void GlyphLabel::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    switch (m_kind) {
+        case Kind::None:
+            break;
+        case Kind::Activity:
+            paintActivity(painter, rect(), m_activity, palette());
+            break;
+        case Kind::Severity:
+            paintSeverity(painter, rect(), m_severity, palette());
+            break;
+        case Kind::Bit:
+            paintBit(painter, rect(), m_bit, palette());
+            break;
+    }
+}
+
+}  // namespace nmc

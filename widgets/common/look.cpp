@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/look.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QIcon>
+#include <QLabel>
+#include <QStyleFactory>
+#include <cmath>
+
+#include "widgets/common/icons.h"
+
+namespace nmc::look {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+double linear(double channel) {
+    return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour) {
+    return 0.2126 * linear(static_cast<double>(colour.redF())) +
+           0.7152 * linear(static_cast<double>(colour.greenF())) +
+           0.0722 * linear(static_cast<double>(colour.blueF()));
+}
+
+QColor mix(const QColor& a, const QColor& b, float shareOfB) {
+    const float shareOfA = 1.0F - shareOfB;
+    return QColor::fromRgbF(a.redF() * shareOfA + b.redF() * shareOfB,
+                            a.greenF() * shareOfA + b.greenF() * shareOfB,
+                            a.blueF() * shareOfA + b.blueF() * shareOfB);
+}
+
+/// A label in the muted colour of whatever palette it finds itself in.
+class MutedLabel : public QLabel {
+public:
+    MutedLabel(const QString& text, QWidget* parent) : QLabel(text, parent) { adopt(); }
+
+protected:
+    void changeEvent(QEvent* event) override {
+        QLabel::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange || event->type() == QEvent::ParentChange)
+            adopt();
+    }
+
+private:
+    void adopt() {
+        const QPalette base = parentWidget() != nullptr ? parentWidget()->palette() : QApplication::palette();
+        const QColor colour = mutedText(base);
+        if (palette().color(QPalette::Active, QPalette::WindowText) == colour)
+            return;
+        QPalette own;
+        own.setColor(QPalette::WindowText, colour);
+        setPalette(own);
+    }
+};
+
+}  // namespace
+
+void setUp(QApplication& application) {
+    application.setStyle(QStyleFactory::create(u"Fusion"_s));
+    QApplication::setWindowIcon(icons::window());
+}
+
+bool isDark(const QPalette& palette) {
+    return luminance(palette.color(QPalette::Window)) < luminance(palette.color(QPalette::WindowText));
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+QColor mutedText(const QPalette& palette) {
+    const QColor text = palette.color(QPalette::Active, QPalette::WindowText);
+    const QColor window = palette.color(QPalette::Active, QPalette::Window);
+    const QColor base = palette.color(QPalette::Active, QPalette::Base);
+    for (float share = 0.42F; share > 0.0F; share -= 0.06F) {
+        const QColor colour = mix(text, window, share);
+        if (contrast(colour, window) >= 4.6 && contrast(colour, base) >= 4.6)
+            return colour;
+    }
+    return text;
+}
+
+QColor faintLine(const QPalette& palette) {
+    return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Base),
+               isDark(palette) ? 0.75F : 0.82F);
+}
+
+QColor severityFill(Severity severity, const QPalette& palette) {
+    switch (severity) {
+        case Severity::Normal:
+            return palette.color(QPalette::Active, QPalette::WindowText);
+        case Severity::Attention:
+            return {0xE6, 0x9F, 0x00};
+        case Severity::Fault:
+            return {0xD5, 0x5E, 0x00};
+    }
+    return {};
+}
+
+QColor onSeverityFill(Severity severity, const QPalette& palette) {
+    switch (severity) {
+        case Severity::Normal:
+            return palette.color(QPalette::Active, QPalette::Window);
+        case Severity::Attention:
+        case Severity::Fault:
+            return Qt::black;
+    }
+    return {};
+}
+
+QColor severityTint(Severity severity, const QPalette& palette) {
+    const QColor window = palette.color(QPalette::Active, QPalette::Window);
+    switch (severity) {
+        case Severity::Normal:
+            return mix(window, palette.color(QPalette::Active, QPalette::WindowText), 0.04F);
+        case Severity::Attention:
+        case Severity::Fault:
+            return mix(window, severityFill(severity, palette), isDark(palette) ? 0.20F : 0.22F);
+    }
+    return window;
+}
+
+QColor traceColour(TraceColour trace, const QPalette& palette) {
+    const bool dark = isDark(palette);
+    switch (trace) {
+        case TraceColour::Position:
+            return dark ? QColor(0x56, 0xB4, 0xE9) : QColor(0x00, 0x72, 0xB2);
+        case TraceColour::Command:
+            return dark ? QColor(0xE6, 0x9F, 0x00) : QColor(0xA8, 0x6A, 0x00);
+        case TraceColour::Error:
+            return dark ? QColor(0xCC, 0x79, 0xA7) : QColor(0xA3, 0x4D, 0x7C);
+    }
+    return {};
+}
+
+QFont tabular(const QFont& base) {
+    const QFontMetricsF metrics(base);
+    for (char16_t digit = u'1'; digit <= u'9'; ++digit) {
+        if (std::abs(metrics.horizontalAdvance(QChar(digit)) - metrics.horizontalAdvance(u'0')) > 0.01) {
+            QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+            fixed.setPointSizeF(base.pointSizeF());
+            fixed.setWeight(base.weight());
+            return fixed;
+        }
+    }
+    return base;
+}
+
+QFont scaled(const QFont& base, double factor) {
+    QFont font = base;
+    if (base.pointSizeF() > 0)
+        font.setPointSizeF(base.pointSizeF() * factor);
+    else
+        font.setPixelSize(qRound(base.pixelSize() * factor));
+    return font;
+}
+
+int millimetres(const QWidget* widget, double mm) {
+    return static_cast<int>(std::ceil(mm / 25.4 * widget->logicalDpiY()));
+}
+
+int gridUnit(const QWidget* widget) {
+    return qMax(4, widget->fontMetrics().height() / 2);
+}
+
+void setText(QLabel* label, const QString& text) {
+    if (label->text() != text)
+        label->setText(text);
+}
+
+QLabel* newMutedLabel(const QString& text, QWidget* parent) {
+    auto* label = new MutedLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+void name(QWidget* widget, const QString& objectName, const QString& accessibleName) {
+    widget->setObjectName(objectName);
+    widget->setAccessibleName(accessibleName);
+}
+
+void setPossible(QWidget* control, const QString& reason, const QString& meaning) {
+    control->setEnabled(reason.isEmpty());
+    const QString& tip = reason.isEmpty() ? meaning : reason;
+    if (control->toolTip() == tip)
+        return;
+    control->setToolTip(tip);
+    control->setAccessibleDescription(tip);
+}
+
+}  // namespace nmc::look

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPalette>
+
+#include "model/modulestate.h"
+
+class QApplication;
+class QLabel;
+class QWidget;
+
+/// What every widget of the panel has in common to look at: colours by meaning, digits that do not dance.
+/// Colours are computed from the palette at hand, so that light and dark need no switch.
+namespace nmc::look {
+
+/// Fusion, the window icon; call once, before the first widget is made.
+void setUp(QApplication& application);
+
+[[nodiscard]] bool isDark(const QPalette& palette);
+/// WCAG contrast of two opaque colours, 1..21.
+[[nodiscard]] double contrast(const QColor& a, const QColor& b);
+/// Secondary text: quieter than WindowText, still 4.5:1 on the window and on fields.
+[[nodiscard]] QColor mutedText(const QPalette& palette);
+/// A line between things, for frames and grids.
+[[nodiscard]] QColor faintLine(const QPalette& palette);
+/// Okabe-Ito: normal is the text's own colour, attention orange, fault vermillion.
+[[nodiscard]] QColor severityFill(Severity severity, const QPalette& palette);
+/// For a mark or words upon severityFill.
+[[nodiscard]] QColor onSeverityFill(Severity severity, const QPalette& palette);
+/// A tint of a severity behind ordinary text; the text keeps 4.5:1.
+[[nodiscard]] QColor severityTint(Severity severity, const QPalette& palette);
+
+enum class TraceColour : std::uint8_t { Position, Command, Error };
+[[nodiscard]] QColor traceColour(TraceColour trace, const QPalette& palette);
+
+/// `base` where its digits are all equally wide, else the system's fixed font at that size.
+[[nodiscard]] QFont tabular(const QFont& base);
+/// `base` at `factor` times its size.
+[[nodiscard]] QFont scaled(const QFont& base, double factor);
+/// Device-independent pixels of a length at the screen's logical resolution.
+[[nodiscard]] int millimetres(const QWidget* widget, double mm);
+/// The spacing grid: half a line of text.
+[[nodiscard]] int gridUnit(const QWidget* widget);
+
+/// setText that costs nothing when there is no news.
+void setText(QLabel* label, const QString& text);
+/// Quiet secondary text that follows the palette.
+[[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
+
+/// Names a control for tests and for assistive technology in one go.
+void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
+
+/// Enabled, with `meaning` as tool tip, or disabled with the reason; both for assistive technology as well.
+void setPossible(QWidget* control, const QString& reason, const QString& meaning);
+
+}  // namespace nmc::look

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/numberfield.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyleOptionFrame>
+#include <QWheelEvent>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// Longer than any number here; a huge paste ends at this length, as a number that is out of range.
+constexpr int kMaxLength = 32;
+}  // namespace
+
+NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_decimals(decimals) {
+    setMaxLength(kMaxLength);
+    setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus);
+    setFont(look::tabular(font()));
+    setInputMethodHints(Qt::ImhFormattedNumbersOnly);
+    connect(this, &QLineEdit::textChanged, this, &NumberField::judge);
+    connect(this, &QLineEdit::textEdited, this, &NumberField::edited);
+    judge();
+}
+
+void NumberField::setRange(double min, double max) {
+    m_min = min;
+    m_max = max;
+    judge();
+}
+
+void NumberField::setDigits(int digits) {
+    m_digits = digits;
+    updateGeometry();
+}
+
+void NumberField::setWords(const QString& quantity, const QString& unit) {
+    m_quantity = quantity;
+    m_unit = unit;
+    judge();
+}
+
+void NumberField::setMeaning(const QString& meaning) {
+    m_meaning = meaning;
+    judge();
+}
+
+std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Problem* problem) {
+    const QString trimmed = text.trimmed();
+    *problem = trimmed.isEmpty() ? Problem::Empty : Problem::NotANumber;
+    std::string plain;
+    int marks = 0;
+    int digits = 0;
+    for (qsizetype i = 0; i < trimmed.size(); ++i) {
+        const char16_t c = trimmed.at(i).unicode();
+        if (c >= u'0' && c <= u'9') {
+            plain += static_cast<char>('0' + (c - u'0'));
+            ++digits;
+        } else if (c == u'.' || c == u',') {
+            plain += '.';
+            ++marks;
+        } else if (i == 0 && (c == u'-' || c == u'\u2212')) {
+            plain += '-';
+        } else if (i != 0 || c != u'+') {
+            return std::nullopt;
+        }
+    }
+    if (marks > 1) {
+        *problem = Problem::TwoMarks;
+        return std::nullopt;
+    }
+    if (digits == 0)
+        return std::nullopt;
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(plain.data(), plain.data() + plain.size(), value, std::chars_format::fixed);
+    if (error != std::errc() || end != plain.data() + plain.size())
+        return std::nullopt;
+    if (wholeOnly && value != std::floor(value)) {
+        *problem = Problem::NotWhole;
+        return std::nullopt;
+    }
+    *problem = Problem::None;
+    return value;
+}
+
+QString NumberField::format(double value, int decimals) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    QString text = locale.toString(value, 'f', decimals);
+    if (decimals > 0) {
+        const QString mark = locale.decimalPoint();
+        while (text.endsWith(u'0'))
+            text.chop(1);
+        if (text.endsWith(mark))
+            text.chop(mark.size());
+    }
+    return text;
+}
+
+std::optional<double> NumberField::value() const {
+    if (m_problem != Problem::None)
+        return std::nullopt;
+    Problem ignored = Problem::None;
+    return parse(text(), m_decimals == 0, &ignored);
+}
+
+QString NumberField::problemText() const {
+    const QString quantity = m_quantity.isEmpty() ? accessibleName() : m_quantity;
+    const QString unit = m_unit.isEmpty() ? QString() : u" "_s + m_unit;
+    const QString range =
+        tr("%1 takes %2 to %3%4.").arg(quantity, format(m_min, m_decimals), format(m_max, m_decimals), unit);
+    switch (m_problem) {
+        case Problem::None:
+            return {};
+        case Problem::Empty:
+            return tr("%1 is still empty.").arg(quantity) + u" "_s + range;
+        case Problem::NotANumber:
+            return tr("%1 needs a number.").arg(quantity) + u" "_s + range;
+        case Problem::TwoMarks:
+            return tr("%1 has two decimal marks. Both , and . are the decimal mark here.").arg(quantity);
+        case Problem::NotWhole:
+            return tr("%1 needs a whole number.").arg(quantity) + u" "_s + range;
+        case Problem::OutOfRange:
+            return range;
+    }
+    return {};
+}
+
+void NumberField::showValue(double value) {
+    const QString text = format(value, m_decimals);
+    if (this->text() == text)
+        return;
+    const QSignalBlocker blocker(this);
+    setText(text);
+    judge();
+}
+
+void NumberField::showNothing() {
+    const QSignalBlocker blocker(this);
+    clear();
+    judge();
+}
+
+void NumberField::judge() {
+    Problem problem = Problem::None;
+    const std::optional<double> number = parse(text(), m_decimals == 0, &problem);
+    if (number.has_value() && (*number < m_min || *number > m_max))
+        problem = Problem::OutOfRange;
+    m_problem = problem;
+    const QString trouble = problemText();
+    const bool show = m_problem != Problem::None && m_problem != Problem::Empty;
+    setToolTip(show && !m_meaning.isEmpty() ? trouble + u"\n\n"_s + m_meaning : show ? trouble : m_meaning);
+    setAccessibleDescription(show ? trouble : m_meaning);
+    const int mark = show ? fontMetrics().height() : 0;
+    if (textMargins().left() != mark)
+        setTextMargins(mark, 0, 0, 0);
+    update();
+}
+
+void NumberField::stepBy(int steps) {
+    const std::optional<double> now = value();
+    if (!now.has_value() || isReadOnly() || steps == 0)
+        return;
+    const double next = std::round(*now / m_step + steps) * m_step;
+    if (next < m_min || next > m_max)
+        return;
+    showValue(next);
+    emit edited();
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+        stepBy(event->key() == Qt::Key_Up ? 1 : -1);
+        event->accept();
+    } else if (event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown) {
+        stepBy(event->key() == Qt::Key_PageUp ? 10 : -10);
+        event->accept();
+    } else {
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+    if (!hasFocus()) {
+        event->ignore();
+        return;
+    }
+    m_wheelRest += event->angleDelta().y();
+    const int steps = m_wheelRest / 120;
+    m_wheelRest -= steps * 120;
+    stepBy(steps);
+    event->accept();
+}
+
+void NumberField::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    if (m_problem == Problem::None || m_problem == Problem::Empty)
+        return;
+    QPainter painter(this);
+    const int side = qRound(fontMetrics().ascent() * 0.95);
+    paintSeverity(painter, QRectF(side * 0.5, (height() - side) / 2.0, side, side), Severity::Attention,
+                  palette());
+    QPen pen(look::severityFill(Severity::Attention, palette()), 2);
+    pen.setStyle(Qt::DashLine);
+    painter.setPen(pen);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+QSize NumberField::sizeHint() const {
+    QSize hint = QLineEdit::sizeHint();
+    hint.setWidth(fontMetrics().horizontalAdvance(u'0') * m_digits + fontMetrics().height());
+    return hint;
+}
+
+}  // namespace nmc

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+#include <QString>
+#include <optional>
+
+namespace nmc {
+
+/// A field for one number in one unit (interface.md, "Values"). Both , and . are the decimal mark under every
+/// locale, and two marks are refused, so that nothing is ever taken for a hundred times itself. What is out
+/// of range stays as typed, is marked, says the range, and has no value. The wheel works only in a focused
+/// field.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    enum class Problem : std::uint8_t { None, Empty, NotANumber, TwoMarks, NotWhole, OutOfRange };
+
+    /// `decimals` 0: whole numbers only. Otherwise how many are shown; more may be typed.
+    explicit NumberField(int decimals, QWidget* parent = nullptr);
+
+    void setRange(double min, double max);
+    void setSingleStep(double step) { m_step = step; }
+    /// How many digits it is wide.
+    void setDigits(int digits);
+    /// What the field is called in the sentence about its range, and what its numbers count.
+    void setWords(const QString& quantity, const QString& unit);
+    /// What the tool tip says while there is no problem.
+    void setMeaning(const QString& meaning);
+
+    /// Empty while what stands there is not one number within the range.
+    [[nodiscard]] std::optional<double> value() const;
+    [[nodiscard]] Problem problem() const { return m_problem; }
+    /// Why there is no value, as a sentence: "Kp takes 0 to 32767."
+    [[nodiscard]] QString problemText() const;
+
+    /// Emits nothing.
+    void showValue(double value);
+    void showNothing();
+
+    [[nodiscard]] static std::optional<double> parse(const QString& text, bool wholeOnly, Problem* problem);
+    /// In the locale's decimal mark, without group separators and without trailing zeros.
+    [[nodiscard]] static QString format(double value, int decimals);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    /// The user changed what stands there, to a value or not.
+    void edited();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void judge();
+    void stepBy(int steps);
+
+    int m_decimals;
+    double m_min = 0;
+    double m_max = 0;
+    double m_step = 1;
+    int m_digits = 11;
+    int m_wheelRest = 0;
+    QString m_quantity;
+    QString m_unit;
+    QString m_meaning;
+    Problem m_problem = Problem::Empty;
+};
+
+}  // namespace nmc

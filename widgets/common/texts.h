@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "bus/types.h"
+#include "link/linktypes.h"
+#include "model/modulestate.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+/// Something to tell the user: one cause, whose repeats are counted under its key (interface.md, "Words").
+struct Message {
+    struct Action {
+        QString id;    ///< one of texts::action
+        QString text;  ///< a verb that finishes the sentence
+    };
+    QString key{};
+    Severity severity = Severity::Normal;
+    QString headline{};  ///< what it means for the motor or the job
+    QString body{};      ///< the likely cause, then what to do now
+    QList<Action> actions{};
+    QString command{};  ///< what "Copy command" copies
+    QString details{};  ///< the system's own words, raw bytes
+};
+
+/// THE table of sentences for events: window, log and command line all take them from here.
+namespace texts {
+
+namespace action {
+inline const QString kRetry = QStringLiteral("retry");
+inline const QString kScanAgain = QStringLiteral("scanAgain");
+inline const QString kUseSimulator = QStringLiteral("useSimulator");
+inline const QString kChoosePort = QStringLiteral("choosePort");
+inline const QString kCopyCommand = QStringLiteral("copyCommand");  ///< the window does this one itself
+inline const QString kWorkWith = QStringLiteral("workWith");
+inline const QString kHow = QStringLiteral("how");
+inline const QString kShowTrace = QStringLiteral("showTrace");
+inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
+inline const QString kRestartNetwork = QStringLiteral("restartNetwork");
+inline const QString kUnderstood = QStringLiteral("understood");
+}  // namespace action
+
+// ---- the port and the link ----
+[[nodiscard]] Message portProblem(const PortError& error);
+[[nodiscard]] Message connectFailed(const bus::ConnectFailed& failed, const QString& port);
+/// `lastName`: the user's name of the last module that answered, may be empty.
+[[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
+[[nodiscard]] Message connected(const QString& port, quint32 baud, int modules);
+[[nodiscard]] Message disconnected(const QString& port);
+[[nodiscard]] Message linkLost(const QString& port, int movingMotors);
+[[nodiscard]] Message badLink(int wrong, int of);
+[[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
+
+// ---- one module ----
+[[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
+[[nodiscard]] Message restarted(ModuleIndex module, int modulesInChain);
+[[nodiscard]] Message refused(const bus::CommandRefused& refused);
+[[nodiscard]] Message garbled(ModuleIndex module);
+[[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
+/// `limit`: the position error limit in force, where it is known.
+[[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);
+[[nodiscard]] Message powerLost(ModuleIndex module);
+[[nodiscard]] Message holdExpired(ModuleIndex module);
+/// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
+[[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
+
+// ---- stopping, closing, safety ----
+[[nodiscard]] Message stopResult(const bus::StopFinished& finished);
+/// "reaches 5 of 5"
+[[nodiscard]] QString stopReach(int reachable, int modules);
+[[nodiscard]] QString closing(int movingMotors);
+[[nodiscard]] QString stoppingBeforeClose();
+[[nodiscard]] Message safety();
+
+// ---- the command line ----
+[[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);
+[[nodiscard]] QString badBaud(const QString& text);
+[[nodiscard]] QString badChain(const QString& chain, const QString& reason);
+[[nodiscard]] QString unknownOption(const QString& option);
+[[nodiscard]] QString missingValue(const QString& option);
+[[nodiscard]] QString noDisplay();
+
+/// The keys of messages that end: for MainWindow::endMessage().
+namespace key {
+[[nodiscard]] QString port();
+[[nodiscard]] QString link();
+[[nodiscard]] QString badLink();
+[[nodiscard]] QString silent(ModuleIndex module);
+[[nodiscard]] QString refused(ModuleIndex module);
+[[nodiscard]] QString garbled(ModuleIndex module);
+[[nodiscard]] QString tripped(ModuleIndex module);
+[[nodiscard]] QString power(ModuleIndex module);
+[[nodiscard]] QString restarted(ModuleIndex module);
+[[nodiscard]] QString stop();
+[[nodiscard]] QString safety();
+}  // namespace key
+
+}  // namespace texts
+}  // namespace nmc

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "link/linktypes.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(Texts)
+};
+
+double tickSeconds(int servoRate) {
+    return toSeconds(kServoTick) * servoRate;
+}
+}  // namespace
+
+QString moduleName(ModuleIndex module) {
+    return Texts::tr("Module %1").arg(module.value() + 1);
+}
+
+QString moduleType(const ModuleIdentity& identity) {
+    QString type;
+    switch (identity.type) {
+        case ModuleType::Servo:
+            type = u"PIC-SERVO"_s;
+            break;
+        case ModuleType::Adc:
+            type = u"PIC-ADC"_s;
+            break;
+        case ModuleType::Io:
+            type = u"PIC-I/O"_s;
+            break;
+        case ModuleType::Step:
+            type = u"PIC-STEP"_s;
+            break;
+    }
+    if (type.isEmpty())
+        type = Texts::tr("type %1").arg(static_cast<int>(identity.type));
+    return Texts::tr("%1 v%2").arg(type).arg(identity.version);
+}
+
+QString activity(Activity activity) {
+    switch (activity) {
+        case Activity::Unknown:
+            return Texts::tr("Unknown");
+        case Activity::Silent:
+            return Texts::tr("No answer");
+        case Activity::NoPower:
+            return Texts::tr("No motor power");
+        case Activity::ServoOff:
+            return Texts::tr("Servo off");
+        case Activity::Tripped:
+            return Texts::tr("Position error");
+        case Activity::PowerLost:
+            return Texts::tr("Power was lost");
+        case Activity::PwmMode:
+            return Texts::tr("PWM mode");
+        case Activity::Holding:
+            return Texts::tr("Holding");
+        case Activity::Accelerating:
+            return Texts::tr("Accelerating");
+        case Activity::AtSpeed:
+            return Texts::tr("At speed");
+        case Activity::Decelerating:
+            return Texts::tr("Decelerating");
+    }
+    return {};
+}
+
+QString activityMeaning(Activity activity) {
+    switch (activity) {
+        case Activity::Unknown:
+            return Texts::tr("No status has come from this module yet.");
+        case Activity::Silent:
+            return Texts::tr("The module does not answer: moving or stopped is unknown.");
+        case Activity::NoPower:
+            return Texts::tr("The module has no motor power, so its servo is off.");
+        case Activity::ServoOff:
+            return Texts::tr(
+                "The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was "
+                "switched off.");
+        case Activity::Tripped:
+            return Texts::tr(
+                "The servo switched itself off because the motor was too far from where it should be.");
+        case Activity::PowerLost:
+            return Texts::tr("The servo switched itself off when motor power went away. It stays off.");
+        case Activity::PwmMode:
+            return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
+        case Activity::Holding:
+            return Texts::tr("The servo holds the motor where it is.");
+        case Activity::Accelerating:
+            return Texts::tr("The motor is changing its speed.");
+        case Activity::AtSpeed:
+            return Texts::tr("The motor moves at its goal velocity.");
+        case Activity::Decelerating:
+            return Texts::tr("The motor is slowing down.");
+    }
+    return {};
+}
+
+QString refusal(Refusal refusal) {
+    switch (refusal) {
+        case Refusal::NotConnected:
+            return Texts::tr("Not connected: choose a port and connect first.");
+        case Refusal::NotAServo:
+            return Texts::tr("This module is not a PIC-SERVO.");
+        case Refusal::Silent:
+            return Texts::tr("The module does not answer, so its state is unknown.");
+        case Refusal::NoPower:
+            return Texts::tr("The module has no motor power.");
+        case Refusal::GainsUnknown:
+            return Texts::tr("The gains are 0 or unknown, so the motor would not hold. Apply gains first.");
+        case Refusal::ServoOff:
+            return Texts::tr("The servo is off. Enable it first.");
+        case Refusal::Moving:
+            return Texts::tr("The motor is moving. A move to a position starts from standstill: stop first.");
+        case Refusal::NoAcceleration:
+            return Texts::tr("The acceleration is 0: the motor could neither start nor stop.");
+        case Refusal::NoVelocity:
+            return Texts::tr("The velocity is 0: the motor would not move.");
+    }
+    return {};
+}
+
+QString severity(Severity severity) {
+    switch (severity) {
+        case Severity::Normal:
+            return Texts::tr("Note");
+        case Severity::Attention:
+            return Texts::tr("Attention");
+        case Severity::Fault:
+            return Texts::tr("Fault");
+    }
+    return {};
+}
+
+QString stage(bus::ConnectStage stage) {
+    switch (stage) {
+        case bus::ConnectStage::Restarting:
+            return Texts::tr("restarting the modules");
+        case bus::ConnectStage::Addressing:
+            return Texts::tr("giving addresses");
+        case bus::ConnectStage::Identifying:
+            return Texts::tr("asking for type and version");
+        case bus::ConnectStage::ChangingRate:
+            return Texts::tr("changing the rate");
+        case bus::ConnectStage::Preparing:
+            return Texts::tr("preparing the status reports");
+    }
+    return {};
+}
+
+QString portName(const QString& port) {
+    if (port == kSimulatorPort)
+        return Texts::tr("Simulator");
+    if (port.startsWith(kSimulatorPort + u'='))
+        return Texts::tr("Simulator (%1)").arg(port.mid(kSimulatorPort.size() + 1));
+    return port;
+}
+
+QString link(const LinkState& state) {
+    const QString port = portName(QString::fromStdString(state.port));
+    switch (state.phase) {
+        case LinkPhase::Disconnected:
+            return Texts::tr("Not connected");
+        case LinkPhase::Connecting: {
+            const QString doing = Texts::tr("Connecting to %1: %2").arg(port, stage(state.stage));
+            return state.found == 0 ? doing
+                                    : Texts::tr("%1, %2 so far").arg(doing, countOfModules(state.found));
+        }
+        case LinkPhase::Connected:
+            return Texts::tr("Connected to %1 at %2 Bd, %3")
+                .arg(port, grouped(state.baud), countOfModules(static_cast<int>(state.modules.size())));
+        case LinkPhase::Lost:
+            if (state.modules.empty())
+                return Texts::tr("%1 is open, but no module could be used").arg(port);
+            return Texts::tr("Connection to %1 lost, motor state unknown").arg(port);
+    }
+    return {};
+}
+
+QString grouped(qint64 value) {
+    QString digits = QString::number(qAbs(value));
+    for (qsizetype i = digits.size() - 3; i > 0; i -= 3)
+        digits.insert(i, QChar(0x202F));
+    return value < 0 ? QChar(0x2212) + digits : digits;
+}
+
+QString readout(double value, int significant) {
+    if (!std::isfinite(value))
+        return u"–"_s;
+    const double magnitude = std::abs(value);
+    const int before = magnitude < 1 ? 1 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
+    const int decimals = magnitude == 0.0 ? 0 : qBound(0, significant - before, 6);
+    QString text = QLocale::c().toString(magnitude, 'f', decimals);
+    text.remove(u',');
+    const qsizetype point = text.indexOf(u'.');
+    QString fraction;
+    if (point >= 0) {
+        fraction = text.mid(point + 1);
+        text.truncate(point);
+        while (fraction.endsWith(u'0'))
+            fraction.chop(1);
+    }
+    QString result = grouped(text.toLongLong());
+    if (!fraction.isEmpty())
+        result += QLocale().decimalPoint() + fraction;
+    return value < 0 ? QChar(0x2212) + result : result;
+}
+
+QString countOfModules(int count) {
+    return count == 1 ? Texts::tr("1 module") : Texts::tr("%1 modules").arg(count);
+}
+
+QString listOfModules(const std::vector<ModuleIndex>& modules) {
+    QString list;
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        if (i > 0)
+            list += i + 1 == modules.size() ? Texts::tr(" and ") : u", "_s;
+        list += QString::number(modules[i].value() + 1);
+    }
+    return list;
+}
+
+QString unitCounts() {
+    return Texts::tr("counts");
+}
+
+QString unitVelocity() {
+    return Texts::tr("counts/tick");
+}
+
+QString unitAcceleration() {
+    return Texts::tr("counts/tick²");
+}
+
+QString countsPerSecond(double countsPerTick, int servoRate) {
+    return Texts::tr("%1 counts/s").arg(readout(countsPerTick / tickSeconds(servoRate)));
+}
+
+QString countsPerSecondSquared(double countsPerTickSquared, int servoRate) {
+    const double tick = tickSeconds(servoRate);
+    return Texts::tr("%1 counts/s²").arg(readout(countsPerTickSquared / (tick * tick)));
+}
+
+}  // namespace nmc::texts

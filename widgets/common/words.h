@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "bus/types.h"
+#include "model/intent.h"
+#include "model/linkstate.h"
+#include "model/modulestate.h"
+
+/// The short words of the panel, one place for all: states, reasons, names, numbers.
+namespace nmc::texts {
+
+/// "Module 1". Users count from 1.
+[[nodiscard]] QString moduleName(ModuleIndex module);
+/// "PIC-SERVO v4", "PIC-STEP v1", "type 7 v2".
+[[nodiscard]] QString moduleType(const ModuleIdentity& identity);
+/// "Holding", "Servo off", "Position error"...
+[[nodiscard]] QString activity(Activity activity);
+/// What the state means for the motor, one sentence.
+[[nodiscard]] QString activityMeaning(Activity activity);
+/// Why a control is not possible now.
+[[nodiscard]] QString refusal(Refusal refusal);
+[[nodiscard]] QString severity(Severity severity);
+[[nodiscard]] QString stage(bus::ConnectStage stage);
+/// The link in the status bar: "Connected to /dev/ttyUSB0 at 115 200 Bd, 5 modules".
+[[nodiscard]] QString link(const LinkState& state);
+/// "/dev/ttyUSB0", "Simulator", "Simulator (servo,servo@1)".
+[[nodiscard]] QString portName(const QString& port);
+
+/// Digits in groups of three, by a space that does not break: 115 200.
+[[nodiscard]] QString grouped(qint64 value);
+/// A readout with so many significant digits, grouped; the locale's decimal mark; a true minus sign.
+[[nodiscard]] QString readout(double value, int significant = 4);
+[[nodiscard]] QString countOfModules(int count);
+/// "3, 4 and 5"
+[[nodiscard]] QString listOfModules(const std::vector<ModuleIndex>& modules);
+
+// ---- units, never without ----
+[[nodiscard]] QString unitCounts();
+[[nodiscard]] QString unitVelocity();
+[[nodiscard]] QString unitAcceleration();
+/// "1 953 counts/s", from 16.16 counts per tick; the servo rate divisor stretches the tick.
+[[nodiscard]] QString countsPerSecond(double countsPerTick, int servoRate);
+[[nodiscard]] QString countsPerSecondSquared(double countsPerTickSquared, int servoRate);
+
+}  // namespace nmc::texts

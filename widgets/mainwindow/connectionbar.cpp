@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/connectionbar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "protocol/baud.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/mainwindow/stopbutton.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+ConnectionBar::ConnectionBar(QWidget* parent)
+    : QFrame(parent),
+      m_port(new PortBox(this)),
+      m_baud(new QComboBox(this)),
+      m_connect(new QPushButton(icons::tinted(u"plug-connected"_s), tr("&Connect"), this)),
+      m_disconnect(new QPushButton(icons::tinted(u"plug-connected-x"_s), tr("&Disconnect"), this)),
+      m_stopResult(new QLabel(this)),
+      m_stop(new StopButton(this)) {
+    look::name(this, u"connectionBar"_s, tr("Connection and stop"));
+    look::name(m_port, u"portBox"_s, tr("Port"));
+    look::name(m_baud, u"baudBox"_s, tr("Rate in Bd"));
+    look::name(m_connect, u"connectButton"_s, tr("Connect"));
+    look::name(m_disconnect, u"disconnectButton"_s, tr("Disconnect"));
+    m_stopResult->setObjectName(u"stopResultLabel"_s);
+    m_stopResult->setWordWrap(true);
+    m_stopResult->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_stopResult->setTextFormat(Qt::PlainText);
+    m_port->setMinimumContentsLength(26);
+    m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_port->setToolTip(tr("The serial port the modules are on, or the simulator."));
+    m_baud->setToolTip(tr("The rate to work at. Connecting starts at 19 200 Bd, then changes to this one."));
+    for (const BaudRow& row : kBaudRows)
+        m_baud->addItem(QString::number(row.nominal), row.nominal);
+    m_baud->setCurrentIndex(m_baud->findText(u"115200"_s));
+
+    const int unit = look::gridUnit(this);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    layout->setSpacing(unit);
+    auto* portLabel = new QLabel(tr("Por&t"), this);
+    portLabel->setBuddy(m_port);
+    auto* baudLabel = new QLabel(tr("Rate"), this);
+    baudLabel->setBuddy(m_baud);
+    layout->addWidget(portLabel);
+    layout->addWidget(m_port);
+    layout->addWidget(baudLabel);
+    layout->addWidget(m_baud);
+    layout->addWidget(new QLabel(tr("Bd"), this));
+    layout->addSpacing(unit);
+    layout->addWidget(m_connect);
+    layout->addWidget(m_disconnect);
+    layout->addSpacing(unit);
+    layout->addWidget(m_stopResult, 1);
+    layout->addWidget(m_stop);
+
+    connect(m_port, &PortBox::aboutToOpen, this, &ConnectionBar::portsRequested);
+    connect(m_port, &QComboBox::activated, this, [this] { m_chosen = port(); });
+    connect(m_connect, &QPushButton::clicked, this, [this] {
+        m_chosen = port();
+        emit connectRequested(port(), baud());
+    });
+    connect(m_disconnect, &QPushButton::clicked, this, &ConnectionBar::disconnectRequested);
+    connect(m_stop, &QAbstractButton::pressed, this, &ConnectionBar::stopAllRequested);
+    fillPorts();
+    showLink({});
+}
+
+void ConnectionBar::fillPorts() {
+    QList<PortEntry> wanted = m_ports;
+    const auto lists = [&wanted](const QString& name) {
+        return std::any_of(wanted.cbegin(), wanted.cend(),
+                           [&name](const PortEntry& e) { return e.name == name; });
+    };
+    if (!lists(kSimulatorPort))
+        wanted.append({kSimulatorPort, {}});
+    if (!m_chosen.isEmpty() && !lists(m_chosen))
+        wanted.append(
+            {m_chosen, m_chosen.startsWith(kSimulatorPort) ? QString() : tr("not in the list of ports")});
+
+    const QSignalBlocker blocker(m_port);
+    const QString before = m_chosen.isEmpty() ? QString() : m_chosen;
+    m_port->clear();
+    for (const PortEntry& entry : wanted) {
+        const bool simulator = entry.name == kSimulatorPort;
+        const QString description =
+            simulator && entry.description.isEmpty() ? tr("no hardware needed") : entry.description;
+        const QString name = texts::portName(entry.name);
+        m_port->addItem(description.isEmpty() ? name : tr("%1  (%2)").arg(name, description), entry.name);
+    }
+    const int index = before.isEmpty() ? 0 : m_port->findData(before);
+    m_port->setCurrentIndex(qMax(0, index));
+}
+
+void ConnectionBar::showPorts(const QList<PortEntry>& ports) {
+    const bool same = std::equal(ports.cbegin(), ports.cend(), m_ports.cbegin(), m_ports.cend(),
+                                 [](const PortEntry& a, const PortEntry& b) {
+                                     return a.name == b.name && a.description == b.description;
+                                 });
+    if (same)
+        return;
+    m_ports = ports;
+    fillPorts();
+}
+
+void ConnectionBar::choosePort(const QString& port, quint32 baud) {
+    m_chosen = port;
+    fillPorts();
+    const QSignalBlocker blocker(m_baud);
+    const int index = m_baud->findData(baud);
+    if (index >= 0)
+        m_baud->setCurrentIndex(index);
+}
+
+QString ConnectionBar::port() const {
+    return m_port->currentData().toString();
+}
+
+quint32 ConnectionBar::baud() const {
+    return m_baud->currentData().toUInt();
+}
+
+void ConnectionBar::showLink(const LinkState& state) {
+    const bool open = state.phase != LinkPhase::Disconnected;
+    const QString busy = tr("Disconnect first.");
+    const QString whyNot = open ? busy : QString();
+    look::setPossible(m_connect, whyNot, tr("Opens the port and looks for modules. Nothing moves."));
+    look::setPossible(m_disconnect, open ? QString() : tr("No port is open."), tr("Closes the port."));
+    look::setPossible(m_port, whyNot, tr("The serial port the modules are on, or the simulator."));
+    look::setPossible(m_baud, whyNot,
+                      tr("The rate to work at. Connecting starts at 19 200 Bd, then changes to this one."));
+    m_stop->setEnabled(open);
+    const auto modules = static_cast<int>(state.modules.size());
+    const auto reachable = static_cast<int>(std::count_if(state.modules.cbegin(), state.modules.cend(),
+                                                          [](const ModuleState& m) { return !m.silent; }));
+    const QString reach = modules == 0 ? tr("goes to all modules") : texts::stopReach(reachable, modules);
+    m_stop->showReach(open ? reach : QString());
+    // Whatever the last stop said is old news once something moves again or the link is another.
+    const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),
+                                    [](const ModuleState& m) { return m.moving(); });
+    const QString seen = u"%1 %2"_s.arg(static_cast<int>(state.phase)).arg(moving);
+    if (seen != m_linkSeen) {
+        m_linkSeen = seen;
+        if (moving || !open)
+            m_stopResult->clear();
+    }
+}
+
+void ConnectionBar::showStopResult(const QString& text) {
+    look::setText(m_stopResult, text);
+}
+
+}  // namespace nmc

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+#include <QFrame>
+#include <QList>
+
+#include "link/linktypes.h"
+#include "model/linkstate.h"
+
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class StopButton;
+
+/// A combo box that says when its list is about to be opened.
+class PortBox : public QComboBox {
+    Q_OBJECT
+
+public:
+    using QComboBox::QComboBox;
+    void showPopup() override {
+        emit aboutToOpen();
+        QComboBox::showPopup();
+    }
+
+signals:
+    void aboutToOpen();
+};
+
+/// Top of the window: port, rate, Connect and Disconnect; at the far right, alone, STOP ALL. Not a QToolBar,
+/// which hides what does not fit.
+class ConnectionBar : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit ConnectionBar(QWidget* parent = nullptr);
+
+    /// The simulator and the chosen port are always in the list, whatever is plugged in.
+    void showPorts(const QList<PortEntry>& ports);
+    void choosePort(const QString& port, quint32 baud);
+    void showLink(const LinkState& state);
+    /// Stands beside STOP ALL until the next change of the link.
+    void showStopResult(const QString& text);
+
+    [[nodiscard]] QString port() const;
+    [[nodiscard]] quint32 baud() const;
+
+signals:
+    void connectRequested(const QString& port, quint32 baud);
+    void disconnectRequested();
+    void stopAllRequested();
+    void portsRequested();
+
+private:
+    void fillPorts();
+
+    PortBox* m_port;
+    QComboBox* m_baud;
+    QPushButton* m_connect;
+    QPushButton* m_disconnect;
+    QLabel* m_stopResult;
+    StopButton* m_stop;
+    QList<PortEntry> m_ports;
+    QString m_chosen;  ///< empty until the user or the command line chose
+    QString m_linkSeen;
+};
+
+}  // namespace nmc

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStatusBar>
+
+#include "model/linkstate.h"
+
+class QLabel;
+
+namespace nmc {
+
+/// The status bar: the link in words and, pulled once a second, in figures.
+class LinkBar : public QStatusBar {
+    Q_OBJECT
+
+public:
+    explicit LinkBar(QWidget* parent = nullptr);
+
+    void showLink(const LinkState& state);
+    void showFigures(const LinkFigures& figures);
+
+private:
+    QLabel* m_link;
+    QLabel* m_rate;
+    QLabel* m_errors;
+    QLabel* m_roundTrip;
+    bool m_connected = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/mainwindow.h"
+
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSettings>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/chain/chainview.h"
+#include "widgets/common/look.h"
+#include "widgets/mainwindow/closedialog.h"
+#include "widgets/mainwindow/connectionbar.h"
+#include "widgets/mainwindow/escfilter.h"
+#include "widgets/mainwindow/linkbar.h"
+#include "widgets/mainwindow/menus.h"
+#include "widgets/messages/banner.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/panels/modulepanel.h"
+#include "widgets/panels/servopanel.h"
+#include "widgets/scope/scopepanel.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
+constexpr double kOldAfter = 0.5;  // s
+
+const QString kGeometry = u"window/geometry"_s;
+const QString kState = u"window/state"_s;
+const QString kLastPort = u"connection/port"_s;
+const QString kLastBaud = u"connection/baud"_s;
+const QString kSafetyRead = u"safety/understood"_s;
+}  // namespace
+
+MainWindow::MainWindow(QSettings& settings, QWidget* parent) : QMainWindow(parent), m_settings(settings) {
+    look::name(this, u"mainWindow"_s, tr("NMC Panel"));
+    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
+                   QMainWindow::AllowTabbedDocks);
+    buildCentre();
+    buildDocks();
+    buildTop();
+    m_linkBar = new LinkBar(this);
+    setStatusBar(m_linkBar);
+    connectParts();
+    showSession();
+    restoreLayout();
+    showSafetyOnce();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildTop() {
+    // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
+    auto* top = new QWidget(this);
+    auto* menuBar = new QMenuBar(top);
+    look::name(menuBar, u"menuBar"_s, tr("Menus"));
+    fillMenus(*menuBar, *this, m_docks);
+    m_bar = new ConnectionBar(top);
+    m_ribbon = new QLabel(
+        tr("SIMULATOR — no hardware is connected; every value comes from the program itself"), top);
+    look::name(m_ribbon, u"simulatorRibbon"_s, tr("Simulated session"));
+    m_ribbon->setAlignment(Qt::AlignCenter);
+    m_ribbon->setMargin(look::gridUnit(this) / 3);
+    m_ribbon->setAutoFillBackground(true);
+    m_ribbon->hide();
+    auto* layout = new QVBoxLayout(top);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(menuBar);
+    layout->addWidget(m_bar);
+    layout->addWidget(m_ribbon);
+    setMenuWidget(top);
+    setMinimumWidth(m_bar->minimumSizeHint().width());
+    QWidget::setTabOrder(m_bar, m_chain);
+}
+
+void MainWindow::buildCentre() {
+    auto* centre = new QWidget(this);
+    m_banner = new Banner(centre);
+    m_panel = new ModulePanel(centre);
+    auto* scroll = new QScrollArea(centre);
+    look::name(scroll, u"panelScroll"_s, tr("Panel of the selected module"));
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_panel);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_banner);
+    layout->addWidget(scroll, 1);
+    setCentralWidget(centre);
+}
+
+QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    look::name(dock, objectName, title);
+    dock->setWidget(content);
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    addDockWidget(area, dock);
+    m_docks.append(dock);
+    return dock;
+}
+
+void MainWindow::buildDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_chain = new ChainView(this);
+    m_scope = new ScopePanel(this);
+    m_messages = new MessageList(this);
+    addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
+    QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);
+    QDockWidget* messages = addDock(u"messagesDock"_s, tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
+    const int em = fontMetrics().height();
+    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
+    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
+    resizeDocks({scope}, {em * 20}, Qt::Vertical);
+}
+
+void MainWindow::connectParts() {
+    connect(m_bar, &ConnectionBar::connectRequested, this, [this](const QString& port, quint32 baud) {
+        m_settings.setValue(kLastPort, port);
+        m_settings.setValue(kLastBaud, baud);
+        emit connectRequested(port, baud);
+    });
+    connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
+    connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
+    connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
+    connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
+
+    connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
+        showSelected();
+        emit moduleSelected(module);
+    });
+    ServoPanel* servo = m_panel->servoPanel();
+    connect(servo, &ServoPanel::intentRequested, this, &MainWindow::intentRequested);
+    connect(servo, &ServoPanel::holdRequested, this, &MainWindow::holdRequested);
+    connect(servo, &ServoPanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
+    connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+}
+
+void MainWindow::showPorts(const QList<PortEntry>& ports) {
+    m_bar->showPorts(ports);
+}
+
+void MainWindow::choosePort(const QString& port, quint32 baud) {
+    m_bar->choosePort(port, baud);
+}
+
+void MainWindow::showLink(const LinkState& state) {
+    const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
+    const bool another =
+        state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
+    m_link = state;
+    if (connecting) {
+        m_panel->servoPanel()->resetSpeeds();
+        m_scope->forget();
+        m_now.reset();
+    }
+    if (another)
+        showSession();
+    m_bar->showLink(state);
+    m_linkBar->showLink(state);
+    m_chain->showLink(state);
+    showSelected();
+}
+
+void MainWindow::showSession() {
+    const QString port = texts::portName(QString::fromStdString(m_link.port));
+    const bool open = m_link.phase != LinkPhase::Disconnected;
+    const bool simulated = open && m_link.simulated;
+    setWindowTitle(simulated ? tr("NMC Panel - Simulator")
+                   : open    ? tr("NMC Panel - %1").arg(port)
+                             : tr("NMC Panel"));
+    QPalette inverted;
+    inverted.setColor(QPalette::Window, palette().color(QPalette::Active, QPalette::WindowText));
+    inverted.setColor(QPalette::WindowText, palette().color(QPalette::Active, QPalette::Window));
+    m_ribbon->setPalette(inverted);
+    m_ribbon->setVisible(simulated);
+}
+
+const ModuleState* MainWindow::selectedState() const {
+    const std::optional<ModuleIndex> selected = selectedModule();
+    if (!selected.has_value() || selected->value() >= m_link.modules.size())
+        return nullptr;
+    return &m_link.modules[selected->value()];
+}
+
+QString MainWindow::nothingText() const {
+    switch (m_link.phase) {
+        case LinkPhase::Disconnected:
+            return tr("Choose a port and connect.\nWithout hardware, choose the simulator.");
+        case LinkPhase::Connecting:
+            return texts::link(m_link);
+        case LinkPhase::Connected:
+        case LinkPhase::Lost:
+            return tr("No module.");
+    }
+    return {};
+}
+
+std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
+    if (!module.latest.has_value())
+        return std::nullopt;
+    const double age = m_now.has_value() ? toSeconds(*m_now - module.latestTime) : 0.0;
+    if (module.silent || m_link.phase != LinkPhase::Connected || age > kOldAfter)
+        return age;
+    return std::nullopt;
+}
+
+void MainWindow::showSelected() {
+    if (const ModuleState* module = selectedState())
+        m_panel->showModule(*module, m_link.phase == LinkPhase::Connected, ageOf(*module));
+    else
+        m_panel->showNothing(nothingText());
+}
+
+std::optional<ModuleIndex> MainWindow::selectedModule() const {
+    return m_chain->selectedModule();
+}
+
+void MainWindow::showFigures(const LinkFigures& figures) {
+    m_linkBar->showFigures(figures);
+}
+
+void MainWindow::showHistory(const ModuleHistory& history, TimePoint now) {
+    m_now = now;
+    const std::optional<ModuleIndex> selected = selectedModule();
+    if (!selected.has_value())
+        return;
+    m_scope->showHistory(*selected, history, now);
+    if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
+        showSelected();
+}
+
+void MainWindow::showMessage(const Message& message) {
+    m_lastMessages.removeIf([&message](const Message& m) { return m.key == message.key; });
+    if (!message.command.isEmpty())
+        m_lastMessages.append(message);
+    m_messages->showMessage(message);
+    m_banner->showMessage(message);
+}
+
+void MainWindow::endMessage(const QString& key) {
+    m_messages->endMessage(key);
+    m_banner->endMessage(key);
+}
+
+void MainWindow::takeMessageAction(const QString& key, const QString& actionId) {
+    if (actionId == texts::action::kCopyCommand) {
+        for (const Message& message : m_lastMessages)
+            if (message.key == key)
+                QGuiApplication::clipboard()->setText(message.command);
+    } else if (actionId == texts::action::kUnderstood) {
+        m_settings.setValue(kSafetyRead, true);
+        endMessage(key);
+    }
+    emit messageAction(key, actionId);
+}
+
+void MainWindow::showSafetyOnce() {
+    if (!m_settings.value(kSafetyRead, false).toBool())
+        showMessage(texts::safety());
+}
+
+void MainWindow::requestStop() {
+    if (m_link.phase == LinkPhase::Disconnected)
+        return;
+    m_panel->servoPanel()->endHold();
+    emit stopAllRequested();
+}
+
+void MainWindow::showStopResult(const bus::StopFinished& finished) {
+    const Message result = texts::stopResult(finished);
+    m_bar->showStopResult(result.headline);
+    showMessage(result);
+    if (finished.unreached.empty())
+        endMessage(result.key);
+    if (m_disconnectAfterStop) {
+        m_disconnectAfterStop = false;
+        if (finished.unreached.empty())
+            emit disconnectRequested();
+    }
+}
+
+void MainWindow::setHoldInterval(int milliseconds) {
+    m_panel->servoPanel()->setHoldInterval(milliseconds);
+}
+
+int MainWindow::movingMotors() const {
+    if (m_link.phase == LinkPhase::Disconnected)
+        return 0;
+    return static_cast<int>(std::count_if(m_link.modules.cbegin(), m_link.modules.cend(),
+                                          [](const ModuleState& m) { return m.moving(); }));
+}
+
+void MainWindow::askBeforeDisconnect() {
+    const int moving = movingMotors();
+    if (moving == 0) {
+        emit disconnectRequested();
+        return;
+    }
+    auto* dialog = new CloseDialog(moving, tr("&Stop and disconnect"), this);
+    connect(dialog, &QDialog::accepted, this, [this] {
+        m_disconnectAfterStop = true;
+        emit stopAllRequested();
+    });
+    dialog->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const int moving = movingMotors();
+    if (m_mayClose || moving == 0) {
+        m_panel->servoPanel()->endHold();
+        saveLayout();
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (findChild<CloseDialog*>() != nullptr)
+        return;
+    auto* dialog = new CloseDialog(moving, tr("&Stop and close"), this);
+    connect(dialog, &QDialog::accepted, this, [this] {
+        m_bar->showStopResult(texts::stoppingBeforeClose());
+        emit stopAllRequested();
+        emit closeConfirmed();
+    });
+    dialog->open();
+}
+
+void MainWindow::finishClose() {
+    m_mayClose = true;
+    close();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_ribbon != nullptr)
+        showSession();
+}
+
+void MainWindow::restoreLayout() {
+    m_firstState = saveState();
+    const QSize room = screen()->availableSize();
+    const int em = fontMetrics().height();
+    resize(qMin(em * 80, room.width()), qMin(em * 54, room.height()));
+    restoreGeometry(m_settings.value(kGeometry).toByteArray());
+    restoreState(m_settings.value(kState).toByteArray());
+    const QString port = m_settings.value(kLastPort).toString();
+    if (!port.isEmpty())
+        m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());
+}
+
+void MainWindow::saveLayout() {
+    m_settings.setValue(kGeometry, saveGeometry());
+    m_settings.setValue(kState, saveState());
+}
+
+void MainWindow::resetLayout() {
+    restoreState(m_firstState);
+    for (QDockWidget* dock : m_docks)
+        dock->show();
+}
+
+}  // namespace nmc

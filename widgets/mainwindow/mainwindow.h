@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QMainWindow>
+#include <optional>
+
+#include "link/linktypes.h"
+#include "model/intent.h"
+#include "model/linkstate.h"
+#include "model/series.h"
+#include "widgets/common/texts.h"
+
+class QDockWidget;
+class QLabel;
+class QSettings;
+
+namespace nmc {
+
+class Banner;
+class ChainView;
+class ConnectionBar;
+class LinkBar;
+class MessageList;
+class ModulePanel;
+class ScopePanel;
+
+/// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
+/// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// `settings` keeps geometry and layout, the last port, and whether the safety note was read; it must
+    /// outlive the window.
+    explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// The serial ports there are; the simulator is added by the window.
+    void showPorts(const QList<PortEntry>& ports);
+    /// Puts a port (listed or not) and a rate into the tool bar; 0 keeps the rate. Does not connect.
+    void choosePort(const QString& port, quint32 baud);
+    void showLink(const LinkState& state);
+    /// Once a second.
+    void showFigures(const LinkFigures& figures);
+    /// The selected module's history, at most 60 times a second.
+    void showHistory(const ModuleHistory& history, TimePoint now);
+    /// A new cause, or the same again: repeats are counted.
+    void showMessage(const Message& message);
+    /// The cause is gone.
+    void endMessage(const QString& key);
+    void showStopResult(const bus::StopFinished& finished);
+    /// How often a held button says so; 100 ms.
+    void setHoldInterval(int milliseconds);
+
+    /// Empty while there is no module.
+    [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
+
+    /// Closes for good: after closeConfirmed(), when the motors are known to be stopped or there is no more
+    /// hope.
+    void finishClose();
+    void resetLayout();
+
+signals:
+    void connectRequested(const QString& port, quint32 baud);
+    void disconnectRequested();
+    void stopAllRequested();
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    /// On press and every 100 ms while held.
+    void holdRequested(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+    /// The port list is about to be opened.
+    void portsRequested();
+    void moduleSelected(nmc::ModuleIndex module);
+    /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
+    /// finishClose().
+    void closeConfirmed();
+    /// A button of a message; "Copy command" and "Understood" are done by the window already.
+    void messageAction(const QString& key, const QString& actionId);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
+
+private:
+    void buildCentre();
+    void buildTop();
+    void buildDocks();
+    void connectParts();
+    QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
+                         Qt::DockWidgetArea area);
+    void restoreLayout();
+    void saveLayout();
+    void showSafetyOnce();
+    void showSession();
+    void showSelected();
+    void requestStop();
+    void askBeforeDisconnect();
+    void takeMessageAction(const QString& key, const QString& actionId);
+    [[nodiscard]] int movingMotors() const;
+    [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
+    [[nodiscard]] const ModuleState* selectedState() const;
+    [[nodiscard]] QString nothingText() const;
+
+    QSettings& m_settings;
+    LinkState m_link;
+    std::optional<TimePoint> m_now;
+    ConnectionBar* m_bar = nullptr;
+    QLabel* m_ribbon = nullptr;
+    Banner* m_banner = nullptr;
+    ModulePanel* m_panel = nullptr;
+    ChainView* m_chain = nullptr;
+    ScopePanel* m_scope = nullptr;
+    MessageList* m_messages = nullptr;
+    LinkBar* m_linkBar = nullptr;
+    QList<QDockWidget*> m_docks;
+    QList<Message> m_lastMessages;  ///< those with a command to copy
+    QByteArray m_firstState;
+    bool m_mayClose = false;
+    bool m_disconnectAfterStop = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/menus.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class Menus {
+    Q_DECLARE_TR_FUNCTIONS(Menus)
+};
+
+void openBox(MainWindow& window, const QString& objectName, const QString& title, const QString& text,
+             const QString& more) {
+    auto* box = new QMessageBox(QMessageBox::NoIcon, title, text, QMessageBox::Close, &window);
+    box->setInformativeText(more);
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    look::name(box, objectName, title);
+    // Not modal: the panel stays usable, and STOP ALL with it.
+    box->setModal(false);
+    box->show();
+}
+
+void openAbout(MainWindow& window) {
+    openBox(window, u"aboutDialog"_s, Menus::tr("About NMC Panel"),
+            Menus::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
+            Menus::tr("A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.\n\n"
+                      "Free software under the GNU General Public License, version 3 or later. "
+                      "Icons: Tabler, MIT licence. Built with Qt %1.")
+                .arg(QLatin1StringView(qVersion())));
+}
+
+void openSafety(MainWindow& window) {
+    const Message safety = texts::safety();
+    openBox(window, u"safetyDialog"_s, Menus::tr("Safety"), safety.headline, safety.body);
+}
+
+QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(objectName);
+    return action;
+}
+
+}  // namespace
+
+void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& docks) {
+    QMenu* file = bar.addMenu(Menus::tr("&File"));
+    look::name(file, u"fileMenu"_s, Menus::tr("File"));
+    QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
+    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+    QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
+
+    QMenu* view = bar.addMenu(Menus::tr("&View"));
+    look::name(view, u"viewMenu"_s, Menus::tr("View"));
+    int number = 1;
+    for (QDockWidget* dock : docks) {
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setObjectName(dock->objectName() + u"Action"_s);
+        toggle->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + number++)));
+        view->addAction(toggle);
+    }
+    view->addSeparator();
+    QObject::connect(add(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
+                     &window, &MainWindow::resetLayout);
+
+    QMenu* help = bar.addMenu(Menus::tr("&Help"));
+    look::name(help, u"helpMenu"_s, Menus::tr("Help"));
+    QObject::connect(add(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
+                     [&window] { openSafety(window); });
+    QObject::connect(add(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered, &window,
+                     [&window] { openAbout(window); });
+}
+
+}  // namespace nmc

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/messages/banner.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+Banner::Banner(QWidget* parent)
+    : QFrame(parent),
+      m_glyph(new GlyphLabel(this)),
+      m_headline(new QLabel(this)),
+      m_body(new QLabel(this)),
+      m_actions(new QHBoxLayout),
+      m_dismiss(new QToolButton(this)) {
+    look::name(this, u"banner"_s, tr("Important message"));
+    m_headline->setObjectName(u"bannerHeadline"_s);
+    m_body->setObjectName(u"bannerBody"_s);
+    QFont bold = font();
+    bold.setBold(true);
+    m_headline->setFont(bold);
+    m_glyph->setFont(look::scaled(font(), 1.4));
+    for (QLabel* label : {m_headline, m_body}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    m_dismiss->setIcon(icons::tinted(u"x"_s));
+    m_dismiss->setAutoRaise(true);
+    m_dismiss->setToolTip(tr("Hide this message here. It stays in the list of messages."));
+    look::name(m_dismiss, u"bannerDismiss"_s, tr("Hide this message"));
+    connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
+
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit * 2, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    grid->addWidget(m_glyph, 0, 0, Qt::AlignTop);
+    grid->addWidget(m_headline, 0, 1);
+    grid->addWidget(m_dismiss, 0, 2, Qt::AlignTop);
+    grid->addWidget(m_body, 1, 1, 1, 2);
+    m_actions->setSpacing(unit);
+    grid->addLayout(m_actions, 2, 1, 1, 2);
+    grid->setColumnStretch(1, 1);
+    hide();
+}
+
+void Banner::showMessage(const Message& message) {
+    endMessage(message.key);
+    if (message.severity == Severity::Normal && message.actions.isEmpty())
+        return;
+    m_active.append(message);
+    present();
+}
+
+void Banner::endMessage(const QString& key) {
+    const auto removed = m_active.removeIf([&key](const Message& m) { return m.key == key; });
+    if (removed > 0)
+        present();
+}
+
+const Message* Banner::current() const {
+    const Message* best = nullptr;
+    for (const Message& m : m_active)
+        if (best == nullptr || m.severity >= best->severity)
+            best = &m;
+    return best;
+}
+
+void Banner::present() {
+    const Message* message = current();
+    m_shown = message != nullptr ? message->key : QString();
+    while (QLayoutItem* item = m_actions->takeAt(0)) {
+        // It may be the very button whose click brought us here.
+        if (QWidget* button = item->widget()) {
+            button->hide();
+            button->deleteLater();
+            button->setObjectName(QString());
+        }
+        delete item;
+    }
+    if (message == nullptr) {
+        hide();
+        return;
+    }
+    m_glyph->showSeverity(message->severity);
+    m_headline->setText(message->headline);
+    m_body->setText(message->body);
+    m_body->setVisible(!message->body.isEmpty());
+    setToolTip(message->details);
+    setAccessibleDescription(texts::severity(message->severity) + u": "_s + message->headline + u' ' +
+                             message->body);
+    for (const Message::Action& action : message->actions) {
+        auto* button = new QPushButton(action.text, this);
+        look::name(button, u"bannerAction_"_s + action.id, action.text);
+        connect(button, &QPushButton::clicked, this,
+                [this, key = message->key, id = action.id] { emit actionTriggered(key, id); });
+        m_actions->addWidget(button);
+    }
+    m_actions->addStretch(1);
+    show();
+    update();
+}
+
+void Banner::paintEvent(QPaintEvent* /*event*/) {
+    const Message* message = current();
+    if (message == nullptr)
+        return;
+    QPainter painter(this);
+    painter.fillRect(rect(), look::severityTint(message->severity, palette()));
+    const int edge = qMax(3, look::gridUnit(this) / 2);
+    painter.fillRect(QRect(0, 0, edge, height()), message->severity == Severity::Normal
+                                                      ? look::faintLine(palette())
+                                                      : look::severityFill(message->severity, palette()));
+}
+
+}  // namespace nmc

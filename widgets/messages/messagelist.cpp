@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/messages/messagelist.h"
+
+#include <QLabel>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+#include "widgets/messages/messagerow.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr qsizetype kMaxRows = 200;
+}  // namespace
+
+MessageList::MessageList(QWidget* parent) : QScrollArea(parent) {
+    look::name(this, u"messageList"_s, tr("Messages"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::StrongFocus);
+    auto* page = new QWidget(this);
+    page->setBackgroundRole(QPalette::Base);
+    page->setAutoFillBackground(true);
+    m_layout = new QVBoxLayout(page);
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(0);
+    m_empty =
+        look::newMutedLabel(tr("No messages. What goes wrong, and when it is over, is told here."), page);
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(look::gridUnit(this));
+    m_layout->addWidget(m_empty);
+    m_layout->addStretch(1);
+    setWidget(page);
+}
+
+MessageRow* MessageList::active(const QString& key) const {
+    for (MessageRow* row : m_rows)
+        if (row->message().key == key && !row->over())
+            return row;
+    return nullptr;
+}
+
+void MessageList::showMessage(const Message& message, const QDateTime& time) {
+    m_empty->hide();
+    MessageRow* row = active(message.key);
+    if (row != nullptr) {
+        row->repeat(message, time);
+        m_rows.removeOne(row);
+        m_layout->removeWidget(row);
+    } else {
+        row = new MessageRow(message, time, widget());
+        connect(row, &MessageRow::actionTriggered, this, &MessageList::actionTriggered);
+    }
+    m_rows.prepend(row);
+    m_layout->insertWidget(0, row);
+    row->show();
+    verticalScrollBar()->setValue(0);
+    while (m_rows.size() > kMaxRows)
+        delete m_rows.takeLast();
+}
+
+void MessageList::endMessage(const QString& key, const QDateTime& time) {
+    if (MessageRow* row = active(key))
+        row->end(time);
+}
+
+}  // namespace nmc

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/gainsmeaning.h"
+
+#include <QCoreApplication>
+
+#include "base/time.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+class Gains {
+    Q_DECLARE_TR_FUNCTIONS(Gains)
+};
+
+/// Visits the field of `gains` that holds `gain`.
+template <typename Gains, typename Visitor>
+void visit(Gains& gains, Gain gain, Visitor visitor) {
+    switch (gain) {
+        case Gain::Kp:
+            return visitor(gains.kp);
+        case Gain::Kd:
+            return visitor(gains.kd);
+        case Gain::Ki:
+            return visitor(gains.ki);
+        case Gain::Il:
+            return visitor(gains.il);
+        case Gain::Ol:
+            return visitor(gains.ol);
+        case Gain::Cl:
+            return visitor(gains.cl);
+        case Gain::El:
+            return visitor(gains.el);
+        case Gain::Sr:
+            return visitor(gains.sr);
+        case Gain::Db:
+            return visitor(gains.db);
+    }
+}
+}  // namespace
+
+std::optional<int> gainOf(const servo::SetGain& gains, Gain gain) {
+    std::optional<int> result;
+    visit(gains, gain, [&result](const auto& field) { result = field; });
+    return result;
+}
+
+void setGain(servo::SetGain& gains, Gain gain, int value) {
+    struct Setter {
+        int value;
+        void operator()(std::uint16_t& field) const { field = static_cast<std::uint16_t>(value); }
+        void operator()(std::uint8_t& field) const { field = static_cast<std::uint8_t>(value); }
+        void operator()(std::optional<std::uint8_t>& field) const {
+            field = static_cast<std::uint8_t>(value);
+        }
+    };
+    visit(gains, gain, Setter{value});
+}
+
+ValueRange gainRange(Gain gain) {
+    switch (gain) {
+        case Gain::Kp:
+        case Gain::Kd:
+        case Gain::Ki:
+        case Gain::Il:
+            return servo::kGainRange;
+        case Gain::Ol:
+        case Gain::Cl:
+        case Gain::Db:
+            return servo::kByteRange;
+        case Gain::El:
+            return servo::kPositionErrorRange;
+        case Gain::Sr:
+            return servo::kServoRateRange;
+    }
+    return {0, 0};
+}
+
+QString gainLetters(Gain gain) {
+    switch (gain) {
+        case Gain::Kp:
+            return u"Kp"_s;
+        case Gain::Kd:
+            return u"Kd"_s;
+        case Gain::Ki:
+            return u"Ki"_s;
+        case Gain::Il:
+            return u"IL"_s;
+        case Gain::Ol:
+            return u"OL"_s;
+        case Gain::Cl:
+            return u"CL"_s;
+        case Gain::El:
+            return u"EL"_s;
+        case Gain::Sr:
+            return u"SR"_s;
+        case Gain::Db:
+            return u"DB"_s;
+    }
+    return {};
+}
+
+QString gainName(Gain gain) {
+    switch (gain) {
+        case Gain::Kp:
+            return Gains::tr("Position gain");
+        case Gain::Kd:
+            return Gains::tr("Derivative gain");
+        case Gain::Ki:
+            return Gains::tr("Integral gain");
+        case Gain::Il:
+            return Gains::tr("Integration limit");
+        case Gain::Ol:
+            return Gains::tr("Output limit");
+        case Gain::Cl:
+            return Gains::tr("Current limit");
+        case Gain::El:
+            return Gains::tr("Position error limit");
+        case Gain::Sr:
+            return Gains::tr("Servo rate divisor");
+        case Gain::Db:
+            return Gains::tr("Deadband compensation");
+    }
+    return {};
+}
+
+QString gainMeaning(Gain gain) {
+    const ValueRange range = gainRange(gain);
+    QString text;
+    switch (gain) {
+        case Gain::Kp:
+            text = Gains::tr(
+                "Kp, position gain: output for each count of position error. After Kd, raise it with small, "
+                "fast test moves until the motor starts to overshoot, then back off a little.");
+            break;
+        case Gain::Kd:
+            text = Gains::tr(
+                "Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts "
+                "to hum, then back off a little bit.");
+            break;
+        case Gain::Ki:
+            text = Gains::tr(
+                "Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, "
+                "then raise Ki until the error is small enough soon enough. It adds some overshoot.");
+            break;
+        case Gain::Il:
+            text = Gains::tr(
+                "IL, integration limit: bounds the running sum of the error. In the end lower it to the "
+                "least value that still cancels the steady error. 0 clears the sum.");
+            break;
+        case Gain::Ol:
+            text = Gains::tr(
+                "OL, output limit: the largest PWM value, 255 is 100 %. A 12 V motor on 24 V takes 127.");
+            break;
+        case Gain::Cl:
+            text = Gains::tr(
+                "CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is "
+                "above CL. Even: limits when it is below CL.");
+            break;
+        case Gain::El:
+            text = Gains::tr(
+                "EL, position error limit in counts: beyond it the servo switches itself off, for example "
+                "after a collision or a stall.");
+            break;
+        case Gain::Sr:
+            text = Gains::tr(
+                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads "
+                "with less Kd. Changing SR changes what every velocity and acceleration means.");
+            break;
+        case Gain::Db:
+            text = Gains::tr(
+                "DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing "
+                "near zero. Version 4 and later.");
+            break;
+    }
+    return text + u"\n"_s + Gains::tr("Range: %1 to %2.").arg(range.min).arg(range.max);
+}
+
+QString gainRemark(Gain gain, int value) {
+    switch (gain) {
+        case Gain::Kp:
+        case Gain::Kd:
+        case Gain::Ki:
+        case Gain::Il:
+        case Gain::Db:
+            return {};
+        case Gain::Ol:
+            return Gains::tr("%1 %").arg(qRound(value * 100.0 / 255.0));
+        case Gain::Cl:
+            if (value == 0)
+                return Gains::tr("off");
+            return value % 2 != 0 ? Gains::tr("A/D above") : Gains::tr("A/D below");
+        case Gain::El:
+            return texts::unitCounts();
+        case Gain::Sr:
+            return Gains::tr("%1 Hz").arg(texts::readout(1.0 / (toSeconds(kServoTick) * qMax(1, value)), 4));
+    }
+    return {};
+}
+
+int startingValue(Gain gain) {
+    switch (gain) {
+        case Gain::Kp:
+            return 100;
+        case Gain::Kd:
+            return 1000;
+        case Gain::Ki:
+        case Gain::Il:
+        case Gain::Cl:
+        case Gain::Db:
+            return 0;
+        case Gain::Ol:
+            return 255;
+        case Gain::El:
+            return 4000;
+        case Gain::Sr:
+            return 1;
+    }
+    return 0;
+}
+
+}  // namespace nmc

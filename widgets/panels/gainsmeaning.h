@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <array>
+#include <optional>
+
+#include "protocol/servocommands.h"
+
+namespace nmc {
+
+enum class Gain : std::uint8_t { Kp, Kd, Ki, Il, Ol, Cl, El, Sr, Db };
+inline constexpr std::array<Gain, 9> kAllGains{Gain::Kp, Gain::Kd, Gain::Ki, Gain::Il, Gain::Ol,
+                                               Gain::Cl, Gain::El, Gain::Sr, Gain::Db};
+
+/// The value of one gain; empty only for a deadband that was not sent.
+[[nodiscard]] std::optional<int> gainOf(const servo::SetGain& gains, Gain gain);
+void setGain(servo::SetGain& gains, Gain gain, int value);
+
+[[nodiscard]] ValueRange gainRange(Gain gain);
+/// "Kp": the data sheet's letters.
+[[nodiscard]] QString gainLetters(Gain gain);
+/// "Position gain"
+[[nodiscard]] QString gainName(Gain gain);
+/// What it does, its range, and what the data sheet advises (DS-V 4.3, 5.2).
+[[nodiscard]] QString gainMeaning(Gain gain);
+/// What a value comes to: "1.953 kHz", "off"; empty where the number says it all.
+[[nodiscard]] QString gainRemark(Gain gain, int value);
+/// Where to begin with a motor that nothing is known of: the family's own test values. Never sent by
+/// themselves.
+[[nodiscard]] int startingValue(Gain gain);
+
+}  // namespace nmc

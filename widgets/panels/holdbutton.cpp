@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/holdbutton.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+namespace nmc {
+
+namespace {
+constexpr int kEvidenceInterval = 100;  // ms; the bus thread waits for 250
+}  // namespace
+
+HoldButton::HoldButton(QWidget* parent) : QPushButton(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoDefault(false);
+    m_timer.setInterval(kEvidenceInterval);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &HoldButton::held);
+    connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state != Qt::ApplicationActive)
+            endHold();
+    });
+}
+
+void HoldButton::begin() {
+    if (isHeld() || !isEnabled())
+        return;
+    m_timer.start();
+    emit held();
+}
+
+void HoldButton::endHold() {
+    if (!isHeld())
+        return;
+    m_timer.stop();
+    setDown(false);
+    emit holdEnded();
+}
+
+bool HoldButton::event(QEvent* event) {
+    const QEvent::Type type = event->type();
+    const bool ends = type == QEvent::FocusOut || type == QEvent::Hide || type == QEvent::WindowDeactivate ||
+                      type == QEvent::WindowBlocked || type == QEvent::TouchCancel ||
+                      type == QEvent::ContextMenu || type == QEvent::Wheel ||
+                      (type == QEvent::EnabledChange && !isEnabled());
+    if (ends)
+        endHold();
+    return QPushButton::event(event);
+}
+
+void HoldButton::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || isHeld()) {
+        endHold();
+        event->accept();
+        return;
+    }
+    setFocus(Qt::MouseFocusReason);
+    QPushButton::mousePressEvent(event);
+    begin();
+}
+
+void HoldButton::mouseMoveEvent(QMouseEvent* event) {
+    if (isHeld() && !hitButton(event->position().toPoint()))
+        endHold();
+    // Not to the base class: it would press the button again when the pointer comes back.
+    event->accept();
+}
+
+void HoldButton::mouseReleaseEvent(QMouseEvent* event) {
+    endHold();
+    QPushButton::mouseReleaseEvent(event);
+}
+
+void HoldButton::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space) {
+        event->accept();
+        if (event->isAutoRepeat())
+            return;
+        if (isHeld()) {
+            endHold();
+            return;
+        }
+        setDown(true);
+        begin();
+        return;
+    }
+    endHold();
+    QPushButton::keyPressEvent(event);
+}
+
+void HoldButton::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Space) {
+        endHold();
+        QPushButton::keyReleaseEvent(event);
+        return;
+    }
+    event->accept();
+    if (event->isAutoRepeat())
+        return;
+    setDown(false);
+    endHold();
+}
+
+}  // namespace nmc

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+#include <QTimer>
+
+namespace nmc {
+
+/// Hold to move: asks for motion when pressed and again while it is held, as evidence for the bus thread,
+/// which stops the motor when the evidence stops coming. Ends on release of mouse, touch or key, when the
+/// pointer leaves, on another key or mouse button, focus out, window deactivated, hidden or blocked by a
+/// dialog, and when disabled. Once ended it stays ended until it is pressed anew.
+class HoldButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    explicit HoldButton(QWidget* parent = nullptr);
+
+    /// How often held() comes while it is held; 100 ms.
+    void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
+    [[nodiscard]] bool isHeld() const { return m_timer.isActive(); }
+    /// Ends the motion from outside: another module, another speed, a port error.
+    void endHold();
+
+signals:
+    void held();
+    void holdEnded();
+
+protected:
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
+private:
+    void begin();
+
+    QTimer m_timer;
+};
+
+}  // namespace nmc

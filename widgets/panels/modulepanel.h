@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStackedWidget>
+#include <optional>
+
+#include "model/intent.h"
+
+class QLabel;
+
+namespace nmc {
+
+class GenericPanel;
+class ServoPanel;
+
+/// The middle of the window: the panel that fits the selected module, or what to do when there is none.
+class ModulePanel : public QStackedWidget {
+    Q_OBJECT
+
+public:
+    explicit ModulePanel(QWidget* parent = nullptr);
+
+    void showModule(const ModuleState& module, bool connected, std::optional<double> age);
+    /// No module: `text` says why and what to do.
+    void showNothing(const QString& text);
+    [[nodiscard]] ServoPanel* servoPanel() const { return m_servo; }
+
+private:
+    QLabel* m_empty;
+    ServoPanel* m_servo;
+    GenericPanel* m_generic;
+};
+
+}  // namespace nmc

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/panelhead.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+PanelHead::PanelHead(QWidget* parent)
+    : QFrame(parent),
+      m_glyph(new GlyphLabel(this)),
+      m_name(new QLabel(this)),
+      m_type(look::newMutedLabel({}, this)),
+      m_state(new QLabel(this)),
+      m_position(new QLabel(this)),
+      m_positionUnit(look::newMutedLabel(texts::unitCounts(), this)),
+      m_enable(addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
+                         tr("Enable the servo of this module"), intent::Enable{})),
+      m_stopSmoothly(addButton(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
+                               tr("Stop this module smoothly"), intent::StopSmoothly{})),
+      m_stopAbruptly(addButton(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
+                               tr("Stop this module abruptly"), intent::StopAbruptly{})),
+      m_motorOff(addButton(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
+                           intent::MotorOff{})),
+      m_whyNot([](Request) { return std::optional(Refusal::NotConnected); }) {
+    look::name(this, u"panelHead"_s, tr("State of the selected module"));
+    m_name->setObjectName(u"moduleName"_s);
+    m_type->setObjectName(u"moduleType"_s);
+    m_state->setObjectName(u"stateLabel"_s);
+    m_position->setObjectName(u"positionLabel"_s);
+    QFont large = look::scaled(font(), 1.5);
+    large.setBold(true);
+    m_state->setFont(large);
+    m_glyph->setFont(look::scaled(font(), 1.7));
+    QFont bold = font();
+    bold.setBold(true);
+    m_name->setFont(bold);
+    m_position->setFont(look::tabular(look::scaled(font(), 2.8)));
+    m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_positionUnit->setObjectName(u"positionUnit"_s);
+
+    const int unit = look::gridUnit(this);
+    auto* who = new QHBoxLayout;
+    who->addWidget(m_name);
+    who->addSpacing(unit / 2);
+    who->addWidget(m_type);
+    who->addStretch(1);
+    auto* what = new QHBoxLayout;
+    what->addWidget(m_glyph);
+    what->addSpacing(unit / 2);
+    what->addWidget(m_state);
+    what->addStretch(1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addWidget(m_enable);
+    buttons->addSpacing(unit);
+    buttons->addWidget(m_stopSmoothly);
+    buttons->addWidget(m_stopAbruptly);
+    buttons->addSpacing(unit);
+    buttons->addWidget(m_motorOff);
+    buttons->addStretch(1);
+
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    grid->addLayout(who, 0, 0);
+    grid->addLayout(what, 1, 0);
+    grid->addWidget(m_position, 0, 1, 2, 1, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_positionUnit, 0, 2, 2, 1, Qt::AlignVCenter);
+    grid->addLayout(buttons, 2, 0, 1, 3);
+    grid->setColumnStretch(0, 1);
+}
+
+QPushButton* PanelHead::addButton(const QString& icon, const QString& text, const QString& objectName,
+                                  const QString& accessibleName, Intent intent) {
+    auto* button = new QPushButton(icons::tinted(icon), text, this);
+    look::name(button, objectName, accessibleName);
+    connect(button, &QPushButton::clicked, this, [this, intent] { emit intentRequested(intent); });
+    return button;
+}
+
+void PanelHead::showPosition(const ModuleState& module, std::optional<double> age) {
+    const bool known = module.latest.has_value() && module.latest->position.has_value();
+    look::setText(m_position, known ? texts::grouped(*module.latest->position) : u"–"_s);
+    m_position->setProperty("counts", known ? QVariant(*module.latest->position) : QVariant());
+    m_position->setAccessibleName(known ? tr("Position %1 counts").arg(*module.latest->position)
+                                        : tr("Position unknown"));
+    const bool old = age.has_value();
+    QFont font = m_position->font();
+    if (font.strikeOut() != old) {
+        font.setStrikeOut(old);
+        m_position->setFont(font);
+        m_position->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
+    }
+    const QString ageText = old && *age >= 0.1
+                                ? tr("%1 s old").arg(texts::readout(std::floor(*age * 10) / 10, 3))
+                                : tr("out of date");
+    look::setText(m_positionUnit, old ? texts::unitCounts() + u", "_s + ageText : texts::unitCounts());
+}
+
+void PanelHead::showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age) {
+    m_whyNot = whyNot;
+    m_on = module.servoOn() && module.amplifierEnabled;
+    const Activity activity = module.activity();
+    look::setText(m_name, texts::moduleName(module.info.index));
+    look::setText(
+        m_type,
+        tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
+    look::setText(m_state, texts::activity(activity));
+    m_state->setToolTip(texts::activityMeaning(activity));
+    m_glyph->showActivity(activity);
+    m_glyph->setToolTip(texts::activityMeaning(activity));
+    showPosition(module, age);
+    refresh();
+}
+
+void PanelHead::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+void PanelHead::refresh() {
+    const auto reason = [this](Request request) {
+        const std::optional<Refusal> refusal = m_whyNot(request);
+        return refusal.has_value() ? texts::refusal(*refusal) : QString();
+    };
+    const QString enable = m_on ? tr("The servo is on already.") : reason(Request::Enable);
+    look::setPossible(m_enable, enable.isEmpty() && m_busy ? tr("Waiting for the module's answer.") : enable,
+                      tr("Switches the amplifier on and holds the motor where it is."));
+    const QString stop = reason(Request::StopMotion);
+    look::setPossible(m_stopSmoothly, stop, tr("Slows down at the acceleration in force, then holds."));
+    look::setPossible(m_stopAbruptly, stop, tr("Stops at once, then holds."));
+    look::setPossible(
+        m_motorOff, reason(Request::MotorOff),
+        tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
+}
+
+}  // namespace nmc

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "model/intent.h"
+
+class QTabWidget;
+
+namespace nmc {
+
+class DetailsBox;
+class GainsBox;
+class MotionBox;
+class PanelHead;
+
+/// Everything one PIC-SERVO can be asked for. Motion is always in sight; gains and details (and later limits
+/// and homing) share the pages beside it.
+class ServoPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ServoPanel(QWidget* parent = nullptr);
+
+    /// Emits nothing. `age` as in PanelHead.
+    void showModule(const ModuleState& module, bool connected, std::optional<double> age);
+    void resetSpeeds();
+    void endHold();
+    void setHoldInterval(int milliseconds);
+
+signals:
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    void holdRequested(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+
+private:
+    void pass(const Intent& intent);
+    void setBusy(bool busy);
+
+    PanelHead* m_head;
+    MotionBox* m_motion;
+    QTabWidget* m_pages;
+    GainsBox* m_gains;
+    DetailsBox* m_details;
+    ModuleIndex m_module;
+    TimePoint m_latestTime;
+    /// A click that was passed on, until the module has spoken again: a double click is one command.
+    std::optional<TimePoint> m_askedAt;
+};
+
+}  // namespace nmc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace nmc {
+
+/// An axis range that does not jump: it grows at once, in whole divisions, and shrinks only when what is
+/// shown has been much smaller for a while.
+class AxisRange {
+public:
+    struct Range {
+        double min = -1;
+        double max = 1;
+        double step = 1;  ///< one division: 1, 2 or 5 times a power of ten
+        bool operator==(const Range&) const = default;
+    };
+
+    /// What is visible now, and when (s, any origin).
+    const Range& fit(double low, double high, double seconds);
+    /// Nothing is visible: keeps the range.
+    [[nodiscard]] const Range& range() const { return m_range; }
+    void reset();
+
+    /// The smallest range of whole divisions around low..high, with about `divisions` of them.
+    [[nodiscard]] static Range around(double low, double high, int divisions = 4);
+
+private:
+    Range m_range;
+    bool m_set = false;
+    double m_smallSince = 0;
+    bool m_small = false;
+};
+
+}  // namespace nmc

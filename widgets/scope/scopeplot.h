@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMargins>
+#include <QtCharts/QChartView>
+#include <vector>
+
+#include "model/series.h"
+#include "widgets/common/look.h"
+#include "widgets/scope/axisrange.h"
+
+class QLineSeries;
+class QValueAxis;
+
+namespace nmc {
+
+class TraceItem;
+
+/// One strip of the scope: Qt Charts draws axes, grid and legend, TraceItem the data.
+class ScopePlot : public QChartView {
+    Q_OBJECT
+
+public:
+    struct TraceStyle {
+        QString label;
+        look::TraceColour colour = look::TraceColour::Position;
+        bool dashed = false;
+    };
+
+    /// `timeLabels`: only the lowest of a stack of strips says the time.
+    ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* parent = nullptr);
+
+    /// The visible time: seconds since `origin`.
+    struct View {
+        TimePoint origin;
+        double left = 0;
+        double right = 10;
+        double division = 2;
+        bool operator==(const View&) const = default;
+    };
+    /// One frame; `series` in the order of the traces. `now` paces the vertical axis.
+    void showTraces(const View& view, const std::vector<const Series*>& series, TimePoint now);
+    /// Samples per second of a trace, as they came in.
+    void showRate(std::size_t trace, double samplesPerSecond);
+    /// Another module, or a new connection: the vertical axis may jump.
+    void forget();
+
+    /// For lining up strips: the room beside the plot area that this strip needs, and what it is to leave.
+    struct Sides {
+        double left = 0;
+        double right = 0;
+    };
+    [[nodiscard]] Sides neededSides() const;
+    void leaveSides(const Sides& sides);
+
+    [[nodiscard]] QRectF plotArea() const;
+    [[nodiscard]] AxisRange::Range valueRange() const { return m_range.range(); }
+    [[nodiscard]] QString legendText(std::size_t trace) const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void plotAreaChanged();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void adoptPalette();
+    void fitValues(double seconds);
+    void fitTicks();
+
+    std::vector<TraceStyle> m_styles;
+    std::vector<QLineSeries*> m_legend;  ///< without data: they are there for the legend
+    QValueAxis* m_timeAxis;
+    QValueAxis* m_valueAxis;
+    TraceItem* m_item;
+    AxisRange m_range;
+    View m_view;
+    QMargins m_margins;
+};
+
+}  // namespace nmc
