@@ -90,7 +90,7 @@ Line::Script Discovery::restartScript() const {
     const PacketBytes reset = toPacket({kEverybody, HardReset{}.encode()});
     // The port's rate must not change before its own buffer has run empty; the adapter may lag.
     const Line::Pause leaves{kTurnaround + std::max(m_config.adapterLatency, kMinLatency)};
-    Line::Script script;
+    Line::Script script{Line::Gap{}};
     for (const std::uint32_t rate : kRestartRates)
         script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls},
                                      Line::Packet{reset}, leaves});

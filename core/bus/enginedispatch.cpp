@@ -15,9 +15,9 @@ void Engine::Private::proceed(TimePoint now) {
 
 /// The lanes in their order. False when there is nothing to do.
 bool Engine::Private::dispatch(TimePoint now) {
-    if (std::exchange(m_resyncing, false)) {
-        // Place of the challenge of link.md 2.2: two Read Status with identity and masks of different length.
-    }
+    // A resync that was under way is over. Here the challenge of link.md 2.2 will begin: two Read Status with
+    // the identity, by masks of different length.
+    m_resyncing = false;
     if (m_phase == Phase::Off)
         return false;
     if (m_stop) {
@@ -55,9 +55,13 @@ bool Engine::Private::dispatch(TimePoint now) {
 void Engine::Private::dispatchDiscovery(TimePoint now) {
     if (m_stopDuringDiscovery && m_discovery->restarted())
         finishStop(now);
+    const auto tellProgress = [&] {
+        if (const auto progress = m_discovery->takeProgress())
+            events.emplace_back(*progress);
+    };
+    tellProgress();
     Discovery::Next next = m_discovery->next();
-    if (const auto progress = m_discovery->takeProgress())
-        events.emplace_back(*progress);
+    tellProgress();
     if (auto* script = std::get_if<Line::Script>(&next)) {
         line.run(std::move(*script), now);
     } else if (const auto* ask = std::get_if<Discovery::Ask>(&next)) {
@@ -119,7 +123,6 @@ bool Engine::Private::dispatchHold(TimePoint now) {
         return m_hold.stop().has_value();
     }
     Work work = commandWork(Lane::Hold, *start);
-    work.refusedAttempts = 1;  // what is wanted may have changed by the next time
     work.toldBefore = m_hold.told();
     m_hold.onStartSent();
     begin(std::move(work), now);
@@ -204,6 +207,11 @@ Engine::Private::Work Engine::Private::commandWork(Lane lane, const Step& step) 
     work.silentRepeats = rule.silentRepeats;
     work.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
     work.refusedAttempts = rule.refusedAttempts;
+    if (lane == Lane::Stop || lane == Lane::HoldStop || lane == Lane::Hold) {
+        // These lanes are asked anew instead: what is wanted may have changed by the next time.
+        work.silentRepeats = 0;
+        work.refusedAttempts = 1;
+    }
     return work;
 }
 

@@ -105,7 +105,7 @@ private:
     bool m_suspect = false;       ///< a resync is due
     bool m_resyncing = false;     ///< or under way
     bool m_hurried = false;       ///< a stop went ahead of it with nulls only; the quarantine is still owed
-    Duration m_quarantine{};
+    Duration m_quarantine = kMinQuarantine;
     bool m_lost = false;
 
     std::optional<Discovery> m_discovery;

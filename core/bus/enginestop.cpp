@@ -80,10 +80,7 @@ void Engine::Private::stopForHold(TimePoint now) {
         return m_hold.onStopEnded();
     if (std::exchange(m_suspect, false))
         return flushBuffers(now);
-    Work work = commandWork(Lane::HoldStop, stop);
-    work.silentRepeats = 0;
-    work.refusedAttempts = 1;
-    begin(std::move(work), now);
+    begin(commandWork(Lane::HoldStop, stop), now);
 }
 
 }  // namespace nmc::bus

@@ -38,6 +38,9 @@ void Line::run(Script script, TimePoint now) {
 }
 
 void Line::abandon() {
+    // The rest of the reply may still come; it is no surplus.
+    if (m_pending)
+        m_unread += m_pending->layout.length() - m_pending->received.size();
     m_pending.reset();
     m_script.clear();
     m_deadline.reset();

@@ -30,7 +30,7 @@ template <typename... Flags>
 }
 
 [[nodiscard]] constexpr bool bitOf(std::uint8_t byte, unsigned bit) {
-    return (byte >> bit & 1U) != 0;
+    return (unsigned{byte} >> bit & 1U) != 0;
 }
 
 /// Takes multi-byte values off the front of a payload's data. The caller has checked the length.

@@ -125,7 +125,7 @@ constexpr std::array kInputs{
     InputRow{"power", Input::Power, "0 or 1", {}, 0, 1, true},
     InputRow{"analog", Input::Analog, "0 to 255 or auto", "auto", 0, 255, true},
     InputRow{"load", Input::Load, "-100 to 100 N·m", {}, -100, 100, false},
-    InputRow{"inertia", Input::Inertia, "1e-7 to 100 kg·m²", {}, 1e-7, 100, false},
+    InputRow{"inertia", Input::Inertia, "1e-6 to 100 kg·m²", {}, 1e-6, 100, false},
     InputRow{"friction", Input::Friction, "0 to 100 N·m", {}, 0, 100, false},
     InputRow{"travel_min", Input::TravelMin, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
     InputRow{"travel_max", Input::TravelMax, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
@@ -134,6 +134,20 @@ constexpr std::array kInputs{
 constexpr std::string_view kNames =
     "allowed are limit1, limit2, index, power, analog, load, inertia, friction, travel_min, travel_max, "
     "limits";
+
+/// What the module's present state forbids although the value is in range; empty when nothing does.
+std::string conflict(const ServoSnapshot& servo, Input input, std::optional<double> value) {
+    const auto shaft = [&servo] {
+        return "the shaft stands at " + std::to_string(servo.shaftCounts) + " counts";
+    };
+    if ((input == Input::Limit1 || input == Input::Limit2) && servo.limitsAutomatic)
+        return "the limits follow the travel; allowed after limits manual";
+    if (input == Input::TravelMin && value && *value > servo.shaftCounts)
+        return shaft() + "; allowed is up to that, or none";
+    if (input == Input::TravelMax && value && *value < servo.shaftCounts)
+        return shaft() + "; allowed is from that on, or none";
+    return {};
+}
 
 Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view word, TimePoint now) {
     if (name == "limits") {
@@ -154,6 +168,9 @@ Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_vi
                 return error(std::string(name) + " cannot be " + quoted(word) + "; allowed is " +
                              std::string(row.allowed));
         }
+        if (const std::string why = conflict(chain.snapshot(module, now).servo, row.input, value);
+            !why.empty())
+            return error(why);
         chain.set(module, row.input, value, now);
         return ok();
     }

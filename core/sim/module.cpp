@@ -81,7 +81,7 @@ void Module::accept(const Packet& packet, TimePoint now) {
     const bool own = packet.address == m_address;
     if (!own && packet.address != m_group)
         return;
-    if (m_pending)
+    if (m_pending && !packet.framingError && packet.sumIsRight())
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;
     m_pending = Pending{packet, tickEnd(tick), tick, own, own || m_leader};

@@ -122,6 +122,7 @@ void ServoLoop::stopHere(std::int32_t position) {
 
 void ServoLoop::controlPins(std::uint8_t control) {
     m_pinControl = control;
+    m_quiet = false;
 }
 
 void ServoLoop::setHoming(std::uint8_t control) {

@@ -167,6 +167,7 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.limit1 = limitPin(0);
     s.limit2 = limitPin(1);
     s.index = indexPin();
+    s.limitsAutomatic = m_limitsAutomatic;
     s.gains = m_gains;
     return s;
 }

@@ -74,7 +74,6 @@ public:
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
-    [[nodiscard]] bool limitsAreAutomatic() const { return m_limitsAutomatic; }
     [[nodiscard]] const MotorParameters& motor() const { return m_plant.parameters(); }
     [[nodiscard]] ServoSnapshot snapshot() const;
 

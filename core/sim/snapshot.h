@@ -35,6 +35,7 @@ struct ServoSnapshot {
     bool limit1 = false;
     bool limit2 = false;
     bool index = false;
+    bool limitsAutomatic = false;  ///< the limit pins follow the travel
     Gains gains;
 };
 
@@ -61,8 +62,8 @@ enum class Input : std::uint8_t {
     Load,       ///< N·m
     Inertia,    ///< kg·m², > 0
     Friction,   ///< N·m, >= 0
-    TravelMin,  ///< shaft counts; nothing: none
-    TravelMax,  ///< shaft counts; nothing: none
+    TravelMin,  ///< shaft counts, not beyond the shaft; nothing: none
+    TravelMax,  ///< shaft counts, not beyond the shaft; nothing: none
     Limits,     ///< 1: limit 1 and 2 follow travel_min and travel_max, 0: they are set
 };
 

@@ -26,6 +26,11 @@ public:
         send({0xFF, 0x17, 0x05});
     }
 
+    void goTo115200() {
+        send({0xFF, 0x1A, 10});
+        m_chain.setHostBaud(115'200);
+    }
+
     /// A sum is added, and the answer waited for.
     void send(std::vector<std::uint8_t> body) {
         unsigned sum = 0;
@@ -93,6 +98,7 @@ BENCHMARK(MovingServosInTrapezoidalMode)->Arg(32)->Unit(benchmark::kMillisecond)
 void PolledMovingServos(benchmark::State& state) {
     const auto servos = static_cast<unsigned>(state.range(0));
     BenchHost host(servos);
+    host.goTo115200();
     host.send({0xFF, 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
     const TimePoint begin = host.now();
     for (auto _ : state)

@@ -63,7 +63,8 @@ TEST(Discovery, AsksInTheOrderOfTheDataSheet) {
     EXPECT_EQ(packets[1], "AA 00 21 02 FF 22");
     EXPECT_EQ(packets[2], "AA 00 21 03 FF 23");
     EXPECT_EQ(packets[3], "AA 03 0E 11") << "nobody answered: is it the answer that got lost?";
-    const std::vector<std::string> tail(packets.end() - 4, packets.end());
+    ASSERT_EQ(packets.back(), "AA 01 13 3F 53") << "the first poll";
+    const std::vector<std::string> tail(packets.end() - 5, packets.end());
     EXPECT_EQ(tail[0], "AA 01 13 20 34");
     EXPECT_EQ(tail[1], "AA 02 13 20 35");
     EXPECT_EQ(tail[2], "AA 01 12 0B 1E");
@@ -198,12 +199,22 @@ TEST(Discovery, StartsCleanWheneverItIsAskedFor) {
     EXPECT_EQ(bus.engine.statistics().timeouts, 0U);
 }
 
+TEST(Discovery, LetsWhatIsLeavingLeaveBeforeItChangesTheRate) {
+    ScriptedBus bus(1);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(100ms);
+    const std::size_t sent = bus.sent.size();
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > sent; }));
+    bus.engine.connect(bus.now);
+    EXPECT_TRUE(bus.engine.takeOutput().empty());
+    EXPECT_GE(*bus.engine.nextDeadline() - bus.now, 4 * byteTimeAtBaud(19'200));
+}
+
 TEST(Discovery, TakesLessThanASecondForAShortChain) {
     VirtualBus bus(servos(3));
     const TimePoint began = bus.now;
     ASSERT_TRUE(bus.connect());
     EXPECT_LT(bus.now - began, 1000ms);
-    std::printf("connect: %.3f s\n", toSeconds(bus.now - began));
 }
 
 TEST(Discovery, RunsAtEveryRate) {

@@ -256,6 +256,9 @@ RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
         noise = noise * 1'664'525U + 1'013'904'223U;
         return loss > 0 && (noise >> 16U) % 100U < static_cast<std::uint32_t>(loss);
     };
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        std::erase_if(command, [&](std::uint8_t byte) { return bus.losesByte(byte); });
+    };
     std::vector<OperationId> submitted;
     for (int i = 0; i < 40; ++i) {
         const auto module = static_cast<std::uint8_t>(*rc::gen::inRange(0, 2));
@@ -300,8 +303,12 @@ RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
         ++ends[finished.id.value()];
     for (const OperationId id : submitted)
         RC_ASSERT(ends[id.value()] == 1);
+    // A byte that is lost can make another command, of a wrong length say, when nulls or zeros complete its
+    // sum (link.md 1). What the gate forbids never happens.
+    using enum sim::ViolationKind;
     for (const sim::Violation& v : bus.chain.violations().entries())
-        RC_ASSERT(v.kind == sim::ViolationKind::CommandInFlight);
+        if (v.kind == TrapezoidInMotion || v.kind == ResetInMotion || v.kind == ReplyCollision)
+            RC_FAIL(std::string(sim::toText(v.kind)) + ": " + toHex(v.bytes));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bus/commandlane.h"
 #include "bus/stoprun.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
@@ -255,6 +256,77 @@ TEST(StopRun, DuringDiscoveryEndsWithTheRestart) {
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 5s));
     EXPECT_EQ(bus.count<StopFinished>(), 2U);
+}
+
+TEST(StopRun, IsNoLinkError) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), gains(2), enable(2)}), Outcome::Done);
+    for (int i = 0; i < 20; ++i) {
+        bus.runFor(i * 1ms);
+        ASSERT_TRUE(bus.stopAll());
+    }
+    EXPECT_EQ(bus.engine.statistics().errors(), 0U);
+    EXPECT_EQ(bus.engine.statistics().surplusBytes, 0U);
+}
+
+TEST(StopRun, TakesShortTimeOnAHealthyLink) {
+    VirtualBus bus(servos(3));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
+    bus.runFor(500ms);
+    const std::size_t from = bus.sent.size();
+    const TimePoint asked = bus.now;
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    // At the worst the whole poll before it, 5 bytes of 0.52 ms, and the gap.
+    ASSERT_EQ(bus.sent[from].hex(), "AA 01 17 05 1D");
+    EXPECT_LT(bus.sent[from].time - asked, 4ms);
+    EXPECT_LT(stopped->took, 150ms);
+}
+
+[[nodiscard]] Belief stepper(std::uint8_t status) {
+    Belief belief({ModuleIndex(0), BusAddress(1), {ModuleType::Step, 1}});
+    StatusReport report;
+    report.status = status;
+    belief.onStatus(report, TimePoint(1s));
+    return belief;
+}
+
+TEST(StopFor, AStepperThatIsOnStopsAndKeepsItsCurrent) {
+    // DS-S 5.2: bit 0 moving, bit 2 amplifier enabled, bit 3 power.
+    const auto stop = stopFor(stepper(0x0D));
+    ASSERT_TRUE(stop);
+    EXPECT_EQ(toHex(payloadOf(*stop).data), "05");
+}
+
+TEST(StopFor, AStepperThatIsOffIsNotEnergised) {
+    EXPECT_FALSE(stopFor(stepper(0x08)));
+}
+
+TEST(StopFor, AServoOfWhichNothingIsKnownSinceTheResetIsLeftOff) {
+    EXPECT_FALSE(stopFor(Belief({ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}})));
+}
+
+TEST(StopFor, AModuleWithoutADataSheetIsLeftAlone) {
+    EXPECT_FALSE(stopFor(Belief({ModuleIndex(0), BusAddress(1), {ModuleType::Io, 1}})));
+}
+
+TEST(StopRun, StopsASteppersMotion) {
+    ScriptedBus bus(2);
+    bus.type = 3;
+    bus.status = 0x2D;  // moving in velocity profile mode
+    bus.aux = 0;
+    bus.answer = [&](ByteSpan packet) {
+        if (toHex(packet).find(" 17 05 ") != std::string::npos)
+            bus.status = 0x0C;
+        return bus.likeAServo(packet);
+    };
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(300ms);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }));
+    EXPECT_THAT(numbers(bus.all<StopFinished>()[0].stopped), ElementsAre(0, 1));
 }
 
 TEST(StopRun, GoesOnPollingAfterwards) {

@@ -113,6 +113,17 @@ TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     EXPECT_EQ(say("state 1"), before);
 }
 
+TEST_F(Control, AHardStopCannotBePutBeyondTheShaftNorALimitSetThatFollowsIt) {
+    EXPECT_THAT(errorOf("set 1 travel_min 5"), HasSubstr("allowed is up to that"));
+    EXPECT_THAT(errorOf("set 1 travel_max -5"), HasSubstr("allowed is from that on"));
+    say("set 1 limits auto");
+    EXPECT_THAT(errorOf("set 1 limit1 1"), HasSubstr("limits manual"));
+    say("set 1 travel_min 0");
+    EXPECT_EQ(say("state 1")["limit1"], true);
+    say("set 1 travel_min none");
+    EXPECT_EQ(say("state 1")["limit1"], false);
+}
+
 TEST_F(Control, PowerCycleBreakAndMendReachTheAddressLine) {
     EXPECT_EQ(say("power-cycle all"), (nlohmann::json{{"ok", true}}));
     wire.wait(milliseconds(10));

@@ -9,9 +9,9 @@ using std::chrono::milliseconds;
 
 constexpr std::uint32_t kOne = 65536;
 
-class HomingSearch : public testing::TestWithParam<int> {
+class HomingSearch : public testing::Test {
 protected:
-    explicit HomingSearch(const std::string& spec = "servo") : wire(spec) {
+    HomingSearch() {
         wire.address(1);
         wire.enableAmplifier();
         wire.gains(goodGains(500));
@@ -45,6 +45,16 @@ TEST_F(HomingSearch, OnlyTheFlaggedConditionsCount) {
     EXPECT_TRUE(wire.report().homeInProgress());
     wire.set(Input::Limit2, 1);
     wire.waitTicks(5);
+    EXPECT_FALSE(wire.report().homeInProgress());
+}
+
+TEST_F(HomingSearch, AMotorThatIsOffAndStandsStillIsWatchedToo) {
+    wire.command(1, 0x17, {0x03});
+    wire.wait(milliseconds(500));
+    wire.command(1, 0x19, {0x01});
+    wire.wait(milliseconds(100));
+    wire.command(1, 0x18, {0x09});  // limit 1 an output, high
+    wire.waitTicks(2);
     EXPECT_FALSE(wire.report().homeInProgress());
 }
 

@@ -31,7 +31,11 @@ NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_d
     setFont(look::tabular(font()));
     setInputMethodHints(Qt::ImhFormattedNumbersOnly);
     connect(this, &QLineEdit::textChanged, this, &NumberField::judge);
-    connect(this, &QLineEdit::textEdited, this, &NumberField::edited);
+    // QLineEdit says textEdited() before textChanged(): who hears edited() must find the new value judged.
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        judge();
+        emit edited();
+    });
     judge();
 }
 

@@ -82,21 +82,16 @@ void ScopePanel::build() {
     look::name(m_error, u"errorPlot"_s, tr("Calculated position error over time"));
     m_layout->addWidget(m_position, 3);
     m_layout->addWidget(m_error, 2);
-    for (ScopePlot* plot : {m_position, m_error})
-        connect(plot, &ScopePlot::plotAreaChanged, this, &ScopePanel::align);
 }
 
-/// The strips share one time axis, so their plot areas begin and end at the same places.
+/// The strips share one time axis, so their plot areas begin and end at the same places. Once a frame:
+/// following plotAreaChanged would chase its own rounding for ever.
 void ScopePanel::align() {
-    if (m_aligning)
-        return;
-    m_aligning = true;
     const ScopePlot::Sides a = m_position->neededSides();
     const ScopePlot::Sides b = m_error->neededSides();
     const ScopePlot::Sides both{std::max(a.left, b.left), std::max(a.right, b.right)};
     m_position->leaveSides(both);
     m_error->leaveSides(both);
-    m_aligning = false;
 }
 
 void ScopePanel::showEvent(QShowEvent* event) {
@@ -146,6 +141,7 @@ void ScopePanel::showHistory(ModuleIndex module, const ModuleHistory& history, T
     const ScopePlot::View view{*m_origin, right - window, right, labelled};
     m_position->showTraces(view, {&history.position, &history.command}, now);
     m_error->showTraces(view, {&history.error}, now);
+    align();
     measureRates(history, now);
 }
 

@@ -50,7 +50,6 @@ private:
     std::optional<ModuleIndex> m_module;
     std::optional<TimePoint> m_origin;
     std::optional<TimePoint> m_ratesAt;
-    bool m_aligning = false;
 };
 
 }  // namespace nmc

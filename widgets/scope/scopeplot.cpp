@@ -57,7 +57,6 @@ ScopePlot::ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* p
     connect(chart(), &QChart::plotAreaChanged, this, [this](const QRectF& area) {
         m_item->setArea(area);
         fitTicks();
-        emit plotAreaChanged();
     });
     adoptPalette();
 }
@@ -164,7 +163,8 @@ void ScopePlot::leaveSides(const Sides& sides) {
     QMargins margins = m_margins;
     margins.setLeft(margins.left() + qRound(sides.left - needed.left));
     margins.setRight(margins.right() + qRound(sides.right - needed.right));
-    if (margins != chart()->margins())
+    const QMargins change = margins - chart()->margins();
+    if (qAbs(change.left()) > 1 || qAbs(change.right()) > 1)
         chart()->setMargins(margins);
 }
 

@@ -59,9 +59,6 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
-signals:
-    void plotAreaChanged();
-
 protected:
     void changeEvent(QEvent* event) override;
 

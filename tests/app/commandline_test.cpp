@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commandline.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc {
+namespace {
+
+const QList<PortEntry> kPorts{{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FTDI USB Serial")},
+                              {QStringLiteral("/dev/ttyS0"), {}}};
+
+std::variant<Start, Say> read(const QStringList& arguments) {
+    return readCommandLine(QStringList{QStringLiteral("nmcpanel")} + arguments, [] { return kPorts; });
+}
+
+Start started(const QString& arguments) {
+    const auto asked = read(arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    const auto* start = std::get_if<Start>(&asked);
+    EXPECT_NE(start, nullptr) << arguments.toStdString();
+    return start != nullptr ? *start : Start{};
+}
+
+Say said(const QString& arguments) {
+    const auto asked = read(arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    const auto* say = std::get_if<Say>(&asked);
+    EXPECT_NE(say, nullptr) << arguments.toStdString();
+    return say != nullptr ? *say : Say{};
+}
+
+TEST(CommandLine, ConnectsToNothingUnlessAsked) {
+    EXPECT_FALSE(started(QString()).port.has_value());
+    EXPECT_EQ(started(QString()).baud, 19'200U);
+}
+
+TEST(CommandLine, TakesAPortAndARate) {
+    const Start start = started(QStringLiteral("--port /dev/ttyUSB0 --baud 115200"));
+    EXPECT_EQ(start.port, QStringLiteral("/dev/ttyUSB0"));
+    EXPECT_EQ(start.baud, 115'200U);
+    EXPECT_EQ(started(QStringLiteral("--port=ttyUSB0")).port, QStringLiteral("ttyUSB0"));
+}
+
+TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
+    EXPECT_EQ(started(QStringLiteral("--simulator")).port, QStringLiteral("simulator=servo,servo,servo"));
+    EXPECT_EQ(started(QStringLiteral("--simulator=servo,servo@1")).port,
+              QStringLiteral("simulator=servo,servo@1"));
+}
+
+TEST(CommandLine, ListsPortsWithTheirDescriptions) {
+    const Say say = said(QStringLiteral("--list-ports"));
+    EXPECT_EQ(say.exitCode, 0);
+    EXPECT_EQ(say.text, QStringLiteral("/dev/ttyUSB0\tFTDI USB Serial\n/dev/ttyS0"));
+}
+
+TEST(CommandLine, ExplainsEveryOption) {
+    const Say say = said(QStringLiteral("--help"));
+    EXPECT_EQ(say.exitCode, 0);
+    for (const char* option : {"--port", "--baud", "--simulator", "--list-ports", "--help", "--version"})
+        EXPECT_TRUE(say.text.contains(QLatin1String(option))) << option;
+    EXPECT_TRUE(said(QStringLiteral("--version")).text.startsWith(QStringLiteral("NMC Panel 0.")));
+}
+
+TEST(CommandLine, SaysWhichPortsThereAreWhenOneIsNot) {
+    const Say say = said(QStringLiteral("--port /dev/ttyUSB7"));
+    EXPECT_EQ(say.exitCode, 3);
+    EXPECT_TRUE(say.text.contains(QStringLiteral("/dev/ttyUSB7"))) << say.text.toStdString();
+    EXPECT_TRUE(say.text.contains(QStringLiteral("/dev/ttyUSB0"))) << say.text.toStdString();
+}
+
+TEST(CommandLine, SaysWhichRatesThereAre) {
+    for (const char* bad : {"--baud 38400", "--baud fast", "--baud -1", "--baud 0"}) {
+        const Say say = said(QLatin1String(bad));
+        EXPECT_EQ(say.exitCode, 2) << bad;
+        for (const char* rate : {"9600", "19200", "57600", "115200"})
+            EXPECT_TRUE(QString(say.text).remove(QLatin1Char(' ')).contains(QLatin1String(rate)))
+                << say.text.toStdString();
+    }
+}
+
+TEST(CommandLine, NamesWhatIsWrongInAChain) {
+    const Say say = said(QStringLiteral("--simulator=servo,gizmo"));
+    EXPECT_EQ(say.exitCode, 2);
+    EXPECT_TRUE(say.text.contains(QStringLiteral("gizmo"))) << say.text.toStdString();
+    EXPECT_EQ(said(QStringLiteral("--simulator=")).exitCode, 2);
+    EXPECT_EQ(said(QStringLiteral("--simulator=servo@9")).exitCode, 2);
+}
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow) {
+    for (const char* bad : {"--frobnicate", "surplus", "--port", "--list-ports=3"})
+        EXPECT_EQ(said(QLatin1String(bad)).exitCode, 2) << bad;
+    EXPECT_TRUE(said(QStringLiteral("--frobnicate")).text.contains(QStringLiteral("frobnicate")));
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's main job, through its window and by object name: find a chain, set gains, enable, go to a
+// position, and stop with Esc - on the simulator in this process, and over a pseudo-terminal that nmcsim
+// serves.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/composition.h"
+#include "tests/support/nmcsimprocess.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::NmcsimProcess;
+
+/// The whole program without main(), with settings of its own.
+class Panel {
+public:
+    Panel()
+        : m_settings(m_directory.filePath(QStringLiteral("panel.ini")), QSettings::IniFormat),
+          m_composition(m_settings) {}
+
+    void start(const QString& port, std::uint32_t baud) { m_composition.show({port, baud, false}); }
+
+    template <typename Widget = QWidget>
+    Widget& find(const char* name) {
+        auto* widget = m_composition.window().findChild<Widget*>(QLatin1String(name));
+        if (widget == nullptr)
+            throw std::runtime_error(std::string("there is no ") + name);
+        return *widget;
+    }
+    void type(const char* field, const QString& text) {
+        auto& edit = find<QLineEdit>(field);
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClicks(&edit, text);
+        EXPECT_EQ(edit.text(), text) << field << " visible " << edit.isVisible() << " enabled " << edit.isEnabled();
+    }
+    void click(const char* button) {
+        auto& widget = find<QAbstractButton>(button);
+        ASSERT_TRUE(widget.isEnabled()) << button << ": " << widget.toolTip().toStdString();
+        QTest::mouseClick(&widget, Qt::LeftButton);
+    }
+    bool waitUntilEnabled(const char* button) {
+        return QTest::qWaitFor([&] { return find<QAbstractButton>(button).isEnabled(); }, 20'000);
+    }
+    void selectModule(int row) {
+        auto& list = find<QAbstractItemView>("chainList");
+        list.setCurrentIndex(list.model()->index(row, 0));
+    }
+    template <typename Predicate>
+    bool waitFor(Predicate predicate, int patienceMs = 20'000) {
+        return QTest::qWaitFor(predicate, patienceMs);
+    }
+    [[nodiscard]] std::size_t modules() const { return m_composition.store().link().modules.size(); }
+    [[nodiscard]] const ModuleState& module(std::uint8_t index) const {
+        return *m_composition.store().module(ModuleIndex(index));
+    }
+    [[nodiscard]] const ModuleHistory& history(std::uint8_t index) const {
+        return *m_composition.store().history(ModuleIndex(index));
+    }
+    [[nodiscard]] bool found(std::size_t count) const {
+        return m_composition.store().link().phase == LinkPhase::Connected && modules() == count;
+    }
+    MainWindow& window() { return m_composition.window(); }
+
+    void setGainsAndEnable() {
+        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
+                                                     {"ilField", 200},   {"olField", 255},   {"clField", 0},
+                                                     {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
+        for (const auto& [field, value] : gains)
+            type(field, QString::number(value));
+        ASSERT_TRUE(waitUntilEnabled("applyGainsButton"))
+            << find<QAbstractButton>("applyGainsButton").toolTip().toStdString();
+        click("applyGainsButton");
+        ASSERT_TRUE(waitUntilEnabled("enableButton"));
+        click("enableButton");
+        ASSERT_TRUE(waitUntilEnabled("goButton"));
+    }
+    void goTo(int counts) {
+        type("goalField", QString::number(counts));
+        type("velocityField", QStringLiteral("8"));
+        type("accelerationField", QStringLiteral("0.02"));
+        click("goButton");
+    }
+    /// 20 000 counts at 8 counts/tick and 0.02 counts/tick^2, and back again half-way, where Esc stops it.
+    void moveAndStop() {
+        goTo(20'000);
+        ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
+        ASSERT_TRUE(waitFor(
+            [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 20'000) <= 5; }));
+        ASSERT_TRUE(waitUntilEnabled("goButton"));
+        goTo(0);
+        ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
+        QTest::keyClick(&find<QLineEdit>("goalField"), Qt::Key_Escape);
+        ASSERT_TRUE(waitFor(
+            [&] { return find<QLabel>("stopResultLabel").text().contains(QLatin1String("3 of 3")); }));
+        ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::Holding; }));
+        EXPECT_GT(*module(1).latest->position, 1'000);
+    }
+    /// The trace rises from 0 to the goal, and the calculated error settles with the motor.
+    void expectHonestTraces() {
+        const ModuleHistory& h = history(1);
+        double highest = 0;
+        const TimePoint end = h.position.last()->time;
+        for (const auto& segment : h.position.window(TimePoint{}, end, 10'000))
+            for (const SeriesPoint& point : segment)
+                highest = std::max(highest, point.value);
+        EXPECT_NEAR(highest, 20'000, 50);
+        ASSERT_FALSE(h.error.empty());
+        double worst = 0;
+        for (const auto& segment : h.error.window(TimePoint{}, end, 10'000))
+            for (const SeriesPoint& point : segment)
+                worst = std::max(worst, std::abs(point.value));
+        // With these gains the motor lags some 25 counts at 8 counts/tick; the sample's own time is uncertain
+        // by half a tick, which is another 4. The stop from full speed adds what the motor overshoots.
+        EXPECT_LT(worst, 200);
+        EXPECT_GT(worst, 5);
+    }
+
+private:
+    QTemporaryDir m_directory;
+    QSettings m_settings;
+    Composition m_composition;
+};
+
+TEST(FirstLight, MovesAMotorOfTheBuiltInSimulator) {
+    Panel panel;
+    panel.start(QStringLiteral("simulator=servo,servo,servo@1"), 115'200);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
+    EXPECT_EQ(panel.module(2).info.identity.version, 1);
+    EXPECT_TRUE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
+    panel.selectModule(1);
+    panel.setGainsAndEnable();
+    if (HasFatalFailure())
+        return;
+    panel.moveAndStop();
+    panel.expectHonestTraces();
+}
+
+class FirstLightOnATerminal : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
+    NmcsimProcess sim(QStringLiteral("servo,servo,servo@1"));
+    Panel panel;
+    panel.start(sim.terminal(), GetParam());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
+    EXPECT_TRUE(panel.window().windowTitle().startsWith(QLatin1String("NMC Panel")));
+    EXPECT_FALSE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
+    panel.selectModule(1);
+    panel.setGainsAndEnable();
+    if (HasFatalFailure())
+        return;
+    panel.moveAndStop();
+    panel.expectHonestTraces();
+    const QJsonObject state = sim.state(2);
+    EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool());
+    EXPECT_EQ(state[QStringLiteral("gains")].toObject()[QStringLiteral("kd")].toInt(), 2'000);
+    EXPECT_FALSE(sim.state(1)[QStringLiteral("servo_on")].toBool());
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, FirstLightOnATerminal, testing::Values(19'200U, 115'200U));
+
+TEST(FirstLight, HoldToMoveMovesOnlyWhileItIsHeld) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    Panel panel;
+    panel.start(sim.terminal(), 115'200);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
+    panel.selectModule(1);
+    panel.setGainsAndEnable();
+    auto& button = panel.find<QAbstractButton>("holdForwardButton");
+    QTest::mousePress(&button, Qt::LeftButton);
+    // Longer than the 250 ms that one press alone would last: the window must have re-armed it.
+    const TimePoint pressed = panel.module(1).latestTime;
+    ASSERT_TRUE(
+        panel.waitFor([&] { return panel.module(1).latestTime - pressed > std::chrono::milliseconds(600); }));
+    EXPECT_TRUE(panel.module(1).moving());
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::Holding; }));
+    EXPECT_GT(*panel.module(1).latest->position, 20);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST(FirstLight, AClosedTerminalIsSaidAndTheSimulatorIsOneClickAway) {
+    Panel panel;
+    {
+        NmcsimProcess sim(QStringLiteral("servo"));
+        panel.start(sim.terminal(), 19'200);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.found(1); }));
+    }
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("connectButton").isEnabled(); }));
+    EXPECT_TRUE(panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("/dev/pts/")));
+    EXPECT_EQ(panel.modules(), 0U);
+}
+
+}  // namespace
+}  // namespace nmc
