@@ -72,6 +72,13 @@ void Composition::stopAndQuit() {
     m_worker.close();
 }
 
+bool Composition::eventFilter(QObject* watched, QEvent* event) {
+    // The window paints itself, then its children; the end comes after that.
+    if (watched == &m_window && event->type() == QEvent::Paint)
+        QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
+    return QObject::eventFilter(watched, event);
+}
+
 void Composition::quit() {
     m_window.finishClose();
     QCoreApplication::quit();

@@ -155,20 +155,28 @@ void CommandPosition::start(TimePoint time) {
         return;
     }
     m_servoOn = true;
-    const double acceleration = perSecond(perSecond(m_acceleration));
-    if (m_loaded.profile == servo::ProfileMode::Trapezoidal) {
-        if (const auto from = at(time)) {
-            begin(time, ProfileCurve::trapezoid(*from, m_goal, perSecond(m_velocity), acceleration));
-        } else {
-            m_awaiting = Awaiting::EndOfMove;
-        }
+    if (m_loaded.profile == servo::ProfileMode::Velocity) {
+        changeVelocity(time, m_loaded.reverse ? -m_velocity : m_velocity);
         return;
     }
+    if (const auto from = at(time))
+        begin(effective(time), ProfileCurve::trapezoid(*from, m_goal, perSecond(m_velocity),
+                                                       perSecond(perSecond(m_acceleration))));
+    else
+        m_awaiting = Awaiting::EndOfMove;
+}
+
+void CommandPosition::changeVelocity(TimePoint time, double goal) {
     if (!m_curve)
         return;
-    const double goal = perSecond(m_loaded.reverse ? -m_velocity : m_velocity);
-    const double s = secondsAt(time);
-    begin(time, ProfileCurve::velocityChange(m_curve->position(s), m_curve->velocity(s), goal, acceleration));
+    const TimePoint start = effective(time);
+    const double s = secondsAt(start);
+    begin(start, ProfileCurve::velocityChange(m_curve->position(s), m_curve->velocity(s), perSecond(goal),
+                                              perSecond(perSecond(m_acceleration))));
+}
+
+TimePoint CommandPosition::effective(TimePoint time) const {
+    return time - fromSeconds(0.5 * (m_tick - toSeconds(kServoTick)));
 }
 
 void CommandPosition::stop(const servo::StopMotor& stop, TimePoint time) {
@@ -188,9 +196,7 @@ void CommandPosition::stop(const servo::StopMotor& stop, TimePoint time) {
             m_servoOn = true;
             break;
         case servo::StopManner::Smoothly:
-            if (m_curve)
-                begin(time, ProfileCurve::velocityChange(*from, m_curve->velocity(secondsAt(time)), 0.0,
-                                                         perSecond(perSecond(m_acceleration))));
+            changeVelocity(time, 0.0);
             break;
         case servo::StopManner::Here:
             begin(time, ProfileCurve::rest(stop.here.value()));

@@ -65,6 +65,11 @@ private:
 
     void load(const servo::LoadTrajectory& load);
     void start(TimePoint time);
+    /// Towards a goal velocity in counts/tick, signed, from what it is.
+    void changeVelocity(TimePoint time, double goal);
+    /// When the continuous curve begins for which the chip's staircase is the best match. The chip takes its
+    /// first step 1..SR maximum-rate ticks after the command, a whole step high; on average that is this.
+    [[nodiscard]] TimePoint effective(TimePoint time) const;
     void stop(const servo::StopMotor& stop, TimePoint time);
     void zero(TimePoint time);
     void setTick(double seconds, TimePoint time);

@@ -5,12 +5,23 @@
 #include <QMainWindow>
 #include <QTimer>
 
+namespace {
+
+class BareWindow : public QMainWindow {
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        QMainWindow::paintEvent(event);
+        QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
+    }
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
     const QApplication application(argc, argv);
-    QMainWindow window;
+    BareWindow window;
     window.setCentralWidget(new QChartView(&window));
     window.resize(1'100, 800);
     window.show();
-    QTimer::singleShot(0, &window, [&window] { QTimer::singleShot(0, &window, [] { QCoreApplication::exit(0); }); });
     return QApplication::exec();
 }

@@ -31,7 +31,8 @@ class Simulator:
 
 def measure(programs, baud, modules):
     simulator = Simulator(programs, modules)
-    panel = subprocess.Popen([programs + "/nmcpanel", "--port", simulator.terminal, "--baud", str(baud)])
+    panel = subprocess.Popen([programs + "/nmcpanel", "--port", simulator.terminal, "--baud", str(baud)],
+                             stderr=subprocess.DEVNULL)
     try:
         # Every module has been polled ten times: enumeration and start-up are over.
         while min(m["replies"] for m in simulator.ask("stats")["modules"]) < 14:

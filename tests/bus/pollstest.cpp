@@ -295,9 +295,14 @@ RC_GTEST_PROP(Engine, KeepsItsPromisesInAnyOrder, ()) {
     bus.runFor(3s);
     const auto stopped = bus.stopAll();
     RC_ASSERT(stopped.has_value());
-    RC_ASSERT(stopped->stopped.size() == 2U);
-    for (const std::uint8_t module : {std::uint8_t{0}, std::uint8_t{1}})
-        RC_ASSERT(bus.servo(module).commandVelocity == 0);
+    for (const ModuleIndex module : {ModuleIndex(0), ModuleIndex(1)}) {
+        const auto servo = bus.servo(module.value());
+        RC_ASSERT(servo.commandVelocity == 0);
+        // A load cut short and filled up with nulls can be a Set Gain with a valid sum (link.md 1): such a
+        // servo may swing for ever, and the stop says so.
+        if (servo.gains.kp == 200)
+            RC_ASSERT(std::count(stopped->stopped.begin(), stopped->stopped.end(), module) == 1);
+    }
     std::map<std::uint32_t, int> ends;
     for (const auto& finished : bus.all<OperationFinished>())
         ++ends[finished.id.value()];
