@@ -2,6 +2,7 @@
 #include "app/composition.h"
 
 #include <QApplication>
+#include <QWindow>
 
 #include "link/clock.h"
 #include "link/portlist.h"
@@ -73,8 +74,8 @@ void Composition::stopAndQuit() {
 }
 
 bool Composition::eventFilter(QObject* watched, QEvent* event) {
-    // The window paints itself, then its children; the end comes after that.
-    if (watched == &m_window && event->type() == QEvent::Paint)
+    // Everything is painted before the expose event is done with; the end comes after that.
+    if (watched == m_window.windowHandle() && event->type() == QEvent::Expose)
         QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
     return QObject::eventFilter(watched, event);
 }

@@ -42,7 +42,8 @@ public:
         edit.setFocus();
         edit.selectAll();
         QTest::keyClicks(&edit, text);
-        EXPECT_EQ(edit.text(), text) << field << " visible " << edit.isVisible() << " enabled " << edit.isEnabled();
+        EXPECT_EQ(edit.text(), text) << field << " visible " << edit.isVisible() << " enabled "
+                                     << edit.isEnabled();
     }
     void click(const char* button) {
         auto& widget = find<QAbstractButton>(button);

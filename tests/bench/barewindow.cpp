@@ -4,14 +4,17 @@
 #include <QChartView>
 #include <QMainWindow>
 #include <QTimer>
+#include <QWindow>
 
 namespace {
 
-class BareWindow : public QMainWindow {
+/// Ends the program when the window has been painted, as nmcpanel --quit-after-first-paint does.
+class QuitAfterExpose : public QObject {
 protected:
-    void paintEvent(QPaintEvent* event) override {
-        QMainWindow::paintEvent(event);
-        QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Expose)
+            QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
+        return QObject::eventFilter(watched, event);
     }
 };
 
@@ -19,9 +22,11 @@ protected:
 
 int main(int argc, char** argv) {
     const QApplication application(argc, argv);
-    BareWindow window;
+    QMainWindow window;
     window.setCentralWidget(new QChartView(&window));
     window.resize(1'100, 800);
     window.show();
+    QuitAfterExpose quit;
+    window.windowHandle()->installEventFilter(&quit);
     return QApplication::exec();
 }

@@ -26,7 +26,8 @@ TEST(BusWorker, RunsAChainInThisProcess) {
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     ASSERT_EQ(connection.carryOut(move(0, 2'000)), bus::Outcome::Done);
     ASSERT_TRUE(connection.waitUntil([&] { return !connection.module(0).moving(); }));
-    EXPECT_TRUE(connection.waitUntil([&] { return std::abs(*connection.module(0).latest->position - 2'000) <= 5; }));
+    EXPECT_TRUE(
+        connection.waitUntil([&] { return std::abs(*connection.module(0).latest->position - 2'000) <= 5; }));
     const ModuleHistory* history = connection.store().history(ModuleIndex(0));
     ASSERT_NE(history, nullptr);
     EXPECT_GT(history->position.size(), 20U);

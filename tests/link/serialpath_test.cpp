@@ -31,7 +31,8 @@ TEST_P(SerialPath, FindsTheChainMovesAMotorAndStopsIt) {
     ASSERT_TRUE(connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; }));
     ASSERT_TRUE(connection.waitUntil([&] { return !connection.module(1).moving(); }));
     // The integral unwinds the overshoot against friction: that takes seconds.
-    ASSERT_TRUE(connection.waitUntil([&] { return std::abs(*connection.module(1).latest->position - 20'000) <= 5; }));
+    ASSERT_TRUE(
+        connection.waitUntil([&] { return std::abs(*connection.module(1).latest->position - 20'000) <= 5; }));
     EXPECT_NEAR(sim.state(2)[QStringLiteral("position")].toInt(), 20'000, 5);
 
     ASSERT_EQ(connection.carryOut(move(1, 0)), bus::Outcome::Done);

@@ -52,6 +52,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent) : QMainWindow(paren
     setStatusBar(m_linkBar);
     connectParts();
     showSession();
+    showSelected();
     restoreLayout();
     showSafetyOnce();
 }

@@ -24,23 +24,35 @@ ModulePanel::ModulePanel(QWidget* parent)
     addWidget(m_empty);
     addWidget(m_servo);
     addWidget(m_generic);
+    setCurrentWidget(m_servo);
+    bringUp(m_empty);
+}
+
+void ModulePanel::bringUp(QWidget* page) {
+    if (page == currentWidget())
+        return;
+    for (int i = 0; i < count(); ++i) {
+        const auto policy = widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        widget(i)->setSizePolicy(policy, policy);
+    }
+    setCurrentWidget(page);
 }
 
 void ModulePanel::showModule(const ModuleState& module, bool connected, std::optional<double> age) {
     if (module.isServo()) {
         m_servo->showModule(module, connected, age);
-        setCurrentWidget(m_servo);
+        bringUp(m_servo);
     } else {
         m_servo->endHold();
         m_generic->showModule(module);
-        setCurrentWidget(m_generic);
+        bringUp(m_generic);
     }
 }
 
 void ModulePanel::showNothing(const QString& text) {
     m_servo->endHold();
     look::setText(m_empty, text);
-    setCurrentWidget(m_empty);
+    bringUp(m_empty);
 }
 
 }  // namespace nmc

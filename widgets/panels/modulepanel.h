@@ -26,6 +26,9 @@ public:
     [[nodiscard]] ServoPanel* servoPanel() const { return m_servo; }
 
 private:
+    /// Only the page in sight decides how much room is needed.
+    void bringUp(QWidget* page);
+
     QLabel* m_empty;
     ServoPanel* m_servo;
     GenericPanel* m_generic;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemView>
+
+#include "widgets/chain/chainmodel.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class ChainList : public WindowTest {
+protected:
+    QAbstractItemView* list() { return find<QAbstractItemView>(u"chainList"_s); }
+    QVariant at(int row, int role) { return list()->model()->index(row, 0).data(role); }
+};
+
+TEST_F(ChainList, IsInWireOrderWithThePcAtItsEnd) {
+    showServos({{.position = 12345}, {.version = 2}, {}});
+    ASSERT_EQ(list()->model()->rowCount(), 4);
+    EXPECT_EQ(at(0, ChainModel::Name).toString(), u"Module 1"_s);
+    EXPECT_EQ(at(0, ChainModel::Address).toInt(), 1);
+    EXPECT_EQ(at(0, ChainModel::Position).toString(), u"12\u202f345"_s);
+    EXPECT_EQ(at(1, ChainModel::TypeText).toString(), u"PIC-SERVO v2"_s);
+    EXPECT_EQ(at(2, ChainModel::ActivityText).toString(), u"Holding"_s);
+    EXPECT_TRUE(at(3, ChainModel::IsHost).toBool());
+    EXPECT_EQ(at(3, Qt::DisplayRole).toString(), u"PC"_s);
+}
+
+TEST_F(ChainList, ReadsOutARowInOneSentence) {
+    showServo({.position = 7});
+    EXPECT_EQ(at(0, Qt::AccessibleTextRole).toString(),
+              u"Module 1, address 1, PIC-SERVO v4, Holding, position 7 counts"_s);
+}
+
+TEST_F(ChainList, SelectsTheFirstModuleQuietlyAndTellsTheUsersChoice) {
+    QSignalSpy selected(window.get(), &MainWindow::moduleSelected);
+    EXPECT_EQ(window->selectedModule(), std::nullopt);
+    showServos({{}, {.position = 99}});
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(0));
+    EXPECT_EQ(selected.size(), 0);
+    list()->setFocus();
+    QTest::keyClick(list(), Qt::Key_Down);
+    ASSERT_EQ(selected.size(), 1);
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
+    EXPECT_EQ(text(u"positionLabel"_s), u"99"_s);
+}
+
+TEST_F(ChainList, ThePcCannotBeSelected) {
+    showServo();
+    list()->setFocus();
+    QTest::keyClick(list(), Qt::Key_Down);
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(0));
+}
+
+TEST_F(ChainList, KeepsTheSelectionWhileValuesChange) {
+    showServos({{}, {}});
+    list()->setCurrentIndex(list()->model()->index(1, 0));
+    showServos({{.position = 1}, {.position = 2}});
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
+}
+
+TEST_F(ChainList, F41_AnUnknownTypeHasAReadOnlyPanel) {
+    ModuleState module = Servo{}.state();
+    module.info.identity = {static_cast<ModuleType>(7), 2};
+    window->showLink(connectedTo({module}));
+    EXPECT_TRUE(find(u"genericPanel"_s)->isVisible());
+    EXPECT_FALSE(find(u"servoPanel"_s)->isVisible());
+    EXPECT_TRUE(text(u"genericName"_s).contains(u"type 7 v2"_s));
+}
+
+TEST_F(ChainList, WithoutAChainTheMiddleSaysWhatToDo) {
+    EXPECT_TRUE(text(u"emptyPanel"_s).contains(u"Choose a port"_s));
+    EXPECT_TRUE(find(u"emptyPanel"_s)->isVisible());
+    showServo();
+    EXPECT_FALSE(find(u"emptyPanel"_s)->isVisible());
+}
+
+}  // namespace
+}  // namespace nmc

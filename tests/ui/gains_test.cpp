@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class Gains : public WindowTest {
+protected:
+    void typeAll(const std::array<const char*, 9>& values) {
+        for (std::size_t i = 0; i < kNames.size(); ++i)
+            type(kNames[i] + u"Field"_s, QLatin1StringView(values[i]));
+    }
+    servo::SetGain sent(qsizetype i = 0) {
+        return std::get<intent::ApplyGains>(intents.at(i).at(1).value<Intent>()).gains;
+    }
+    const std::array<QString, 9> kNames{u"kp"_s, u"kd"_s, u"ki"_s, u"il"_s, u"ol"_s,
+                                        u"cl"_s, u"el"_s, u"sr"_s, u"db"_s};
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(Gains, U04_AreStagedAndAppliedAllAtOnce) {
+    showServo({.gains = false});
+    typeAll({"1", "2", "3", "4", "5", "6", "7", "8", "9"});
+    EXPECT_EQ(intents.size(), 0);
+    click(u"applyGainsButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(sent(), (servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::uint8_t(9)}));
+}
+
+TEST_F(Gains, U04_OlderVersionsHaveNoDeadband) {
+    showServo({.version = 3, .gains = false});
+    EXPECT_FALSE(field(u"dbField"_s)->isVisible());
+    for (std::size_t i = 0; i < 8; ++i)
+        type(kNames[i] + u"Field"_s, u"1"_s);
+    click(u"applyGainsButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(sent().db, std::nullopt);
+}
+
+TEST_F(Gains, SayWhetherTheyWereSentEditedOrNobodyKnows) {
+    showServo({.gains = false});
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"unknown"_s));
+    EXPECT_TRUE(field(u"kpField"_s)->text().isEmpty());
+    type(u"kpField"_s, u"100"_s);
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"not sent"_s));
+    showServo({.gains = true});
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"sent"_s));
+    EXPECT_FALSE(text(u"kpState"_s).contains(u"not"_s));
+    type(u"kpField"_s, u"101"_s);
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"edited, not sent"_s));
+}
+
+TEST_F(Gains, NeverClaimToBeReadFromTheModule) {
+    showServo();
+    for (const QLabel* label : window->findChildren<QLabel*>())
+        EXPECT_FALSE(label->text().contains(u"read from"_s, Qt::CaseInsensitive))
+            << label->text().toStdString();
+}
+
+TEST_F(Gains, U01_OutOfRangeIsNotSent) {
+    const std::array<const char*, 9> tooMuch{"32768", "32768", "32768", "32768", "256",
+                                             "256",   "16384", "256",   "256"};
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        showServo({.millisecond = static_cast<int>(i)});
+        typeAll({"1", "1", "1", "1", "1", "1", "1", "1", "1"});
+        EXPECT_TRUE(button(u"applyGainsButton"_s)->isEnabled());
+        type(kNames[i] + u"Field"_s, QLatin1StringView(tooMuch[i]));
+        EXPECT_FALSE(button(u"applyGainsButton"_s)->isEnabled()) << kNames[i].toStdString();
+        EXPECT_TRUE(button(u"applyGainsButton"_s)->toolTip().contains(u"takes"_s));
+        click(u"applyGainsButton"_s);
+    }
+    type(u"srField"_s, u"0"_s);
+    EXPECT_FALSE(button(u"applyGainsButton"_s)->isEnabled());
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Gains, StartingValuesFillTheFieldsAndSendNothing) {
+    showServo({.on = false, .gains = false});
+    click(u"fillGainsButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_TRUE(button(u"applyGainsButton"_s)->isEnabled());
+    EXPECT_TRUE(text(u"kpState"_s).contains(u"not sent"_s));
+}
+
+TEST_F(Gains, RevertGoesBackToWhatWasSent) {
+    showServo();
+    type(u"kpField"_s, u"7"_s);
+    click(u"revertGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 100);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Gains, EachModuleHasItsOwnDraft) {
+    showServos({{.gains = false}, {.gains = false}});
+    type(u"kpField"_s, u"42"_s);
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    EXPECT_TRUE(field(u"kpField"_s)->text().isEmpty());
+    chain->setCurrentIndex(chain->model()->index(0, 0));
+    EXPECT_EQ(field(u"kpField"_s)->value(), 42);
+}
+
+TEST_F(Gains, ToolTipsGiveMeaningRangeAndAdvice) {
+    EXPECT_TRUE(field(u"kdField"_s)->toolTip().contains(u"hum"_s));
+    EXPECT_TRUE(field(u"elField"_s)->toolTip().contains(u"0 to 16383"_s));
+    EXPECT_TRUE(field(u"clField"_s)->toolTip().contains(u"Odd"_s));
+    EXPECT_TRUE(field(u"srField"_s)->toolTip().contains(u"velocity"_s));
+}
+
+TEST_F(Gains, SayWhenTheyActAtOnce) {
+    showServo({.on = true});
+    EXPECT_TRUE(button(u"applyGainsButton"_s)->text().contains(u"live"_s));
+    showServo({.on = false});
+    EXPECT_FALSE(button(u"applyGainsButton"_s)->text().contains(u"live"_s));
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QDialog>
+#include <functional>
+
+#include "widgets/panels/holdbutton.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class Hold : public WindowTest {
+protected:
+    Hold() {
+        showServo();
+        window->setHoldInterval(5);
+        forward = find<HoldButton>(u"holdForwardButton"_s);
+    }
+    void press() { QTest::mousePress(forward, Qt::LeftButton); }
+    void expectEnded() {
+        EXPECT_EQ(releases.size(), 1);
+        EXPECT_FALSE(forward->isHeld());
+        const qsizetype before = holds.size();
+        QTest::qWait(20);
+        EXPECT_EQ(holds.size(), before) << "evidence went on after the end";
+    }
+    HoldButton* forward = nullptr;
+    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
+    QSignalSpy releases{window.get(), &MainWindow::holdReleased};
+};
+
+TEST_F(Hold, AsksOnPressAndAgainWhileHeld) {
+    press();
+    ASSERT_EQ(holds.size(), 1);
+    const auto hold = holds.at(0).at(0).value<bus::HoldToMove>();
+    EXPECT_EQ(hold.velocity.value(), 16384U);  // 0.25 counts/tick
+    EXPECT_FALSE(hold.reverse);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 4; }));
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    expectEnded();
+}
+
+TEST_F(Hold, ReverseIsReverse) {
+    QTest::mousePress(button(u"holdReverseButton"_s), Qt::LeftButton);
+    ASSERT_EQ(holds.size(), 1);
+    EXPECT_TRUE(holds.at(0).at(0).value<bus::HoldToMove>().reverse);
+    QTest::mouseRelease(button(u"holdReverseButton"_s), Qt::LeftButton);
+}
+
+TEST_F(Hold, SpaceHoldsAndAutoRepeatIsIgnored) {
+    forward->setFocus();
+    QTest::keyPress(forward, Qt::Key_Space);
+    EXPECT_EQ(holds.size(), 1);
+    QKeyEvent repeatRelease(QEvent::KeyRelease, Qt::Key_Space, Qt::NoModifier, u" "_s, true);
+    QKeyEvent repeatPress(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, u" "_s, true);
+    QApplication::sendEvent(forward, &repeatRelease);
+    QApplication::sendEvent(forward, &repeatPress);
+    EXPECT_EQ(releases.size(), 0);
+    EXPECT_EQ(holds.size(), 1);
+    QTest::keyRelease(forward, Qt::Key_Space);
+    expectEnded();
+}
+
+struct Ending {
+    const char* name;
+    std::function<void(MainWindow&, HoldButton&)> happen;
+};
+void PrintTo(const Ending& ending, std::ostream* out) {
+    *out << ending.name;
+}
+
+class HoldEnds : public Hold, public testing::WithParamInterface<Ending> {};
+
+TEST_P(HoldEnds, AtOnceAndForGood) {
+    press();
+    GetParam().happen(*window, *forward);
+    expectEnded();
+}
+
+void sendTo(QWidget& widget, QEvent::Type type) {
+    QEvent event(type);
+    QApplication::sendEvent(&widget, &event);
+}
+
+const std::array kEndings{
+    Ending{"Release", [](MainWindow&, HoldButton& b) { QTest::mouseRelease(&b, Qt::LeftButton); }},
+    Ending{"PointerLeaves",
+           [](MainWindow&, HoldButton& b) {
+               const QPointF out(-50, -50);
+               QMouseEvent move(QEvent::MouseMove, out, b.mapToGlobal(out), Qt::NoButton, Qt::LeftButton,
+                                Qt::NoModifier);
+               QApplication::sendEvent(&b, &move);
+               const QPointF in(5, 5);
+               QMouseEvent back(QEvent::MouseMove, in, b.mapToGlobal(in), Qt::NoButton, Qt::LeftButton,
+                                Qt::NoModifier);
+               QApplication::sendEvent(&b, &back);
+           }},
+    Ending{"FocusOut", [](MainWindow& w,
+                          HoldButton&) { w.findChild<QWidget*>(QStringLiteral("goalField"))->setFocus(); }},
+    Ending{"WindowDeactivated", [](MainWindow&, HoldButton& b) { sendTo(b, QEvent::WindowDeactivate); }},
+    Ending{"WindowHidden", [](MainWindow& w, HoldButton&) { w.hide(); }},
+    Ending{"Disabled", [](MainWindow&, HoldButton& b) { b.setEnabled(false); }},
+    Ending{"Dialog",
+           [](MainWindow& w, HoldButton&) {
+               QDialog dialog(&w);
+               dialog.setModal(true);
+               dialog.show();
+           }},
+    Ending{"AnotherMouseButton", [](MainWindow&, HoldButton& b) { QTest::mousePress(&b, Qt::RightButton); }},
+    Ending{"AModifier", [](MainWindow&, HoldButton& b) { QTest::keyPress(&b, Qt::Key_Shift); }},
+    Ending{"PortError", [](MainWindow& w, HoldButton&) { w.showLink({}); }},
+    Ending{"ServoOff",
+           [](MainWindow& w, HoldButton&) { w.showLink(connectedTo({Servo{.on = false}.state()})); }},
+    Ending{"Silence",
+           [](MainWindow& w, HoldButton&) {
+               ModuleState module = Servo{}.state();
+               module.silent = true;
+               w.showLink(connectedTo({module}));
+           }},
+    Ending{"StopAll",
+           [](MainWindow& w, HoldButton&) {
+               QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")), Qt::LeftButton);
+           }},
+    Ending{"Esc", [](MainWindow&, HoldButton& b) { QTest::keyClick(&b, Qt::Key_Escape); }},
+    Ending{"AnotherSpeed",
+           [](MainWindow& w, HoldButton&) {
+               auto* field = w.findChild<NumberField*>(QStringLiteral("holdVelocityField"));
+               field->setText(QStringLiteral("2"));
+               emit field->edited();
+           }},
+};
+INSTANTIATE_TEST_SUITE_P(When, HoldEnds, testing::ValuesIn(kEndings),
+                         [](const testing::TestParamInfo<Ending>& ending) {
+                             return std::string(ending.param.name);
+                         });
+
+TEST_F(Hold, AnotherModuleEndsIt) {
+    showServos({{}, {}});
+    press();
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    expectEnded();
+}
+
+TEST_F(Hold, ItsOwnStatusesDoNotEndIt) {
+    press();
+    showServo({.moveDone = false, .position = 3, .millisecond = 30});
+    EXPECT_TRUE(forward->isHeld());
+    QTest::mouseRelease(forward, Qt::LeftButton);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/numberfield.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QWheelEvent>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using Problem = NumberField::Problem;
+
+/// Every rule holds whatever the user's locale writes.
+class NumberFieldIn : public testing::TestWithParam<const char*> {
+protected:
+    NumberFieldIn() { QLocale::setDefault(QLocale(QLatin1StringView(GetParam()))); }
+    ~NumberFieldIn() override { QLocale::setDefault(QLocale::c()); }
+
+    NumberField& shown(int decimals = 3) {
+        field = std::make_unique<NumberField>(decimals);
+        field->setRange(-1000, 1000);
+        field->setAccessibleName(u"Speed"_s);
+        field->setWords(u"The speed"_s, u"counts/tick"_s);
+        field->show();
+        field->activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(field.get()));
+        field->setFocus();
+        return *field;
+    }
+    std::optional<double> typed(const QString& text) {
+        NumberField& target = shown();
+        QTest::keyClicks(&target, text);
+        return target.value();
+    }
+    std::unique_ptr<NumberField> field;
+};
+
+TEST_P(NumberFieldIn, U02_BothMarksAreTheDecimalMark) {
+    EXPECT_EQ(typed(u"2.75"_s), 2.75);
+    EXPECT_EQ(typed(u"2,75"_s), 2.75);
+    EXPECT_EQ(typed(u"-0,5"_s), -0.5);
+    EXPECT_EQ(typed(u"+3"_s), 3.0);
+    EXPECT_EQ(typed(u",5"_s), 0.5);
+}
+
+TEST_P(NumberFieldIn, U02_TwoMarksAreRefusedNeverMultiplied) {
+    for (const QString& text : {u"1.234,5"_s, u"1,234.5"_s, u"1.2.3"_s, u"1,,2"_s}) {
+        EXPECT_EQ(typed(text), std::nullopt) << text.toStdString();
+        EXPECT_EQ(field->problem(), Problem::TwoMarks);
+        EXPECT_EQ(field->text(), text);
+    }
+}
+
+TEST_P(NumberFieldIn, ReadsBackWhatItShows) {
+    NumberField& target = shown();
+    for (double value : {2.75, -0.125, 0.0, 999.5}) {
+        target.showValue(value);
+        EXPECT_EQ(target.value(), value);
+    }
+}
+
+TEST_P(NumberFieldIn, U02_PastedTextFollowsTheSameRules) {
+    NumberField& target = shown();
+    QApplication::clipboard()->setText(u"2,75"_s);
+    target.paste();
+    EXPECT_EQ(target.value(), 2.75);
+}
+
+TEST_P(NumberFieldIn, U03_RefusesWhatIsNoNumber) {
+    for (const QString& text : {u"abc"_s, u"1e3"_s, u"nan"_s, u"inf"_s, u"0x10"_s, u"1 000"_s, u"--1"_s,
+                                u"-"_s, u"."_s, u"٣"_s, u"1\u202e2"_s}) {
+        Problem problem = Problem::None;
+        EXPECT_EQ(NumberField::parse(text, false, &problem), std::nullopt) << text.toStdString();
+        EXPECT_NE(problem, Problem::None);
+    }
+}
+
+TEST_P(NumberFieldIn, U03_AHugePasteIsNoValue) {
+    NumberField& target = shown();
+    QApplication::clipboard()->setText(QString(5'000'000, u'9'));
+    target.paste();
+    EXPECT_EQ(target.value(), std::nullopt);
+    EXPECT_LT(target.text().size(), 64);
+}
+
+TEST_P(NumberFieldIn, U01_OutOfRangeSaysTheRangeAndKeepsTheText) {
+    EXPECT_EQ(typed(u"1000,5"_s), std::nullopt);
+    EXPECT_EQ(field->problem(), Problem::OutOfRange);
+    EXPECT_EQ(field->text(), u"1000,5"_s);
+    EXPECT_TRUE(field->toolTip().contains(u"The speed takes -1000 to 1000 counts/tick."_s))
+        << field->toolTip().toStdString();
+    EXPECT_EQ(field->accessibleDescription(), field->problemText());
+}
+
+TEST_P(NumberFieldIn, WholeNumbersAreNotRounded) {
+    NumberField& target = shown(0);
+    QTest::keyClicks(&target, u"2.75"_s);
+    EXPECT_EQ(target.value(), std::nullopt);
+    EXPECT_EQ(target.problem(), Problem::NotWhole);
+}
+
+INSTANTIATE_TEST_SUITE_P(Locales, NumberFieldIn,
+                         testing::Values("de_DE", "en_US", "fr_FR", "de_CH", "ar_EG", "hi_IN"));
+
+class NumberFieldWheel : public WindowTest {
+protected:
+    static void turn(QWidget* widget, int notches) {
+        const QPointF centre = QRectF(widget->rect()).center();
+        QWheelEvent event(centre, widget->mapToGlobal(centre), {}, QPoint(0, 120 * notches), Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(widget, &event);
+    }
+};
+
+TEST_F(NumberFieldWheel, DoesNothingInAFieldWithoutFocus) {
+    showServo();
+    field(u"kpField"_s)->setFocus();
+    const QString before = field(u"velocityField"_s)->text();
+    turn(field(u"velocityField"_s), 3);
+    EXPECT_EQ(field(u"velocityField"_s)->text(), before);
+    EXPECT_FALSE(field(u"velocityField"_s)->hasFocus());
+}
+
+TEST_F(NumberFieldWheel, StepsTheFocusedFieldAndStopsAtItsRange) {
+    showServo();
+    NumberField* sr = field(u"srField"_s);
+    type(u"srField"_s, u"2"_s);
+    turn(sr, -1);
+    EXPECT_EQ(sr->value(), 1);
+    turn(sr, -1);
+    EXPECT_EQ(sr->value(), 1);
+    QTest::keyClick(sr, Qt::Key_Up);
+    EXPECT_EQ(sr->value(), 2);
+}
+
+TEST_F(NumberFieldWheel, MarksABadFieldWithAShapeNotOnlyAColour) {
+    showServo();
+    const auto orange = [this] {
+        const QImage image = field(u"goalField"_s)->grab().toImage();
+        int count = 0;
+        for (int x = 0; x < image.height(); ++x)
+            for (int y = image.height() / 4; y < image.height() * 3 / 4; ++y)
+                count += image.pixelColor(x, y) == QColor(0xE6, 0x9F, 0x00) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(orange(), 0);
+    type(u"goalField"_s, u"99999999999"_s);
+    EXPECT_GT(orange(), 20) << "the triangle at the left of the field";
+    EXPECT_FALSE(text(u"motionHint"_s).isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/texts.h"
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+QStringList verbs(const Message& message) {
+    QStringList list;
+    for (const Message::Action& action : message.actions)
+        list << action.text;
+    return list;
+}
+
+// The table of interface.md, row by row.
+
+TEST(Texts, NoPermission) {
+    const Message m =
+        texts::portProblem({PortProblem::NoPermission, u"/dev/ttyUSB0"_s, u"dialout"_s, u"anna"_s, {}, 0});
+    EXPECT_EQ(m.headline, u"Your user account may not use /dev/ttyUSB0."_s);
+    EXPECT_EQ(
+        m.body,
+        u"It belongs to the group dialout. Run sudo usermod -aG dialout anna, then log out and in again."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Copy command"_s, u"Choose another port"_s, u"Use simulator"_s}));
+}
+
+TEST(Texts, InUse) {
+    const Message m = texts::portProblem({PortProblem::InUse, u"/dev/ttyUSB0"_s, {}, {}, {}, 0});
+    EXPECT_EQ(m.headline, u"/dev/ttyUSB0 is used by another program."_s);
+    EXPECT_EQ(m.body, u"Close it and try again."_s);
+    EXPECT_TRUE(verbs(m).contains(u"Retry"_s));
+}
+
+TEST(Texts, Gone) {
+    const Message m = texts::portProblem({PortProblem::Gone, u"/dev/ttyUSB0"_s, {}, {}, {}, 2});
+    EXPECT_EQ(m.headline,
+              u"The adapter at /dev/ttyUSB0 was unplugged. Motor state unknown: 2 motors were moving."_s);
+    EXPECT_EQ(m.body, u"Use the hardware stop if needed, then plug it in again."_s);
+    EXPECT_EQ(m.severity, Severity::Fault);
+}
+
+TEST(Texts, NoModule) {
+    const Message m =
+        texts::connectFailed({bus::ConnectFailure::NobodyAnswers, {}, 115200}, u"/dev/ttyUSB0"_s);
+    EXPECT_EQ(m.headline,
+              u"The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried)."_s);
+    EXPECT_EQ(
+        m.body,
+        u"Check, in this order: module power; every cable in the chain, one loose cable hides all modules; "
+        "the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex "
+        "(4-wire) adapter."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Use simulator"_s}));
+}
+
+TEST(Texts, FewerThanExpected) {
+    const Message m = texts::fewerThanExpected(3, 5, u"Z axis"_s);
+    EXPECT_EQ(m.headline, u"3 of 5 modules answered."_s);
+    EXPECT_EQ(m.body,
+              u"Numbering starts at the far end, so look at the next module towards the PC after module 3 "
+              u"\"Z axis\": "
+              "its power first, then the plug between the two."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Work with 3"_s}));
+}
+
+TEST(Texts, Refused) {
+    const Message m = texts::refused({ModuleIndex(1), 1});
+    EXPECT_EQ(m.headline, u"Module 2 did not understand the last command, so it was not carried out."_s);
+    EXPECT_EQ(m.body, u"Sent again (1 of 3). Usually noise on the cable."_s);
+}
+
+TEST(Texts, Garbled) {
+    const Message m = texts::garbled(ModuleIndex(1));
+    EXPECT_EQ(m.headline, u"The answer from module 2 was garbled."_s);
+    EXPECT_EQ(m.body, u"The command may or may not have been carried out; position is being read again."_s);
+}
+
+TEST(Texts, BadLink) {
+    const Message m = texts::badLink(14, 200);
+    EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
+    EXPECT_EQ(m.body,
+              u"Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends."_s);
+}
+
+TEST(Texts, SlowAdapter) {
+    const Message m = texts::slowAdapter(58, 16);
+    EXPECT_EQ(
+        m.headline,
+        u"Updates are slow (58 per second) because the USB adapter waits 16 ms before passing data on."_s);
+    EXPECT_EQ(m.body, u"Set its latency timer to 1 ms."_s);
+}
+
+TEST(Texts, ErrorTrip) {
+    const Message m = texts::tripped(ModuleIndex(0), 400);
+    EXPECT_EQ(
+        m.headline,
+        u"Module 1 switched its servo off because the motor was more than 400 counts from where it should be."_s);
+    EXPECT_EQ(m.body, u"Check for a jam, or raise the limit."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Show the last 2 s"_s, u"Clear and stay off"_s}));
+}
+
+TEST(Texts, Power) {
+    const Message m = texts::powerLost(ModuleIndex(0));
+    EXPECT_EQ(m.headline, u"Module 1 has no motor power, so its servo is off."_s);
+    EXPECT_EQ(m.body, u"It stays off when power returns."_s);
+}
+
+TEST(Texts, Restarted) {
+    const Message m = texts::restarted(ModuleIndex(1), 3);
+    EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
+    EXPECT_EQ(m.body, u"Module 3 may not answer until module 2 has its address again."_s);
+    EXPECT_EQ(verbs(m), QStringList{u"Restart the network…"_s});
+    EXPECT_TRUE(texts::restarted(ModuleIndex(2), 3).body.isEmpty()) << "there is no module nearer the PC";
+}
+
+TEST(Texts, Closing) {
+    EXPECT_EQ(texts::closing(2), u"2 motors are moving. They will be stopped before the port closes."_s);
+    EXPECT_EQ(texts::closing(1), u"1 motor is moving. It will be stopped before the port closes."_s);
+}
+
+TEST(Texts, StopBeforeAndAfter) {
+    EXPECT_EQ(texts::stopReach(5, 5), u"reaches 5 of 5"_s);
+    std::vector<ModuleIndex> five;
+    for (std::uint8_t i = 0; i < 5; ++i)
+        five.emplace_back(i);
+    EXPECT_EQ(texts::stopResult({five, {}, fromSeconds(0.021)}).headline,
+              u"5 of 5 stopped, 21 ms. Still holding."_s);
+    EXPECT_EQ(texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}}).headline,
+              u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
+}
+
+TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {
+    for (const Message& m :
+         {texts::linkLost(u"/dev/ttyUSB0"_s, 0), texts::linkLost(u"/dev/ttyUSB0"_s, 1),
+          texts::moduleSilent(ModuleIndex(0), 1.2, true), texts::moduleSilent(ModuleIndex(0), 1.2, false),
+          texts::portProblem({PortProblem::Gone, u"/dev/ttyUSB0"_s, {}, {}, {}, 0}),
+          texts::operationFailed({bus::OperationId(1), bus::Outcome::NoAnswer, ModuleIndex(0), 0})})
+        EXPECT_TRUE(m.headline.contains(u"unknown"_s)) << m.headline.toStdString();
+}
+
+/// No blame, no drama.
+TEST(Texts, NoForbiddenWords) {
+    QStringList all;
+    const auto add = [&all](const Message& m) { all << m.headline + u' ' + m.body; };
+    for (int p = 0; p <= static_cast<int>(PortProblem::Other); ++p)
+        add(texts::portProblem({static_cast<PortProblem>(p), u"/dev/ttyUSB0"_s, {}, {}, {}, 0}));
+    for (int f = 0; f <= static_cast<int>(bus::ConnectFailure::Garbled); ++f)
+        add(texts::connectFailed({static_cast<bus::ConnectFailure>(f), {ModuleIndex(1)}, 115200},
+                                 u"/dev/ttyUSB0"_s));
+    for (int o = 0; o <= static_cast<int>(bus::Outcome::Cancelled); ++o)
+        add(texts::operationFailed(
+            {bus::OperationId(1), static_cast<bus::Outcome>(o), ModuleIndex(0), 0x17}));
+    for (int r = 0; r <= static_cast<int>(Refusal::NoVelocity); ++r) {
+        all << texts::refusal(static_cast<Refusal>(r));
+        EXPECT_FALSE(all.back().isEmpty()) << r;
+    }
+    for (int a = 0; a <= static_cast<int>(Activity::Decelerating); ++a) {
+        EXPECT_FALSE(texts::activity(static_cast<Activity>(a)).isEmpty()) << a;
+        all << texts::activity(static_cast<Activity>(a)) << texts::activityMeaning(static_cast<Activity>(a));
+    }
+    all << texts::unknownPort(u"x"_s, {u"/dev/ttyUSB0"_s}) << texts::badBaud(u"4800"_s)
+        << texts::badChain(u"x"_s, u"y"_s) << texts::safety().body << texts::noDisplay();
+    for (const QString& sentence : all) {
+        for (const QString& word :
+             {u"invalid"_s, u"illegal"_s, u"fatal"_s, u"!"_s, u"dead-man"_s, u"E-stop"_s})
+            EXPECT_FALSE(sentence.contains(word, Qt::CaseInsensitive)) << sentence.toStdString();
+        EXPECT_FALSE(sentence.contains(u"%"_s)) << "an argument is missing: " << sentence.toStdString();
+    }
+}
+
+TEST(Texts, EachStateHasAWordOfItsOwn) {
+    QStringList words;
+    for (int a = 0; a <= static_cast<int>(Activity::Decelerating); ++a)
+        words << texts::activity(static_cast<Activity>(a));
+    EXPECT_EQ(words.removeDuplicates(), 0);
+}
+
+TEST(Texts, ServoOffIsNotAFault) {
+    EXPECT_EQ(texts::activity(Activity::ServoOff), u"Servo off"_s);
+    EXPECT_EQ(severityOf(Activity::ServoOff), Severity::Normal);
+}
+
+TEST(Texts, ReadoutsAreGroupedAndSigned) {
+    EXPECT_EQ(texts::grouped(0), u"0"_s);
+    EXPECT_EQ(texts::grouped(-1234567), u"\u22121\u202f234\u202f567"_s);
+    EXPECT_EQ(texts::readout(1953.125), u"1\u202f953"_s);
+    EXPECT_EQ(texts::readout(0.5), u"0.5"_s);
+    EXPECT_EQ(texts::readout(0), u"0"_s);
+    EXPECT_EQ(texts::readout(999.99), u"1\u202f000"_s);
+}
+
+}  // namespace
+}  // namespace nmc

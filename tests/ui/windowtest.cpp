@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "windowtest.h"
+
+#include <QAbstractButton>
+#include <QPalette>
+
+namespace nmc {
+
+servo::SetGain someGains() {
+    servo::SetGain gains;
+    gains.kp = 100;
+    gains.kd = 1000;
+    gains.ol = 255;
+    gains.el = 4000;
+    gains.db = 0;
+    return gains;
+}
+
+ModuleState Servo::state() const {
+    ModuleState module;
+    module.info = {ModuleIndex(static_cast<std::uint8_t>(index)),
+                   BusAddress(static_cast<std::uint8_t>(index + 1)),
+                   {ModuleType::Servo, version}};
+    bus::Sample sample;
+    sample.module = module.info.index;
+    sample.time = TimePoint(std::chrono::milliseconds(1000 + millisecond));
+    sample.report.status =
+        static_cast<std::uint8_t>((moveDone ? 0x01 : 0) | (power ? 0x08 : 0) | (on ? 0 : 0x10));
+    sample.report.position = position;
+    sample.report.aux = static_cast<std::uint8_t>(on ? 0x04 : 0);
+    sample.report.analog = std::uint8_t(0);
+    sample.report.velocity = std::int16_t(0);
+    sample.report.home = 0;
+    module.apply(sample);
+    if (gains)
+        module.gains = someGains();
+    return module;
+}
+
+LinkState connectedTo(std::vector<ModuleState> modules) {
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.port = "/dev/ttyUSB0";
+    link.baud = 115200;
+    link.modules = std::move(modules);
+    return link;
+}
+
+QPalette darkPalette() {
+    QPalette palette(QColor(0x3A, 0x3D, 0x41), QColor(0x2B, 0x2D, 0x30));
+    palette.setColor(QPalette::Base, QColor(0x1E, 0x1F, 0x22));
+    return palette;
+}
+
+WindowTest::WindowTest() {
+    settings.setValue(u"safety/understood"_s, true);
+    window = std::make_unique<MainWindow>(settings);
+    window->resize(1280, 864);
+    window->show();
+    window->activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
+}
+
+void WindowTest::showServos(std::vector<Servo> servos) {
+    std::vector<ModuleState> modules;
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        servos[i].index = static_cast<int>(i);
+        modules.push_back(servos[i].state());
+    }
+    window->showLink(connectedTo(std::move(modules)));
+}
+
+void WindowTest::type(const QString& objectName, const QString& text) {
+    NumberField* target = field(objectName);
+    target->setFocus();
+    target->selectAll();
+    if (text.isEmpty())
+        QTest::keyClick(target, Qt::Key_Delete);
+    for (const QChar c : text)
+        QTest::keyClick(target, c.toLatin1());
+}
+
+}  // namespace nmc

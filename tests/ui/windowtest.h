@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "widgets/common/numberfield.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+inline void PrintTo(const QString& text, std::ostream* out) {
+    *out << text.toStdString();
+}
+
+using namespace Qt::StringLiterals;
+
+/// A servo as it would be after these statuses.
+struct Servo {
+    int index = 0;
+    std::uint8_t version = 4;
+    bool on = true;
+    bool power = true;
+    bool moveDone = true;
+    std::int32_t position = 0;
+    bool gains = true;
+    int millisecond = 0;
+
+    [[nodiscard]] ModuleState state() const;
+};
+
+[[nodiscard]] servo::SetGain someGains();
+[[nodiscard]] LinkState connectedTo(std::vector<ModuleState> modules);
+[[nodiscard]] QPalette darkPalette();
+
+/// A shown, active window with settings of its own, and its controls by object name.
+class WindowTest : public testing::Test {
+protected:
+    WindowTest();
+
+    void showServos(std::vector<Servo> servos);
+    void showServo(const Servo& servo = {}) { showServos({servo}); }
+
+    template <typename T = QWidget>
+    T* find(const QString& objectName) {
+        T* widget = window->findChild<T*>(objectName);
+        EXPECT_NE(widget, nullptr) << objectName.toStdString();
+        return widget;
+    }
+    NumberField* field(const QString& objectName) { return find<NumberField>(objectName); }
+    QAbstractButton* button(const QString& objectName) { return find<QAbstractButton>(objectName); }
+    QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }
+    /// As a user would: selects what is there and types over it.
+    void type(const QString& objectName, const QString& text);
+    void click(const QString& objectName) { QTest::mouseClick(button(objectName), Qt::LeftButton); }
+
+    QTemporaryDir directory;
+    QSettings settings{directory.filePath(u"settings.ini"_s), QSettings::IniFormat};
+    std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace nmc
