@@ -58,12 +58,19 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end, TimePoint now
     belief(index).onStatus(end.report, end.latched);
     if (work.command)
         belief(index).onExecuted(*work.command);
-    if (reported(work)) {
-        if (const auto blind = work.lane == Lane::Stop ? m_stop->takeBlind(index) : std::nullopt)
-            events.emplace_back(CommandExecuted{index, *blind, *work.command});
+    if (work.lane == Lane::Stop)
+        tellBlindStop(index);
+    if (reported(work))
         events.emplace_back(CommandExecuted{index, end.latched, *work.command});
-    }
     events.emplace_back(Sample{index, end.latched, end.report});
+}
+
+/// The first answer after a blind stop, before what it says: a command position that went on until the stop
+/// is acknowledged would be some 20 ms of travel off.
+void Engine::Private::tellBlindStop(ModuleIndex module) {
+    const auto stop = m_stop->stopOf(module);
+    if (const auto blind = m_stop->takeBlind(module); blind && stop)
+        events.emplace_back(CommandExecuted{module, *blind, *stop});
 }
 
 /// The model follows what operations, holds and stops did, not the questions.

@@ -76,6 +76,7 @@ private:
     void ended(const ReplyEnd& end, TimePoint now);
     [[nodiscard]] bool repeats(Work& work, const ReplyEnd& end);
     void learn(const Work& work, const ReplyEnd& end, TimePoint now);
+    void tellBlindStop(ModuleIndex module);
     [[nodiscard]] static bool reported(const Work& work);
     void deliver(const Work& work, const ReplyEnd& end, TimePoint now);
     void deliverOperation(const ReplyEnd& end);
@@ -116,6 +117,7 @@ private:
     std::optional<StopRun> m_stop;
     bool m_blindStopsDue = false;
     std::vector<Step> m_blindStops;  ///< under way
+    bool m_blindStopsHeard = false;  ///< the link was not in doubt when they went out
     unsigned m_holdFailures = 0;     ///< refused starts, or stops that were not answered, in a row
     std::optional<TimePoint> m_stopDuringDiscovery;
 };

@@ -18,6 +18,7 @@ void Engine::Private::interrupt() {
 /// stop.
 void Engine::Private::sendBlindStops(TimePoint now) {
     Line::Script script{Line::Gap{}};
+    m_blindStopsHeard = !m_suspect;
     if (std::exchange(m_suspect, false)) {
         m_hurried = true;
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
@@ -53,7 +54,7 @@ void Engine::Private::noteBlindStops() {
     for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
         belief(steps[i].module).onSent(steps[i].command, latched);
-        m_stop->onBlindSent(steps[i].module, latched);
+        m_stop->onBlindSent(steps[i].module, m_blindStopsHeard ? std::optional(latched) : std::nullopt);
     }
 }
 

@@ -78,7 +78,7 @@ std::vector<Step> StopRun::blindStops() const {
     return steps;
 }
 
-void StopRun::onBlindSent(ModuleIndex module, TimePoint latched) {
+void StopRun::onBlindSent(ModuleIndex module, std::optional<TimePoint> latched) {
     Target& sent = target(module);
     sent.stopOwed = false;
     sent.blind = latched;

@@ -40,8 +40,8 @@ public:
     /// Stops to send without waiting for answers, because an answer is under way or the link is in doubt.
     [[nodiscard]] std::vector<Step> blindStops() const;
     /// They went out: look before stopping again, since an abrupt stop may have tripped the servo, which a
-    /// second one would switch on.
-    void onBlindSent(ModuleIndex module, TimePoint latched);
+    /// second one would switch on. `latched`: when it was carried out, as far as that is certain.
+    void onBlindSent(ModuleIndex module, std::optional<TimePoint> latched);
 
     struct Ask {
         ModuleIndex module;

@@ -349,6 +349,30 @@ TEST(StopRun, IsReportedAsExecutedForTheModel) {
               ModuleCommand(ServoCommand(servo::StopMotor{true, servo::StopManner::Abruptly, {}})));
 }
 
+TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 4 * 65'536), start(0)}), Outcome::Done);
+    bus.runFor(200ms);
+    const std::size_t polled = bus.sent.size();
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sent.size() > polled; }, 1s));  // a reply is under way
+    bus.events.clear();
+    ASSERT_TRUE(bus.stopAll());
+    // The first command that stops module 1, and no status from after it may come earlier.
+    std::optional<TimePoint> stopped;
+    std::vector<TimePoint> before;
+    for (const bus::Event& event : bus.events) {
+        const auto* sample = std::get_if<bus::Sample>(&event);
+        if (const auto* executed = std::get_if<CommandExecuted>(&event); executed != nullptr && !stopped)
+            stopped = executed->time;
+        else if (sample != nullptr && sample->module == ModuleIndex(0) && !stopped)
+            before.push_back(sample->time);
+    }
+    ASSERT_TRUE(stopped.has_value());
+    for (const TimePoint time : before)
+        EXPECT_LT(time, *stopped);
+}
+
 }  // namespace
 
 }  // namespace nmc::test
