@@ -29,9 +29,8 @@ Matrix exponential(Matrix m) {
     for (const auto& row : m)
         for (double x : row)
             norm = std::max(norm, std::abs(x));
-    int squarings = 0;
-    for (; norm > 0.05; norm *= 0.5)
-        ++squarings;
+    constexpr double kSmall = 1.0 / 32;  // below it twelve terms are more than a double holds
+    const int squarings = norm > kSmall ? std::ilogb(norm / kSmall) + 1 : 0;
     for (auto& row : m)
         for (double& x : row)
             x = std::ldexp(x, -squarings);

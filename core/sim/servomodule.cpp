@@ -152,7 +152,7 @@ void ServoModule::setHoming(std::uint8_t control) {
 }
 
 void ServoModule::appendItems(std::uint8_t items, ReplyBytes& reply) const {
-    const auto wanted = [items](unsigned bit) { return (items >> bit & 1U) != 0; };
+    const auto wanted = [items](unsigned bit) { return (unsigned{items} >> bit & 1U) != 0; };
     if (wanted(0))
         reply.appendLittleEndian(m_loop.position());
     if (wanted(1))
