@@ -22,7 +22,7 @@ ChainView::ChainView(QWidget* parent) : QListView(parent), m_model(new ChainMode
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFrameShape(QFrame::NoFrame);
     setUniformItemSizes(false);
-    setMinimumWidth(fontMetrics().height() * 12);
+    setMinimumWidth(fontMetrics().height() * 14);
 }
 
 void ChainView::showLink(const LinkState& state) {

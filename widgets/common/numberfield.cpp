@@ -101,15 +101,15 @@ std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Pr
 }
 
 QString NumberField::format(double value, int decimals) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    QString text = locale.toString(value, 'f', decimals);
+    // Digits as the parser reads them; of the locale only its decimal mark, where it is one of the two.
+    QString text = QLocale::c().toString(value, 'f', decimals).remove(u',');
     if (decimals > 0) {
-        const QString mark = locale.decimalPoint();
         while (text.endsWith(u'0'))
             text.chop(1);
-        if (text.endsWith(mark))
-            text.chop(mark.size());
+        if (text.endsWith(u'.'))
+            text.chop(1);
+        if (QLocale().decimalPoint() == u","_s)
+            text.replace(u'.', u',');
     }
     return text;
 }

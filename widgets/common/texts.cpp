@@ -4,9 +4,6 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "protocol/baud.h"
-#include "protocol/commandcode.h"
-
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
@@ -336,7 +333,8 @@ Message notPossible(ModuleIndex module, Refusal reason) {
 }
 
 Message stopResult(const bus::StopFinished& finished) {
-    Message m{.key = key::stop()};
+    // Of its own, so that a stop that went well does not count as a repeat of one that did not.
+    Message m{.key = finished.unreached.empty() ? u"stopped"_s : key::stop()};
     const auto stopped = static_cast<int>(finished.stopped.size());
     const int all = stopped + static_cast<int>(finished.unreached.size());
     if (finished.unreached.empty()) {
@@ -379,37 +377,6 @@ Message safety() {
                 "These modules have no link watchdog: when the cable, the adapter or this computer fails, "
                 "a motor that runs keeps running. Stop all, and Esc, work only while the link works."),
             .actions = {{action::kUnderstood, Texts::tr("Understood")}}};
-}
-
-QString unknownPort(const QString& name, const QStringList& known) {
-    return known.isEmpty()
-               ? Texts::tr("There is no port \"%1\". Only the simulator is here: --port %2.")
-                     .arg(name, kSimulatorPort)
-               : Texts::tr("There is no port \"%1\". These are here: %2.").arg(name, known.join(u", "_s));
-}
-
-QString badBaud(const QString& text) {
-    QStringList rates;
-    for (const BaudRow& row : kBaudRows)
-        rates << QString::number(row.nominal);
-    return Texts::tr("\"%1\" is not a rate of these modules. They take %2.").arg(text, rates.join(u", "_s));
-}
-
-QString badChain(const QString& chain, const QString& reason) {
-    return Texts::tr("The simulator does not understand the chain \"%1\": %2. An example: %3=servo,servo.")
-        .arg(chain, reason, kSimulatorPort);
-}
-
-QString unknownOption(const QString& option) {
-    return Texts::tr("There is no option \"%1\". --help lists them.").arg(option);
-}
-
-QString missingValue(const QString& option) {
-    return Texts::tr("The option \"%1\" needs a value. --help shows which.").arg(option);
-}
-
-QString noDisplay() {
-    return Texts::tr("There is no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY is set.");
 }
 
 namespace key {

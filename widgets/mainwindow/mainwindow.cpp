@@ -284,9 +284,9 @@ void MainWindow::requestStop() {
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
     const Message result = texts::stopResult(finished);
     m_bar->showStopResult(result.headline);
-    showMessage(result);
     if (finished.unreached.empty())
-        endMessage(result.key);
+        endMessage(texts::key::stop());
+    showMessage(result);
     if (m_disconnectAfterStop) {
         m_disconnectAfterStop = false;
         if (finished.unreached.empty())

@@ -82,16 +82,14 @@ void ScopePanel::build() {
     look::name(m_error, u"errorPlot"_s, tr("Calculated position error over time"));
     m_layout->addWidget(m_position, 3);
     m_layout->addWidget(m_error, 2);
+    align();
 }
 
-/// The strips share one time axis, so their plot areas begin and end at the same places. Once a frame:
-/// following plotAreaChanged would chase its own rounding for ever.
+/// The strips share one time axis, so their plot areas begin at the same place.
 void ScopePanel::align() {
-    const ScopePlot::Sides a = m_position->neededSides();
-    const ScopePlot::Sides b = m_error->neededSides();
-    const ScopePlot::Sides both{std::max(a.left, b.left), std::max(a.right, b.right)};
-    m_position->leaveSides(both);
-    m_error->leaveSides(both);
+    const int width = std::max(m_position->labelWidth(), m_error->labelWidth());
+    m_position->leaveLeft(width);
+    m_error->leaveLeft(width);
 }
 
 void ScopePanel::showEvent(QShowEvent* event) {

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "widgets/common/words.h"
+#include "widgets/scope/axislabels.h"
 #include "widgets/scope/traceitem.h"
 
 namespace nmc {
@@ -22,10 +23,14 @@ ScopePlot::ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* p
       m_styles(std::move(traces)),
       m_timeAxis(new QValueAxis(this)),
       m_valueAxis(new QValueAxis(this)),
-      m_item(new TraceItem(chart())) {
+      m_item(new TraceItem(chart())),
+      m_labels(new AxisLabels(chart())),
+      m_timeLabels(timeLabels) {
     setRenderHint(QPainter::Antialiasing);
     setInteractive(false);
     setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);
     setRubberBand(QChartView::NoRubberBand);
     chart()->addAxis(m_timeAxis, Qt::AlignBottom);
@@ -40,15 +45,10 @@ ScopePlot::ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* p
     m_timeAxis->setTickAnchor(0);
     m_timeAxis->setTickInterval(m_view.division);
     m_timeAxis->setRange(m_view.left, m_view.right);
-    m_timeAxis->setLabelFormat(u"%.0f s"_s);
-    m_valueAxis->setLabelFormat(u"%.0f"_s);
-    m_timeAxis->setLabelsVisible(timeLabels);
-    m_valueAxis->setTickType(QValueAxis::TicksDynamic);
-    m_valueAxis->setTickAnchor(0);
-    m_valueAxis->setTickInterval(m_range.range().step);
+    m_timeAxis->setLabelsVisible(false);
+    m_valueAxis->setLabelsVisible(false);
     m_valueAxis->setRange(m_range.range().min, m_range.range().max);
-    m_margins = QMargins(fontMetrics().height() / 3, 0, fontMetrics().height() / 2, 0);
-    chart()->setMargins(m_margins);
+    leaveLeft(0);
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setBackgroundRoundness(0);
     chart()->legend()->setAlignment(Qt::AlignTop);
@@ -56,9 +56,11 @@ ScopePlot::ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* p
     m_item->traces().resize(m_styles.size());
     connect(chart(), &QChart::plotAreaChanged, this, [this](const QRectF& area) {
         m_item->setArea(area);
+        m_labels->setArea(area);
         fitTicks();
     });
     adoptPalette();
+    fitTicks();
 }
 
 void ScopePlot::adoptPalette() {
@@ -69,11 +71,10 @@ void ScopePlot::adoptPalette() {
     setBackgroundBrush(palette().color(QPalette::Active, QPalette::Base));
     const QFont font = look::tabular(look::scaled(this->font(), 0.9));
     for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
-        axis->setLabelsColor(text);
-        axis->setLabelsFont(font);
         axis->setGridLinePen(QPen(faint, 1));
         axis->setLinePen(QPen(look::mutedText(palette()), 1));
     }
+    m_labels->setLook(font, text);
     chart()->legend()->setLabelColor(text);
     chart()->legend()->setFont(font);
     for (std::size_t i = 0; i < m_styles.size(); ++i) {
@@ -94,11 +95,11 @@ void ScopePlot::showTraces(const View& view, const std::vector<const Series*>& s
     if (!(view == m_view)) {
         m_view = view;
         m_timeAxis->setTickInterval(view.division);
-        m_timeAxis->setLabelFormat(view.division < 1 ? u"%.1f s"_s : u"%.0f s"_s);
         m_timeAxis->setRange(view.left, view.right);
+        m_labels->setTimes(view.left, view.right, m_timeLabels ? view.division : 0);
     }
     fitValues(toSeconds(now - view.origin));
-    m_item->setAxes(view.origin, view.left, view.right, m_range.range().min, m_range.range().max);
+    m_item->setTimeAxis(view.origin, view.left, view.right);
     m_item->update();
 }
 
@@ -115,26 +116,31 @@ void ScopePlot::fitValues(double seconds) {
     }
     if (low > high)
         return;
-    const AxisRange::Range before = m_range.range();
-    const AxisRange::Range range = m_range.fit(low, high, seconds);
-    if (range == before && m_valueAxis->max() == range.max && m_valueAxis->min() == range.min)
-        return;
-    m_valueAxis->setRange(range.min, range.max);
+    m_range.fit(low, high, seconds);
     fitTicks();
 }
 
-/// As many labels as there is room for: Qt Charts shows dots in place of those that it finds too close.
+/// As many labels as there is room for: Qt Charts shows dots in place of those that it finds too close. The
+/// number of ticks is given, not their distance: a distance that is small beside a range that has just grown
+/// hangs Qt Charts.
 void ScopePlot::fitTicks() {
     const AxisRange::Range& range = m_range.range();
-    const double room = plotArea().height() / (QFontMetricsF(m_valueAxis->labelsFont()).height() * 1.7);
+    const double room = plotArea().height() / (fontMetrics().height() * 1.7);
     double interval = range.step;
     for (double factor : {1.0, 2.0, 5.0, 10.0}) {
         interval = range.step * factor;
         if ((range.max - range.min) / interval <= room)
             break;
     }
-    if (m_valueAxis->tickInterval() != interval)
-        m_valueAxis->setTickInterval(interval);
+    const double bottom = std::floor(range.min / interval) * interval;
+    const double top = std::ceil(range.max / interval) * interval;
+    const int ticks = qMax(2, qRound((top - bottom) / interval) + 1);
+    if (m_valueAxis->tickCount() != ticks)
+        m_valueAxis->setTickCount(ticks);
+    if (m_valueAxis->min() != bottom || m_valueAxis->max() != top)
+        m_valueAxis->setRange(bottom, top);
+    m_item->setValueAxis(bottom, top);
+    m_labels->setValues(bottom, top, interval);
 }
 
 void ScopePlot::showRate(std::size_t trace, double samplesPerSecond) {
@@ -151,25 +157,23 @@ void ScopePlot::forget() {
     m_item->update();
 }
 
-ScopePlot::Sides ScopePlot::neededSides() const {
-    const QRectF area = chart()->plotArea();
-    const QMargins margins = chart()->margins();
-    return {area.left() - margins.left() + m_margins.left(),
-            chart()->size().width() - area.right() - margins.right() + m_margins.right()};
+int ScopePlot::labelWidth() const {
+    return m_labels->widthNeeded();
 }
 
-void ScopePlot::leaveSides(const Sides& sides) {
-    const Sides needed = neededSides();
-    QMargins margins = m_margins;
-    margins.setLeft(margins.left() + qRound(sides.left - needed.left));
-    margins.setRight(margins.right() + qRound(sides.right - needed.right));
-    const QMargins change = margins - chart()->margins();
-    if (qAbs(change.left()) > 1 || qAbs(change.right()) > 1)
+void ScopePlot::leaveLeft(int width) {
+    const int em = fontMetrics().height();
+    const QMargins margins(width, 0, em * 3 / 2, m_timeLabels ? em : em / 2);
+    if (margins != chart()->margins())
         chart()->setMargins(margins);
 }
 
 QRectF ScopePlot::plotArea() const {
     return chart()->plotArea();
+}
+
+AxisRange::Range ScopePlot::valueRange() const {
+    return {m_valueAxis->min(), m_valueAxis->max(), m_range.range().step};
 }
 
 QString ScopePlot::legendText(std::size_t trace) const {

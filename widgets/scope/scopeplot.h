@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QMargins>
 #include <QtCharts/QChartView>
 #include <vector>
 
@@ -14,6 +13,7 @@ class QValueAxis;
 
 namespace nmc {
 
+class AxisLabels;
 class TraceItem;
 
 /// One strip of the scope: Qt Charts draws axes, grid and legend, TraceItem the data.
@@ -45,16 +45,12 @@ public:
     /// Another module, or a new connection: the vertical axis may jump.
     void forget();
 
-    /// For lining up strips: the room beside the plot area that this strip needs, and what it is to leave.
-    struct Sides {
-        double left = 0;
-        double right = 0;
-    };
-    [[nodiscard]] Sides neededSides() const;
-    void leaveSides(const Sides& sides);
+    /// For lining up strips: the room that the labels left of the plot area need, and what to leave.
+    [[nodiscard]] int labelWidth() const;
+    void leaveLeft(int width);
 
     [[nodiscard]] QRectF plotArea() const;
-    [[nodiscard]] AxisRange::Range valueRange() const { return m_range.range(); }
+    [[nodiscard]] AxisRange::Range valueRange() const;
     [[nodiscard]] QString legendText(std::size_t trace) const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -72,9 +68,10 @@ private:
     QValueAxis* m_timeAxis;
     QValueAxis* m_valueAxis;
     TraceItem* m_item;
+    AxisLabels* m_labels;
+    bool m_timeLabels;
     AxisRange m_range;
     View m_view;
-    QMargins m_margins;
 };
 
 }  // namespace nmc

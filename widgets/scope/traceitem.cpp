@@ -24,10 +24,13 @@ void TraceItem::setArea(const QRectF& area) {
     m_area = area;
 }
 
-void TraceItem::setAxes(TimePoint origin, double left, double right, double bottom, double top) {
+void TraceItem::setTimeAxis(TimePoint origin, double left, double right) {
     m_origin = origin;
     m_left = left;
     m_right = right;
+}
+
+void TraceItem::setValueAxis(double bottom, double top) {
     m_bottom = bottom;
     m_top = top;
 }
@@ -92,7 +95,8 @@ void TraceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*optio
             else
                 addSolid(segment, lines);
         }
-        painter->setPen(QPen(trace.colour, kPenWidth, Qt::SolidLine, Qt::RoundCap));
+        painter->setPen(
+            QPen(trace.colour, kPenWidth, Qt::SolidLine, trace.dashed ? Qt::FlatCap : Qt::RoundCap));
         painter->drawLines(lines.constData(), static_cast<int>(lines.size()));
     }
     painter->restore();

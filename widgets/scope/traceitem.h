@@ -28,7 +28,8 @@ public:
     /// Where the axes lie, in the parent's coordinates.
     void setArea(const QRectF& area);
     /// What the axes say: seconds since `origin`, and values.
-    void setAxes(TimePoint origin, double left, double right, double bottom, double top);
+    void setTimeAxis(TimePoint origin, double left, double right);
+    void setValueAxis(double bottom, double top);
     std::vector<Trace>& traces() { return m_traces; }
 
     [[nodiscard]] QRectF boundingRect() const override { return m_area; }
