@@ -158,9 +158,19 @@ void Composition::act(const QString& key, const QString& action) {
     else if (action == texts::action::kUseSimulator) {
         m_window.choosePort(kSimulatorPort, kPowerUpBaud);
         connectTo(kSimulatorPort, kPowerUpBaud);
+    } else if (action == texts::action::kClearAndStayOff) {
+        clearTrip(key);
     } else if (action == texts::action::kWorkWith && m_target)
         m_settings.setValue(chainLengthKey(m_target->port), static_cast<int>(m_store.link().modules.size()));
     m_window.endMessage(key);
+}
+
+void Composition::clearTrip(const QString& key) {
+    for (const ModuleState& module : m_store.link().modules)
+        if (texts::key::tripped(module.info.index) == key) {
+            carryOut(module.info.index, intent::MotorOff{});
+            carryOut(module.info.index, intent::ClearStickyBits{});
+        }
 }
 
 void Composition::showFrame() {

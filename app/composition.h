@@ -50,6 +50,8 @@ private:
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
     void act(const QString& key, const QString& action);
+    /// Of the module that the message of this key is about.
+    void clearTrip(const QString& key);
     void showFrame();
 
     void tell(const StoreEvent& event);

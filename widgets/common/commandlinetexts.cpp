@@ -17,8 +17,7 @@ class Texts {
 
 QString unknownPort(const QString& name, const QStringList& known) {
     return known.isEmpty()
-               ? Texts::tr("There is no port \"%1\". Only the simulator is here: --port %2.")
-                     .arg(name, kSimulatorPort)
+               ? Texts::tr("There is no port \"%1\". Only the simulator is here: --simulator.").arg(name)
                : Texts::tr("There is no port \"%1\". These are here: %2.").arg(name, known.join(u", "_s));
 }
 
@@ -30,16 +29,13 @@ QString badBaud(const QString& text) {
 }
 
 QString badChain(const QString& chain, const QString& reason) {
-    return Texts::tr("The simulator does not understand the chain \"%1\": %2. An example: %3=servo,servo.")
-        .arg(chain, reason, kSimulatorPort);
+    return Texts::tr(
+               "The simulator does not understand the chain \"%1\": %2 An example: --simulator=servo,servo@1")
+        .arg(chain, reason);
 }
 
 QString unknownOption(const QString& option) {
     return Texts::tr("There is no option \"%1\". --help lists them.").arg(option);
-}
-
-QString missingValue(const QString& option) {
-    return Texts::tr("The option \"%1\" needs a value. --help shows which.").arg(option);
 }
 
 QString noDisplay() {

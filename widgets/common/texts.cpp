@@ -303,8 +303,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit) {
                                         "from where it should be.")
                                   .arg(number),
             .body = Texts::tr("Check for a jam, or raise the limit."),
-            .actions = {{action::kShowTrace, Texts::tr("Show the last 2 s")},
-                        {action::kClearAndStayOff, Texts::tr("Clear and stay off")}}};
+            .actions = {{action::kClearAndStayOff, Texts::tr("Clear and stay off")}}};
 }
 
 Message powerLost(ModuleIndex module) {
@@ -332,14 +331,16 @@ Message notPossible(ModuleIndex module, Refusal reason) {
         .body = refusal(reason)};
 }
 
-Message stopResult(const bus::StopFinished& finished) {
+Message stopResult(const bus::StopFinished& finished, bool holding) {
     // Of its own, so that a stop that went well does not count as a repeat of one that did not.
     Message m{.key = finished.unreached.empty() ? u"stopped"_s : key::stop()};
     const auto stopped = static_cast<int>(finished.stopped.size());
     const int all = stopped + static_cast<int>(finished.unreached.size());
     if (finished.unreached.empty()) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
-        m.headline = Texts::tr("%1 of %2 stopped, %3 ms. Still holding.").arg(stopped).arg(all).arg(ms);
+        const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")
+                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every servo is off.");
+        m.headline = text.arg(stopped).arg(all).arg(ms);
         return m;
     }
     m.severity = Severity::Fault;

@@ -39,7 +39,6 @@ inline const QString kChoosePort = QStringLiteral("choosePort");
 inline const QString kCopyCommand = QStringLiteral("copyCommand");  ///< the window does this one itself
 inline const QString kWorkWith = QStringLiteral("workWith");
 inline const QString kHow = QStringLiteral("how");
-inline const QString kShowTrace = QStringLiteral("showTrace");
 inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
 inline const QString kRestartNetwork = QStringLiteral("restartNetwork");
 inline const QString kUnderstood = QStringLiteral("understood");
@@ -70,7 +69,8 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
 
 // ---- stopping, closing, safety ----
-[[nodiscard]] Message stopResult(const bus::StopFinished& finished);
+/// `holding`: some servo is on and keeps its motor where it is.
+[[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);
@@ -82,7 +82,6 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] QString badBaud(const QString& text);
 [[nodiscard]] QString badChain(const QString& chain, const QString& reason);
 [[nodiscard]] QString unknownOption(const QString& option);
-[[nodiscard]] QString missingValue(const QString& option);
 [[nodiscard]] QString noDisplay();
 
 /// The keys of messages that end: for MainWindow::endMessage().

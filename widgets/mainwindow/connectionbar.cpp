@@ -128,6 +128,11 @@ quint32 ConnectionBar::baud() const {
     return m_baud->currentData().toUInt();
 }
 
+void ConnectionBar::openPorts() {
+    m_port->setFocus();
+    m_port->showPopup();
+}
+
 void ConnectionBar::showLink(const LinkState& state) {
     const bool open = state.phase != LinkPhase::Disconnected;
     const QString busy = tr("Disconnect first.");

@@ -41,6 +41,8 @@ public:
     /// The simulator and the chosen port are always in the list, whatever is plugged in.
     void showPorts(const QList<PortEntry>& ports);
     void choosePort(const QString& port, quint32 baud);
+    /// Opens the list of ports, as a click on it would.
+    void openPorts();
     void showLink(const LinkState& state);
     /// Stands beside STOP ALL until the next change of the link.
     void showStopResult(const QString& text);

@@ -124,7 +124,7 @@ void MainWindow::buildDocks() {
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 20}, Qt::Vertical);
+    resizeDocks({scope}, {em * 28}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {
@@ -262,6 +262,8 @@ void MainWindow::takeMessageAction(const QString& key, const QString& actionId) 
         for (const Message& message : m_lastMessages)
             if (message.key == key)
                 QGuiApplication::clipboard()->setText(message.command);
+    } else if (actionId == texts::action::kChoosePort) {
+        m_bar->openPorts();
     } else if (actionId == texts::action::kUnderstood) {
         m_settings.setValue(kSafetyRead, true);
         endMessage(key);
@@ -282,7 +284,9 @@ void MainWindow::requestStop() {
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const Message result = texts::stopResult(finished);
+    const bool holding = std::any_of(m_link.modules.begin(), m_link.modules.end(),
+                                     [](const ModuleState& module) { return module.servoOn(); });
+    const Message result = texts::stopResult(finished, holding);
     m_bar->showStopResult(result.headline);
     if (finished.unreached.empty())
         endMessage(texts::key::stop());
@@ -354,7 +358,7 @@ void MainWindow::restoreLayout() {
     m_firstState = saveState();
     const QSize room = screen()->availableSize();
     const int em = fontMetrics().height();
-    resize(qMin(em * 80, room.width()), qMin(em * 54, room.height()));
+    resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
     restoreGeometry(m_settings.value(kGeometry).toByteArray());
     restoreState(m_settings.value(kState).toByteArray());
     const QString port = m_settings.value(kLastPort).toString();

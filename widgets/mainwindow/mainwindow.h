@@ -76,7 +76,8 @@ signals:
     /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
     /// finishClose().
     void closeConfirmed();
-    /// A button of a message; "Copy command" and "Understood" are done by the window already.
+    /// A button of a message; "Copy command", "Choose another port" and "Understood" are done by the window
+    /// already.
     void messageAction(const QString& key, const QString& actionId);
 
 protected:

@@ -33,7 +33,6 @@ GainsBox::GainsBox(QWidget* parent)
     m_hint->setObjectName(u"gainsHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
-    grid->addWidget(m_hint, line++, 0, 1, 4);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->setContentsMargins(0, unit / 2, 0, 0);
@@ -42,6 +41,8 @@ GainsBox::GainsBox(QWidget* parent)
     buttons->addWidget(m_revert);
     buttons->addWidget(m_apply);
     grid->addLayout(buttons, line++, 0, 1, 4);
+    // Below the buttons: it comes and goes, and nothing may move under the pointer.
+    grid->addWidget(m_hint, line++, 0, 1, 4);
     grid->setRowStretch(line, 1);
     grid->setColumnStretch(3, 1);
 
