@@ -16,9 +16,9 @@ namespace {
 constexpr int kBadArguments = 2;
 constexpr int kNoSuchPort = 3;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("CommandLine", text);
-}
+class CommandLine {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
 
 const QString kPort = QStringLiteral("port");
 const QString kBaud = QStringLiteral("baud");
@@ -29,20 +29,23 @@ const QString kVersion = QStringLiteral("version");
 const QString kQuitAfterFirstPaint = QStringLiteral("quit-after-first-paint");
 
 void declareOptions(QCommandLineParser& parser) {
-    parser.setApplicationDescription(tr("Control panel for Networked Modular Control motor modules."));
+    parser.setApplicationDescription(
+        CommandLine::tr("Control panel for Networked Modular Control motor modules."));
     QCommandLineOption benchmark(kQuitAfterFirstPaint);
     benchmark.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOptions({
-        {kPort, tr("Connect to a serial port at once."), tr("NAME")},
-        {kBaud, tr("Rate to run the chain at: 9600, 19200 (default), 57600 or 115200."), tr("N")},
+        {kPort, CommandLine::tr("Connect to a serial port at once."), CommandLine::tr("NAME")},
+        {kBaud, CommandLine::tr("Rate to run the chain at: 9600, 19200 (default), 57600 or 115200."),
+         CommandLine::tr("N")},
         {kSimulator,
-         tr("Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from "
-            "the host first; the default is %1.")
+         CommandLine::tr(
+             "Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from "
+             "the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
-         tr("CHAIN")},
-        {kListPorts, tr("List the serial ports of this machine.")},
-        {{QStringLiteral("h"), kHelp}, tr("Show this help.")},
-        {{QStringLiteral("v"), kVersion}, tr("Show the version.")},
+         CommandLine::tr("CHAIN")},
+        {kListPorts, CommandLine::tr("List the serial ports of this machine.")},
+        {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
+        {{QStringLiteral("v"), kVersion}, CommandLine::tr("Show the version.")},
         benchmark,
     });
 }

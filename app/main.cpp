@@ -5,6 +5,7 @@
 
 #include "app/commandline.h"
 #include "app/composition.h"
+#include "app/translations.h"
 #include "app/unixsignals.h"
 #include "link/portlist.h"
 #include "widgets/common/texts.h"
@@ -36,18 +37,22 @@ bool displayMissing() {
 
 int main(int argc, char** argv) {
     nameApplication();
+    nmc::Translations translations;
     nmc::Start start;
     {
         const QCoreApplication withoutDisplay(argc, argv);
+        nmc::installTranslations(translations, QLocale::system());
         const auto asked = nmc::readCommandLine(QCoreApplication::arguments(), nmc::serialPorts);
         if (const auto* words = std::get_if<nmc::Say>(&asked))
             return say(*words);
+        if (displayMissing())
+            return say({nmc::texts::noDisplay(), kNoDisplay});
         start = std::get<nmc::Start>(asked);
     }
-    if (displayMissing())
-        return say({nmc::texts::noDisplay(), kNoDisplay});
 
     QApplication application(argc, argv);
+    // Once more: translators belong to the application object.
+    nmc::installTranslations(translations, QLocale::system());
     QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));
     QSettings settings;
     nmc::Composition composition(settings);

@@ -91,14 +91,18 @@ void ChainDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const auto activity = static_cast<Activity>(index.data(ChainModel::ActivityValue).toInt());
     paintActivity(*painter, QRectF(body.left(), body.center().y() - side / 2.0 + 0.5, side, side), activity,
                   palette);
-    painter->setPen(text);
-    painter->drawText(body.adjusted(side + unit * 3 / 4, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                      index.data(ChainModel::ActivityText).toString());
+    const QString position = index.data(ChainModel::Position).toString();
     QFont digits = look::tabular(option.font);
+    const QRect word =
+        body.adjusted(side + unit * 3 / 4, 0, -QFontMetrics(digits).horizontalAdvance(position) - unit, 0);
+    painter->setPen(text);
+    painter->drawText(word, Qt::AlignVCenter | Qt::AlignLeft,
+                      option.fontMetrics.elidedText(index.data(ChainModel::ActivityText).toString(),
+                                                    Qt::ElideRight, word.width()));
     digits.setStrikeOut(index.data(ChainModel::PositionIsOld).toBool());
     painter->setFont(digits);
     painter->setPen(digits.strikeOut() ? muted : text);
-    painter->drawText(body, Qt::AlignVCenter | Qt::AlignRight, index.data(ChainModel::Position).toString());
+    painter->drawText(body, Qt::AlignVCenter | Qt::AlignRight, position);
 
     if (option.state.testFlag(QStyle::State_HasFocus)) {
         QStyleOptionFocusRect focus;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLocale>
+#include <QTranslator>
+
+namespace nmc {
+
+/// The program's own words, and Qt's in its standard dialogs; one that found nothing is empty.
+struct Translations {
+    QTranslator panel;
+    QTranslator qt;
+};
+
+/// Loads the first language of the locale's list that there is a translation for and hands it to the
+/// application object, which must exist. English is the language of the source and ends the search.
+/// True when a translation is in force.
+bool installTranslations(Translations& translations, const QLocale& locale);
+
+}  // namespace nmc

@@ -1,0 +1,1716 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Control panel for Networked Modular Control motor modules.</source>
+        <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
+    </message>
+    <message>
+        <source>Connect to a serial port at once.</source>
+        <translation>Sofort mit einer seriellen Schnittstelle verbinden.</translation>
+    </message>
+    <message>
+        <source>NAME</source>
+        <translation>NAME</translation>
+    </message>
+    <message>
+        <source>Rate to run the chain at: 9600, 19200 (default), 57600 or 115200.</source>
+        <translation>Rate, mit der die Kette arbeitet: 9600, 19200 (Vorgabe), 57600 oder 115200.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <translation>Sofort mit dem eingebauten Simulator verbinden. KETTE zählt seine Module auf, das vom Rechner am weitesten entfernte zuerst; Vorgabe ist %1.</translation>
+    </message>
+    <message>
+        <source>CHAIN</source>
+        <translation>KETTE</translation>
+    </message>
+    <message>
+        <source>List the serial ports of this machine.</source>
+        <translation>Die seriellen Schnittstellen dieses Rechners auflisten.</translation>
+    </message>
+    <message>
+        <source>Show this help.</source>
+        <translation>Diese Hilfe anzeigen.</translation>
+    </message>
+    <message>
+        <source>Show the version.</source>
+        <translation>Die Version anzeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>Gains</name>
+    <message>
+        <source>Position gain</source>
+        <translation>Lageverstärkung</translation>
+    </message>
+    <message>
+        <source>Derivative gain</source>
+        <translation>Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Integral gain</source>
+        <translation>Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Integration limit</source>
+        <translation>Integralgrenze</translation>
+    </message>
+    <message>
+        <source>Output limit</source>
+        <translation>Ausgangsgrenze</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Position error limit</source>
+        <translation>Grenze der Regelabweichung</translation>
+    </message>
+    <message>
+        <source>Servo rate divisor</source>
+        <translation>Servotakt-Teiler</translation>
+    </message>
+    <message>
+        <source>Deadband compensation</source>
+        <translation>Totzonenkompensation</translation>
+    </message>
+    <message>
+        <source>Kp, position gain: output for each count of position error. After Kd, raise it with small, fast test moves until the motor starts to overshoot, then back off a little.</source>
+        <translation>Kp, Lageverstärkung: Ausgangswert je Inkrement Regelabweichung. Nach Kd in kleinen, schnellen Testfahrten erhöhen, bis der Motor überzuschwingen beginnt, dann etwas zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts to hum, then back off a little bit.</source>
+        <translation>Kd, Differentialverstärkung: Dämpfung. Hier beginnen, mit Kp und Ki auf 0: erhöhen, bis der Motor zu brummen beginnt, dann etwas zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error is small enough soon enough. It adds some overshoot.</source>
+        <translation>Ki, Integralverstärkung: beseitigt die bleibende Regelabweichung, die Kp und Kd übrig lassen. Zuerst IL auf 16000 setzen, dann Ki erhöhen, bis die Abweichung schnell genug klein genug wird. Das Überschwingen nimmt etwas zu.</translation>
+    </message>
+    <message>
+        <source>IL, integration limit: bounds the running sum of the error. In the end lower it to the least value that still cancels the steady error. 0 clears the sum.</source>
+        <translation>IL, Integralgrenze: begrenzt die laufende Summe der Abweichung. Am Ende auf den kleinsten Wert senken, der die bleibende Abweichung noch ausgleicht. 0 löscht die Summe.</translation>
+    </message>
+    <message>
+        <source>OL, output limit: the largest PWM value, 255 is 100 %. A 12 V motor on 24 V takes 127.</source>
+        <translation>OL, Ausgangsgrenze: größter PWM-Wert, 255 entspricht 100 %. Ein 12-V-Motor an 24 V verträgt 127.</translation>
+    </message>
+    <message>
+        <source>CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is above CL. Even: limits when it is below CL.</source>
+        <translation>CL, Stromgrenze, wird mit dem A/D-Wert verglichen. 0: aus. Ungerade: begrenzt, wenn der A/D-Wert über CL liegt. Gerade: begrenzt, wenn er unter CL liegt.</translation>
+    </message>
+    <message>
+        <source>EL, position error limit in counts: beyond it the servo switches itself off, for example after a collision or a stall.</source>
+        <translation>EL, Grenze der Regelabweichung in Inkrementen: darüber schaltet sich der Servo selbst ab, zum Beispiel nach einer Kollision oder Blockade.</translation>
+    </message>
+    <message>
+        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes what every velocity and acceleration means.</source>
+        <translation>SR, Servotakt-Teiler: ein Servotakt dauert SR x 0,512 ms. Ein langsamerer Takt dämpft schwere Lasten mit weniger Kd. Mit SR ändert sich die Bedeutung jeder Geschwindigkeit und Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing near zero. Version 4 and later.</source>
+        <translation>DB, Totzonenkompensation: wird zu jedem PWM-Wert außer 0 addiert, für Verstärker, die nahe null nichts tun. Ab Version 4.</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>Bereich: %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>A/D above</source>
+        <translation>A/D über</translation>
+    </message>
+    <message>
+        <source>A/D below</source>
+        <translation>A/D unter</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>About NMC Panel</source>
+        <translation>Über NMC Panel</translation>
+    </message>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation>NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
+
+Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
+        <translation>Bedienprogramm für Motormodule PIC-SERVO und PIC-STEP an einer seriellen Leitung.
+
+Freie Software unter der GNU General Public License, Version 3 oder später. Symbole: Tabler, MIT-Lizenz. Erstellt mit Qt %1.</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Layout zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Safety</source>
+        <translation>&amp;Sicherheit</translation>
+    </message>
+    <message>
+        <source>&amp;About NMC Panel</source>
+        <translation>&amp;Über NMC Panel</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>There is no port &quot;%1&quot;. Only the simulator is here: --simulator.</source>
+        <translation>Es gibt keinen Port „%1“. Nur der Simulator ist vorhanden: --simulator.</translation>
+    </message>
+    <message>
+        <source>There is no port &quot;%1&quot;. These are here: %2.</source>
+        <translation>Es gibt keinen Port „%1“. Vorhanden sind: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a rate of these modules. They take %2.</source>
+        <translation>„%1“ ist keine Rate dieser Module. Möglich sind %2.</translation>
+    </message>
+    <message>
+        <source>The simulator does not understand the chain &quot;%1&quot;: %2 An example: --simulator=servo,servo@1</source>
+        <translation>Der Simulator versteht die Kette „%1“ nicht: %2 Ein Beispiel: --simulator=servo,servo@1</translation>
+    </message>
+    <message>
+        <source>There is no option &quot;%1&quot;. --help lists them.</source>
+        <translation>Es gibt keine Option „%1“. --help listet alle auf.</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY is set.</source>
+        <translation>Es gibt keine Anzeige für ein Fenster: weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt.</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Scan again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Use simulator</source>
+        <translation>Simulator verwenden</translation>
+    </message>
+    <message>
+        <source>Choose another port</source>
+        <translation>Anderen Port wählen</translation>
+    </message>
+    <message>
+        <source>Motor state unknown; no motor was moving at the last word.</source>
+        <translation>Motorzustand unbekannt; zuletzt bewegte sich kein Motor.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: 1 motor was moving.</source>
+        <translation>Motorzustand unbekannt: 1 Motor war in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 motors were moving.</source>
+        <translation>Motorzustand unbekannt: %1 Motoren waren in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Your user account may not use %1.</source>
+        <translation>Ihr Benutzerkonto darf %1 nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Ask whoever looks after this computer for access to it.</source>
+        <translation>Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
+    </message>
+    <message>
+        <source>It belongs to the group %1. Run %2, then log out and in again.</source>
+        <translation>Der Port gehört der Gruppe %1. %2 ausführen, dann ab- und wieder anmelden.</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>%1 is used by another program.</source>
+        <translation>%1 wird von einem anderen Programm verwendet.</translation>
+    </message>
+    <message>
+        <source>Close it and try again.</source>
+        <translation>Das andere Programm schließen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>There is no %1.</source>
+        <translation>%1 ist nicht vorhanden.</translation>
+    </message>
+    <message>
+        <source>Most often the adapter is not plugged in, or it has another name now.</source>
+        <translation>Meist ist der Adapter nicht eingesteckt oder hat jetzt einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port.</source>
+        <translation>%1 ist keine serielle Schnittstelle.</translation>
+    </message>
+    <message>
+        <source>Choose the port of the adapter, for example /dev/ttyUSB0.</source>
+        <translation>Den Port des Adapters wählen, zum Beispiel /dev/ttyUSB0.</translation>
+    </message>
+    <message>
+        <source>%1 cannot run at the chosen rate.</source>
+        <translation>%1 kann nicht mit der gewählten Rate arbeiten.</translation>
+    </message>
+    <message>
+        <source>Choose another rate; every adapter can do 19 200 Bd.</source>
+        <translation>Eine andere Rate wählen; 19 200 Bd beherrscht jeder Adapter.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 was unplugged. %2</source>
+        <translation>Der Adapter an %1 wurde abgezogen. %2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed, then plug it in again.</source>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen, dann den Adapter wieder einstecken.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened.</source>
+        <translation>%1 konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The system says: %1</source>
+        <translation>Das System meldet: %1</translation>
+    </message>
+    <message>
+        <source>The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried).</source>
+        <translation>Der Port ist offen, aber kein Modul hat geantwortet (19 200, 57 600 und 115 200 Bd versucht).</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter.</source>
+        <translation>In dieser Reihenfolge prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verdeckt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; einen Vollduplex-Adapter (4-Draht).</translation>
+    </message>
+    <message>
+        <source>Not every module answered at %1 Bd, so the modules cannot be used yet.</source>
+        <translation>Bei %1 Bd hat nicht jedes Modul geantwortet; die Module sind daher noch nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not answer at %2 Bd, so the modules cannot be used yet.</source>
+        <translation>Modul %1 hat bei %2 Bd nicht geantwortet; die Module sind daher noch nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>Usually the cable is too long for this rate, or termination is missing. Choose a lower rate for %1 and scan again.</source>
+        <translation>Meist ist das Kabel zu lang für diese Rate, oder der Abschluss fehlt. Eine niedrigere Rate für %1 wählen und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>Modules answered at %1, but their answers could not be read.</source>
+        <translation>An %1 haben Module geantwortet, aber die Antworten waren nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable, or two modules answer at once. Check the cable, its termination and the ADDR_IN jumpers.</source>
+        <translation>Meist Störungen auf dem Kabel, oder zwei Module antworten gleichzeitig. Kabel, Abschluss und ADDR_IN-Jumper prüfen.</translation>
+    </message>
+    <message>
+        <source>Port %1, %2 Bd</source>
+        <translation>Port %1, %2 Bd</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation>%1 von %2 Modulen haben geantwortet.</translation>
+    </message>
+    <message>
+        <source>module %1</source>
+        <translation>Modul %1</translation>
+    </message>
+    <message>
+        <source>module %1 &quot;%2&quot;</source>
+        <translation>Modul %1 „%2“</translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two.</source>
+        <translation>Die Nummerierung beginnt am fernen Ende. Deshalb das nächste Modul in Richtung PC nach %1 prüfen: zuerst seine Versorgung, dann den Stecker dazwischen.</translation>
+    </message>
+    <message>
+        <source>Work with %1</source>
+        <translation>Mit %1 arbeiten</translation>
+    </message>
+    <message>
+        <source>Connected to %1: %2 at %3 Bd.</source>
+        <translation>Verbunden mit %1: %2 bei %3 Bd.</translation>
+    </message>
+    <message>
+        <source>Nothing moves until you ask for it. Gains are unknown until you apply them.</source>
+        <translation>Nichts bewegt sich ohne Anforderung. Die Reglerwerte sind unbekannt, bis sie angewendet werden.</translation>
+    </message>
+    <message>
+        <source>Disconnected from %1.</source>
+        <translation>Verbindung zu %1 getrennt.</translation>
+    </message>
+    <message>
+        <source>No module answers on %1 any more. %2</source>
+        <translation>An %1 antwortet kein Modul mehr. %2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed. Then check the power of the modules and the cable at the PC.</source>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen. Dann die Versorgung der Module und das Kabel am PC prüfen.</translation>
+    </message>
+    <message>
+        <source>The link is unreliable: %1 of the last %2 exchanges went wrong.</source>
+        <translation>Die Verbindung ist unzuverlässig: %1 der letzten %2 Übertragungen sind misslungen.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.</source>
+        <translation>Die Motoren wurden angehalten. Eine niedrigere Rate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
+    </message>
+    <message>
+        <source>Updates are slow (%1 per second) because the USB adapter waits %2 ms before passing data on.</source>
+        <translation>Die Werte kommen langsam (%1 pro Sekunde), weil der USB-Adapter Daten erst nach %2 ms weitergibt.</translation>
+    </message>
+    <message>
+        <source>Set its latency timer to 1 ms.</source>
+        <translation>Den Latenz-Timer des Adapters auf 1 ms stellen.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
+        <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt: der Motor war in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Module %1 has not answered for %2 s. Motor state unknown; it was stopped at the last word.</source>
+        <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt; zuletzt stand der Motor.</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed. Usually its power or the plug next to it; it is asked again all the time.</source>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen. Meist liegt es an der Versorgung oder am Stecker daneben; das Modul wird laufend weiter abgefragt.</translation>
+    </message>
+    <message>
+        <source>Module %1 may not answer until module %2 has its address again.</source>
+        <translation>Modul %1 antwortet möglicherweise erst, wenn Modul %2 wieder seine Adresse hat.</translation>
+    </message>
+    <message>
+        <source>Module %1 restarted: its position and gains are lost.</source>
+        <translation>Modul %1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
+    </message>
+    <message>
+        <source>Restart the network…</source>
+        <translation>Netzwerk neu starten…</translation>
+    </message>
+    <message>
+        <source>Module %1 did not understand the last command, so it was not carried out.</source>
+        <translation>Modul %1 hat den letzten Befehl nicht verstanden; er wurde nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Sent again (%1 of 3). Usually noise on the cable.</source>
+        <translation>Erneut gesendet (%1 von 3). Meist Störungen auf dem Kabel.</translation>
+    </message>
+    <message>
+        <source>The answer from module %1 was garbled.</source>
+        <translation>Die Antwort von Modul %1 war verstümmelt.</translation>
+    </message>
+    <message>
+        <source>The command may or may not have been carried out; position is being read again.</source>
+        <translation>Ob der Befehl ausgeführt wurde, ist offen; die Position wird neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Command byte %1</source>
+        <translation>Befehlsbyte %1</translation>
+    </message>
+    <message>
+        <source>Module %1: done.</source>
+        <translation>Modul %1: erledigt.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not understand the command, so it was not carried out.</source>
+        <translation>Modul %1 hat den Befehl nicht verstanden; er wurde nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>It was sent 3 times. Usually noise on the cable. Nothing after it was sent.</source>
+        <translation>Er wurde 3-mal gesendet. Meist Störungen auf dem Kabel. Danach wurde nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not answer the command. Motor state unknown.</source>
+        <translation>Modul %1 hat auf den Befehl nicht geantwortet. Motorzustand unbekannt.</translation>
+    </message>
+    <message>
+        <source>The command may or may not have been carried out. Look at the motor; stop all if in doubt. Nothing after it was sent.</source>
+        <translation>Ob der Befehl ausgeführt wurde, ist offen. Den Motor ansehen; im Zweifel alles stoppen. Danach wurde nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Module %1 does not allow this in its present state. Nothing was sent.</source>
+        <translation>Modul %1 lässt das in seinem jetzigen Zustand nicht zu. Es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Stop the motor, then try again.</source>
+        <translation>Den Motor anhalten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The command for module %1 was dropped because a stop came first.</source>
+        <translation>Der Befehl für Modul %1 wurde verworfen, weil ein Stopp dazwischenkam.</translation>
+    </message>
+    <message>
+        <source>Module %1 switched its servo off because the motor was more than %2 counts from where it should be.</source>
+        <translation>Modul %1 hat seinen Servo abgeschaltet, weil der Motor mehr als %2 Inkremente von der Sollposition entfernt war.</translation>
+    </message>
+    <message>
+        <source>Module %1 switched its servo off because the motor was too far from where it should be.</source>
+        <translation>Modul %1 hat seinen Servo abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
+    </message>
+    <message>
+        <source>Check for a jam, or raise the limit.</source>
+        <translation>Prüfen, ob etwas klemmt, oder die Grenze erhöhen.</translation>
+    </message>
+    <message>
+        <source>Clear and stay off</source>
+        <translation>Löschen, Servo bleibt aus</translation>
+    </message>
+    <message>
+        <source>Module %1 has no motor power, so its servo is off.</source>
+        <translation>Modul %1 hat keine Motorversorgung, daher ist sein Servo aus.</translation>
+    </message>
+    <message>
+        <source>It stays off when power returns.</source>
+        <translation>Er bleibt aus, wenn die Versorgung wiederkehrt.</translation>
+    </message>
+    <message>
+        <source>Module %1 was stopped: the button was held, but the panel was too slow to say so.</source>
+        <translation>Modul %1 wurde angehalten: die Taste war gedrückt, aber das Programm hat das zu spät gemeldet.</translation>
+    </message>
+    <message>
+        <source>The computer was busy for more than 250 ms. Press and hold again.</source>
+        <translation>Der Rechner war länger als 250 ms beschäftigt. Erneut drücken und halten.</translation>
+    </message>
+    <message>
+        <source>Not possible for module %1 now; nothing was sent.</source>
+        <translation>Für Modul %1 jetzt nicht möglich; es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stopped, %3 ms. Still holding.</source>
+        <translation>%1 von %2 angehalten, %3 ms. Position wird gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stopped, %3 ms. Every servo is off.</source>
+        <translation>%1 von %2 angehalten, %3 ms. Alle Servos sind aus.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stopped. Module %3 does not answer: use the hardware stop.</source>
+        <translation>%1 von %2 angehalten. Modul %3 antwortet nicht: Hardware-Stopp benutzen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stopped. Modules %3 do not answer: use the hardware stop.</source>
+        <translation>%1 von %2 angehalten. Die Module %3 antworten nicht: Hardware-Stopp benutzen.</translation>
+    </message>
+    <message>
+        <source>reaches %1 of %2</source>
+        <translation>erreicht %1 von %2</translation>
+    </message>
+    <message>
+        <source>1 motor is moving. It will be stopped before the port closes.</source>
+        <translation>1 Motor ist in Bewegung. Er wird angehalten, bevor der Port geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 motors are moving. They will be stopped before the port closes.</source>
+        <translation>%1 Motoren sind in Bewegung. Sie werden angehalten, bevor der Port geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>Stopping the motors, then closing.</source>
+        <translation>Die Motoren werden angehalten, dann wird geschlossen.</translation>
+    </message>
+    <message>
+        <source>Fit a hardware emergency stop that removes motor power.</source>
+        <translation>Einen Hardware-Not-Halt vorsehen, der die Motorversorgung trennt.</translation>
+    </message>
+    <message>
+        <source>These modules have no link watchdog: when the cable, the adapter or this computer fails, a motor that runs keeps running. Stop all, and Esc, work only while the link works.</source>
+        <translation>Diese Module überwachen die Verbindung nicht: fallen Kabel, Adapter oder dieser Rechner aus, läuft ein laufender Motor weiter. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht.</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Module %1</source>
+        <translation>Modul %1</translation>
+    </message>
+    <message>
+        <source>type %1</source>
+        <translation>Typ %1</translation>
+    </message>
+    <message>
+        <source>%1 v%2</source>
+        <translation>%1 v%2</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>No motor power</source>
+        <translation>Versorgung fehlt</translation>
+    </message>
+    <message>
+        <source>Servo off</source>
+        <translation>Servo aus</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Power was lost</source>
+        <translation>Versorgung war weg</translation>
+    </message>
+    <message>
+        <source>PWM mode</source>
+        <translation>PWM-Betrieb</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Hält Position</translation>
+    </message>
+    <message>
+        <source>Accelerating</source>
+        <translation>Beschleunigt</translation>
+    </message>
+    <message>
+        <source>At speed</source>
+        <translation>Konstantfahrt</translation>
+    </message>
+    <message>
+        <source>Decelerating</source>
+        <translation>Bremst</translation>
+    </message>
+    <message>
+        <source>No status has come from this module yet.</source>
+        <translation>Von diesem Modul ist noch kein Status eingetroffen.</translation>
+    </message>
+    <message>
+        <source>The module does not answer: moving or stopped is unknown.</source>
+        <translation>Das Modul antwortet nicht: ob sich der Motor bewegt, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The module has no motor power, so its servo is off.</source>
+        <translation>Das Modul hat keine Motorversorgung, daher ist sein Servo aus.</translation>
+    </message>
+    <message>
+        <source>The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was switched off.</source>
+        <translation>Der Motor ist frei drehbar. Das ist kein Fehler: der Servo wurde noch nicht eingeschaltet oder wurde ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The servo switched itself off because the motor was too far from where it should be.</source>
+        <translation>Der Servo hat sich abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
+    </message>
+    <message>
+        <source>The servo switched itself off when motor power went away. It stays off.</source>
+        <translation>Der Servo hat sich abgeschaltet, als die Motorversorgung ausfiel. Er bleibt aus.</translation>
+    </message>
+    <message>
+        <source>A fixed PWM value drives the motor; the servo does not control it.</source>
+        <translation>Ein fester PWM-Wert treibt den Motor; der Servo regelt ihn nicht.</translation>
+    </message>
+    <message>
+        <source>The servo holds the motor where it is.</source>
+        <translation>Der Servo hält den Motor an seiner Position.</translation>
+    </message>
+    <message>
+        <source>The motor is changing its speed.</source>
+        <translation>Der Motor ändert seine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The motor moves at its goal velocity.</source>
+        <translation>Der Motor fährt mit seiner Zielgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The motor is slowing down.</source>
+        <translation>Der Motor wird langsamer.</translation>
+    </message>
+    <message>
+        <source>Not connected: choose a port and connect first.</source>
+        <translation>Nicht verbunden: zuerst einen Port wählen und verbinden.</translation>
+    </message>
+    <message>
+        <source>This module is not a PIC-SERVO.</source>
+        <translation>Dieses Modul ist kein PIC-SERVO.</translation>
+    </message>
+    <message>
+        <source>The module does not answer, so its state is unknown.</source>
+        <translation>Das Modul antwortet nicht, sein Zustand ist daher unbekannt.</translation>
+    </message>
+    <message>
+        <source>The module has no motor power.</source>
+        <translation>Das Modul hat keine Motorversorgung.</translation>
+    </message>
+    <message>
+        <source>The gains are 0 or unknown, so the motor would not hold. Apply gains first.</source>
+        <translation>Die Reglerwerte sind 0 oder unbekannt, der Motor würde nicht halten. Zuerst die Reglerwerte anwenden.</translation>
+    </message>
+    <message>
+        <source>The servo is off. Enable it first.</source>
+        <translation>Der Servo ist aus. Zuerst einschalten.</translation>
+    </message>
+    <message>
+        <source>The motor is moving. A move to a position starts from standstill: stop first.</source>
+        <translation>Der Motor ist in Bewegung. Eine Position wird aus dem Stillstand angefahren: zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The acceleration is 0: the motor could neither start nor stop.</source>
+        <translation>Die Beschleunigung ist 0: der Motor könnte weder anfahren noch anhalten.</translation>
+    </message>
+    <message>
+        <source>The velocity is 0: the motor would not move.</source>
+        <translation>Die Geschwindigkeit ist 0: der Motor würde sich nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>restarting the modules</source>
+        <translation>Module werden neu gestartet</translation>
+    </message>
+    <message>
+        <source>giving addresses</source>
+        <translation>Adressen werden vergeben</translation>
+    </message>
+    <message>
+        <source>asking for type and version</source>
+        <translation>Typ und Version werden abgefragt</translation>
+    </message>
+    <message>
+        <source>changing the rate</source>
+        <translation>Rate wird geändert</translation>
+    </message>
+    <message>
+        <source>preparing the status reports</source>
+        <translation>Statusmeldungen werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulator</translation>
+    </message>
+    <message>
+        <source>Simulator (%1)</source>
+        <translation>Simulator (%1)</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting to %1: %2</source>
+        <translation>Verbinden mit %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 so far</source>
+        <translation>%1, bisher %2</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3</source>
+        <translation>Verbunden mit %1 bei %2 Bd, %3</translation>
+    </message>
+    <message>
+        <source>%1 is open, but no module could be used</source>
+        <translation>%1 ist offen, aber kein Modul ist verwendbar</translation>
+    </message>
+    <message>
+        <source>Connection to %1 lost, motor state unknown</source>
+        <translation>Verbindung zu %1 verloren, Motorzustand unbekannt</translation>
+    </message>
+    <message>
+        <source>1 module</source>
+        <translation>1 Modul</translation>
+    </message>
+    <message>
+        <source>%1 modules</source>
+        <translation>%1 Module</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Ink.</translation>
+    </message>
+    <message>
+        <source>counts/tick</source>
+        <translation>Ink./Takt</translation>
+    </message>
+    <message>
+        <source>counts/tick²</source>
+        <translation>Ink./Takt²</translation>
+    </message>
+    <message>
+        <source>%1 counts/s</source>
+        <translation>%1 Ink./s</translation>
+    </message>
+    <message>
+        <source>%1 counts/s²</source>
+        <translation>%1 Ink./s²</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Banner</name>
+    <message>
+        <source>Important message</source>
+        <translation>Wichtige Meldung</translation>
+    </message>
+    <message>
+        <source>Hide this message here. It stays in the list of messages.</source>
+        <translation>Diese Meldung hier ausblenden. Sie bleibt in der Liste der Meldungen.</translation>
+    </message>
+    <message>
+        <source>Hide this message</source>
+        <translation>Diese Meldung ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ChainModel</name>
+    <message>
+        <source>PC</source>
+        <translation>PC</translation>
+    </message>
+    <message>
+        <source>%1, address %2, %3, %4, position %5 counts</source>
+        <translation>%1, Adresse %2, %3, %4, Position %5 Inkremente</translation>
+    </message>
+    <message>
+        <source>%1 at address %2 on the wire. %3</source>
+        <translation>%1 mit Adresse %2 an der Leitung. %3</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ChainView</name>
+    <message>
+        <source>Modules in wire order, the farthest from the PC first</source>
+        <translation>Module in der Reihenfolge der Leitung, das vom PC entfernteste zuerst</translation>
+    </message>
+    <message>
+        <source>Not connected.
+
+Choose a port above and connect. Without hardware, choose the simulator.</source>
+        <translation>Nicht verbunden.
+
+Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CloseDialog</name>
+    <message>
+        <source>Motors are moving</source>
+        <translation>Motoren in Bewegung</translation>
+    </message>
+    <message>
+        <source>St&amp;ay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ConnectionBar</name>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Connection and stop</source>
+        <translation>Verbindung und Stopp</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Rate in Bd</source>
+        <translation>Rate in Bd</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>The serial port the modules are on, or the simulator.</source>
+        <translation>Die serielle Schnittstelle, an der die Module hängen, oder der Simulator.</translation>
+    </message>
+    <message>
+        <source>The rate to work at. Connecting starts at 19 200 Bd, then changes to this one.</source>
+        <translation>Die Arbeitsrate. Der Verbindungsaufbau beginnt mit 19 200 Bd und wechselt dann zu dieser Rate.</translation>
+    </message>
+    <message>
+        <source>Por&amp;t</source>
+        <translation>P&amp;ort</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Bd</source>
+        <translation>Bd</translation>
+    </message>
+    <message>
+        <source>not in the list of ports</source>
+        <translation>nicht in der Liste der Ports</translation>
+    </message>
+    <message>
+        <source>no hardware needed</source>
+        <translation>keine Hardware nötig</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>Disconnect first.</source>
+        <translation>Zuerst trennen.</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>Öffnet den Port und sucht Module. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>No port is open.</source>
+        <translation>Es ist kein Port offen.</translation>
+    </message>
+    <message>
+        <source>Closes the port.</source>
+        <translation>Schließt den Port.</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::DetailsBox</name>
+    <message>
+        <source>The move has ended; in velocity mode the goal velocity is reached.</source>
+        <translation>Die Fahrt ist beendet; im Geschwindigkeitsbetrieb ist die Zielgeschwindigkeit erreicht.</translation>
+    </message>
+    <message>
+        <source>The module could not read the last command; it was not carried out.</source>
+        <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The current limit was reached. Stays until sticky bits are cleared.</source>
+        <translation>Die Stromgrenze wurde erreicht. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Motor power is present.</source>
+        <translation>Die Motorversorgung ist vorhanden.</translation>
+    </message>
+    <message>
+        <source>The position error was beyond its limit, or the servo is off. Stays until sticky bits are cleared.</source>
+        <translation>Die Regelabweichung lag über ihrer Grenze, oder der Servo ist aus. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Limit input 1.</source>
+        <translation>Endschaltereingang 1.</translation>
+    </message>
+    <message>
+        <source>Limit input 2.</source>
+        <translation>Endschaltereingang 2.</translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation>Wartet auf die Referenzposition.</translation>
+    </message>
+    <message>
+        <source>The complement of the encoder&apos;s index.</source>
+        <translation>Das Komplement des Indexsignals des Encoders.</translation>
+    </message>
+    <message>
+        <source>The 32-bit position has wrapped. Stays until sticky bits are cleared.</source>
+        <translation>Die 32-Bit-Position ist übergelaufen. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>The servo is on.</source>
+        <translation>Der Servo ist ein.</translation>
+    </message>
+    <message>
+        <source>The first acceleration phase of the move has ended.</source>
+        <translation>Die erste Beschleunigungsphase der Fahrt ist beendet.</translation>
+    </message>
+    <message>
+        <source>The constant phase of the move has ended.</source>
+        <translation>Die Konstantphase der Fahrt ist beendet.</translation>
+    </message>
+    <message>
+        <source>A servo tick took too long; typically not serious. Stays until sticky bits are cleared.</source>
+        <translation>Ein Servotakt hat zu lange gedauert; meist unbedenklich. Bleibt, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Clear stic&amp;ky bits</source>
+        <translation>Stick&amp;y-Bits löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation>Hier n&amp;ullen</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Clear the sticky status bits</source>
+        <translation>Die Sticky-Statusbits löschen</translation>
+    </message>
+    <message>
+        <source>Make the present position zero</source>
+        <translation>Die jetzige Position auf null setzen</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Statusbyte</translation>
+    </message>
+    <message>
+        <source>Auxiliary byte</source>
+        <translation>Hilfsbyte</translation>
+    </message>
+    <message>
+        <source>A/D (motor current)</source>
+        <translation>A/D (Motorstrom)</translation>
+    </message>
+    <message>
+        <source>Velocity, as the chip says</source>
+        <translation>Geschwindigkeit laut Chip</translation>
+    </message>
+    <message>
+        <source>Home position</source>
+        <translation>Referenzposition</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1 of 255, %2 V</source>
+        <translation>%1 von 255, %2 V</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>Status %1</translation>
+    </message>
+    <message>
+        <source>, auxiliary %1</source>
+        <translation>, Hilfsbyte %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
+        <translation>Löscht overcurrent, pos_error, pos_wrap und servo_overrun. Startet nichts.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move.</source>
+        <translation>Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::GainsBox</name>
+    <message>
+        <source>&amp;Apply gains</source>
+        <translation>A&amp;lle anwenden</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation>Sta&amp;rtwerte</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Apply all gains</source>
+        <translation>Alle Reglerwerte anwenden</translation>
+    </message>
+    <message>
+        <source>Revert the gains to what was sent</source>
+        <translation>Reglerwerte auf die gesendeten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Fill in starting values</source>
+        <translation>Startwerte eintragen</translation>
+    </message>
+    <message>
+        <source>Fills the fields with values to begin tuning with. Sends nothing.</source>
+        <translation>Füllt die Felder mit Werten für den Beginn der Abstimmung. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? unbekannt</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation>✓ gesendet</translation>
+    </message>
+    <message>
+        <source>● edited, not sent</source>
+        <translation>● geändert, nicht gesendet</translation>
+    </message>
+    <message>
+        <source>Gains cannot be read back from the module. Until you apply them they are unknown.</source>
+        <translation>Reglerwerte sind aus dem Modul nicht lesbar. Bis zum Anwenden sind sie unbekannt.</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Sends all gains at once. The servo is on: they act immediately.</source>
+        <translation>Sendet alle Reglerwerte auf einmal. Der Servo ist ein: sie wirken sofort.</translation>
+    </message>
+    <message>
+        <source>Sends all gains at once. The motor does not move.</source>
+        <translation>Sendet alle Reglerwerte auf einmal. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply gains, live</source>
+        <translation>A&amp;lle anwenden, live</translation>
+    </message>
+    <message>
+        <source>Back to the gains that were sent. Sends nothing.</source>
+        <translation>Zurück zu den gesendeten Reglerwerten. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Empties the fields: no gains have been sent yet. Sends nothing.</source>
+        <translation>Leert die Felder: es wurden noch keine Reglerwerte gesendet. Sendet nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::GenericPanel</name>
+    <message>
+        <source>Module without controls</source>
+        <translation>Modul ohne Bedienelemente</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There are no controls for this type of module yet. It is polled, and Stop all reaches it.</source>
+        <translation>Für diesen Modultyp gibt es noch keine Bedienelemente. Das Modul wird abgefragt, und ALLES STOPP erreicht es.</translation>
+    </message>
+    <message>
+        <source>No status yet.</source>
+        <translation>Noch kein Status.</translation>
+    </message>
+    <message>
+        <source>Status byte %1</source>
+        <translation>Statusbyte %1</translation>
+    </message>
+    <message>
+        <source>, position %1</source>
+        <translation>, Position %1</translation>
+    </message>
+    <message>
+        <source>It does not answer. </source>
+        <translation>Keine Antwort. </translation>
+    </message>
+</context>
+<context>
+    <name>nmc::LinkBar</name>
+    <message>
+        <source>State of the link</source>
+        <translation>Zustand der Verbindung</translation>
+    </message>
+    <message>
+        <source>Exchanges per second, and what share that is of what a perfect line would carry.</source>
+        <translation>Übertragungen pro Sekunde und deren Anteil an dem, was eine perfekte Leitung schaffen würde.</translation>
+    </message>
+    <message>
+        <source>Exchanges that went wrong: no answer, garbled, or refused for a bad checksum.</source>
+        <translation>Misslungene Übertragungen: keine Antwort, verstümmelt oder wegen falscher Prüfsumme abgewiesen.</translation>
+    </message>
+    <message>
+        <source>Mean time from sending a command to its whole answer.</source>
+        <translation>Mittlere Zeit vom Senden eines Befehls bis zur vollständigen Antwort.</translation>
+    </message>
+    <message>
+        <source>– exchanges/s</source>
+        <translation>– Übertragungen/s</translation>
+    </message>
+    <message>
+        <source>– errors</source>
+        <translation>– Fehler</translation>
+    </message>
+    <message>
+        <source>round trip –</source>
+        <translation>Antwortzeit –</translation>
+    </message>
+    <message>
+        <source>%1 exchanges/s, %2 % of the wire</source>
+        <translation>%1 Übertragungen/s, %2 % der Leitung</translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1, %2/s</source>
+        <translation>%1, %2/s</translation>
+    </message>
+    <message>
+        <source>round trip %1 ms</source>
+        <translation>Antwortzeit %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MainWindow</name>
+    <message>
+        <source>NMC Panel</source>
+        <translation>NMC Panel</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>SIMULATOR — no hardware is connected; every value comes from the program itself</source>
+        <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte stammen aus dem Programm selbst</translation>
+    </message>
+    <message>
+        <source>Simulated session</source>
+        <translation>Simulierte Sitzung</translation>
+    </message>
+    <message>
+        <source>Panel of the selected module</source>
+        <translation>Bedienfeld des gewählten Moduls</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Oszilloskop</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>NMC Panel - Simulator</source>
+        <translation>NMC Panel - Simulator</translation>
+    </message>
+    <message>
+        <source>NMC Panel - %1</source>
+        <translation>NMC Panel - %1</translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.
+Without hardware, choose the simulator.</source>
+        <translation>Einen Port wählen und verbinden.
+Ohne Hardware den Simulator wählen.</translation>
+    </message>
+    <message>
+        <source>No module.</source>
+        <translation>Kein Modul.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and disconnect</source>
+        <translation>&amp;Stoppen und trennen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and close</source>
+        <translation>&amp;Stoppen und schließen</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>No messages. What goes wrong, and when it is over, is told here.</source>
+        <translation>Keine Meldungen. Was misslingt und wann es vorbei ist, steht hier.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MessageRow</name>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>over at %1</source>
+        <translation>vorbei um %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ModulePanel</name>
+    <message>
+        <source>Selected module</source>
+        <translation>Gewähltes Modul</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MotionBox</name>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>How fast the velocity changes. More than 0 to %1 %2.</source>
+        <translation>Wie schnell sich die Geschwindigkeit ändert. Mehr als 0 bis %1 %2.</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns. More than 0 to %1 %2.</source>
+        <translation>Wie schnell der Motor dreht. Mehr als 0 bis %1 %2.</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Position anfahren</translation>
+    </message>
+    <message>
+        <source>from standstill, with a trapezoidal profile</source>
+        <translation>aus dem Stillstand, mit Trapezprofil</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation>Die Zielposition</translation>
+    </message>
+    <message>
+        <source>Where to go, in encoder counts. Enter starts the move.</source>
+        <translation>Das Ziel in Encoder-Inkrementen. Die Eingabetaste startet die Fahrt.</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>A&amp;nfahren</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation>Die Position anfahren</translation>
+    </message>
+    <message>
+        <source>Ve&amp;locity</source>
+        <translation>&amp;Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Velocity of the move</source>
+        <translation>Geschwindigkeit der Fahrt</translation>
+    </message>
+    <message>
+        <source>Acceleratio&amp;n</source>
+        <translation>&amp;Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Used by every kind of motion here, and by a smooth stop.</source>
+        <translation>Gilt hier für jede Art von Bewegung und für den sanften Stopp.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Dauerlauf</translation>
+    </message>
+    <message>
+        <source>until it is stopped</source>
+        <translation>bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>Vel&amp;ocity</source>
+        <translation>Ges&amp;chwindigkeit</translation>
+    </message>
+    <message>
+        <source>Velocity of running</source>
+        <translation>Geschwindigkeit des Dauerlaufs</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation>Rüc&amp;kwärts</translation>
+    </message>
+    <message>
+        <source>Run in reverse until stopped</source>
+        <translation>Dauerlauf rückwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation>Vor&amp;wärts</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation>Dauerlauf vorwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>moves only while a button, or Space on it, is held</source>
+        <translation>fährt nur, solange Taste oder Leertaste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Velocit&amp;y</source>
+        <translation>Geschwind&amp;igkeit</translation>
+    </message>
+    <message>
+        <source>Velocity while held</source>
+        <translation>Geschwindigkeit beim Tippen</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ Halten</translation>
+    </message>
+    <message>
+        <source>Move in reverse while held</source>
+        <translation>Rückwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>Halten ▸</translation>
+    </message>
+    <message>
+        <source>Move forward while held</source>
+        <translation>Vorwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Starts the move to the position, and holds there.</source>
+        <translation>Startet die Fahrt zur Position und hält dort.</translation>
+    </message>
+    <message>
+        <source>Runs forward until it is stopped.</source>
+        <translation>Läuft vorwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until it is stopped.</source>
+        <translation>Läuft rückwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Moves forward while it is held, then stops.</source>
+        <translation>Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while it is held, then stops.</source>
+        <translation>Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::NumberField</name>
+    <message>
+        <source>%1 takes %2 to %3%4.</source>
+        <translation>%1: möglich ist %2 bis %3%4.</translation>
+    </message>
+    <message>
+        <source>%1 is still empty.</source>
+        <translation>%1 ist noch leer.</translation>
+    </message>
+    <message>
+        <source>%1 needs a number.</source>
+        <translation>%1 braucht eine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 has two decimal marks. Both , and . are the decimal mark here.</source>
+        <translation>%1 hat zwei Dezimalzeichen. Sowohl , als auch . ist hier Dezimalzeichen.</translation>
+    </message>
+    <message>
+        <source>%1 needs a whole number.</source>
+        <translation>%1 braucht eine ganze Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PanelHead</name>
+    <message>
+        <source>&amp;Enable servo</source>
+        <translation>Servo &amp;einschalten</translation>
+    </message>
+    <message>
+        <source>Enable the servo of this module</source>
+        <translation>Den Servo dieses Moduls einschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Stop this module smoothly</source>
+        <translation>Dieses Modul sanft stoppen</translation>
+    </message>
+    <message>
+        <source>Stop a&amp;bruptly</source>
+        <translation>So&amp;fort-Stopp</translation>
+    </message>
+    <message>
+        <source>Stop this module abruptly</source>
+        <translation>Dieses Modul sofort stoppen</translation>
+    </message>
+    <message>
+        <source>&amp;Motor off</source>
+        <translation>&amp;Motor aus</translation>
+    </message>
+    <message>
+        <source>Switch this motor off</source>
+        <translation>Diesen Motor abschalten</translation>
+    </message>
+    <message>
+        <source>State of the selected module</source>
+        <translation>Zustand des gewählten Moduls</translation>
+    </message>
+    <message>
+        <source>Position %1 counts</source>
+        <translation>Position %1 Inkremente</translation>
+    </message>
+    <message>
+        <source>Position unknown</source>
+        <translation>Position unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation>%1 s alt</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1, Adresse %2</translation>
+    </message>
+    <message>
+        <source>The servo is on already.</source>
+        <translation>Der Servo ist bereits ein.</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Switches the amplifier on and holds the motor where it is.</source>
+        <translation>Schaltet den Verstärker ein und hält den Motor an seiner Position.</translation>
+    </message>
+    <message>
+        <source>Slows down at the acceleration in force, then holds.</source>
+        <translation>Bremst mit der geltenden Beschleunigung, hält dann die Position.</translation>
+    </message>
+    <message>
+        <source>Stops at once, then holds.</source>
+        <translation>Stoppt sofort, hält dann die Position.</translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePanel</name>
+    <message>
+        <source>Scope</source>
+        <translation>Oszilloskop</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Time shown by the scope</source>
+        <translation>Dargestellte Zeit des Oszilloskops</translation>
+    </message>
+    <message>
+        <source>How much time the scope shows.</source>
+        <translation>Wie viel Zeit das Oszilloskop darstellt.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Holds the picture still (Ctrl+P). Samples are still recorded.</source>
+        <translation>Hält das Bild an (Ctrl+P). Die Aufzeichnung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Pause the scope</source>
+        <translation>Oszilloskop anhalten</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeitraum</translation>
+    </message>
+    <message>
+        <source>position, counts</source>
+        <translation>Position, Inkremente</translation>
+    </message>
+    <message>
+        <source>command position, calculated</source>
+        <translation>Sollposition, berechnet</translation>
+    </message>
+    <message>
+        <source>Position and calculated command position over time</source>
+        <translation>Position und berechnete Sollposition über der Zeit</translation>
+    </message>
+    <message>
+        <source>position error, calculated, counts</source>
+        <translation>Regelabweichung, berechnet, Inkremente</translation>
+    </message>
+    <message>
+        <source>Calculated position error over time</source>
+        <translation>Berechnete Regelabweichung über der Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePlot</name>
+    <message>
+        <source>%1 · %2 samples/s</source>
+        <translation>%1 · %2 Werte/s</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ServoPanel</name>
+    <message>
+        <source>Servo module</source>
+        <translation>Servomodul</translation>
+    </message>
+    <message>
+        <source>Gains and details</source>
+        <translation>Reglerwerte und Details</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>Seiten des Moduls</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StopButton</name>
+    <message>
+        <source>STOP ALL  Esc</source>
+        <translation>ALLES STOPP  Esc</translation>
+    </message>
+    <message>
+        <source>Stop all motors, key Esc</source>
+        <translation>Alle Motoren stoppen, Taste Esc</translation>
+    </message>
+    <message>
+        <source>Stops every motor. No port is open.</source>
+        <translation>Stoppt jeden Motor. Es ist kein Port offen.</translation>
+    </message>
+    <message>
+        <source>Stops every motor on this line at once; Esc does the same from anywhere. It %1.
+It works only while the link works: fit a hardware stop as well.</source>
+        <translation>Stoppt jeden Motor an dieser Leitung sofort; Esc wirkt überall ebenso. Der Befehl %1.
+Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp vorsehen.</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>ALLES STOPP</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>geht an alle Module</translation>
+    </message>
+</context>
+</TS>
