@@ -206,5 +206,36 @@ TEST(FirstLight, AClosedTerminalIsSaidAndTheSimulatorIsOneClickAway) {
     EXPECT_EQ(panel.modules(), 0U);
 }
 
+TEST(FirstLight, AChainThatHasBecomeShorterIsSaid) {
+    const QString link = QStringLiteral("/tmp/nmc-shorter-%1").arg(QCoreApplication::applicationPid());
+    Panel panel;
+    for (const int modules : {3, 2}) {
+        const QString chain = QStringList(modules, QStringLiteral("servo")).join(QLatin1Char(','));
+        NmcsimProcess sim(chain, {QStringLiteral("--link"), link});
+        panel.start(link, 115'200);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.found(static_cast<std::size_t>(modules)); }));
+        panel.click("disconnectButton");
+        ASSERT_TRUE(panel.waitFor([&] { return panel.modules() == 0; }));
+    }
+    EXPECT_TRUE(
+        panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("2 of 3 modules answered")))
+        << panel.find<QLabel>("bannerHeadline").text().toStdString();
+}
+
+TEST(FirstLight, NobodyAnsweringIsSaidWithWhatToDo) {
+    NmcsimProcess sim(QStringLiteral("servo"),
+                      {QStringLiteral("--reset-dead-time"), QStringLiteral("10000")});
+    Panel panel;
+    panel.start(sim.terminal(), 19'200);
+    ASSERT_TRUE(panel.waitFor([&] {
+        return panel.find<QLabel>("bannerHeadline").text().contains(QLatin1String("no module answered"));
+    }));
+    EXPECT_TRUE(panel.find<QAbstractButton>("bannerAction_scanAgain").isEnabled());
+    EXPECT_TRUE(panel.find<QAbstractButton>("bannerAction_useSimulator").isEnabled());
+    // The simulator is one click away.
+    panel.click("bannerAction_useSimulator");
+    EXPECT_TRUE(panel.waitFor([&] { return panel.found(3); }));
+}
+
 }  // namespace
 }  // namespace nmc
