@@ -137,8 +137,8 @@ void DetailsBox::showModule(const ModuleState& module, const WhyNot& whyNot) {
     const bool aux = report.has_value() && report->aux.has_value();
     for (unsigned i = 0; i < 8; ++i) {
         showBit(m_status[i],
-                report.has_value() ? std::optional((report->status >> i & 1U) != 0) : std::nullopt);
-        showBit(m_aux[i], aux ? std::optional((*report->aux >> i & 1U) != 0) : std::nullopt);
+                report.has_value() ? std::optional((unsigned{report->status} >> i & 1U) != 0) : std::nullopt);
+        showBit(m_aux[i], aux ? std::optional((unsigned{*report->aux} >> i & 1U) != 0) : std::nullopt);
     }
     const QString dash = u"–"_s;
     const bool analog = report.has_value() && report->analog.has_value();
