@@ -187,6 +187,17 @@ TEST(TrapezoidalProfile, RampsFromAndToTheMinimumSpeedAndEndsExactlyOnItsGoal) {
     }
 }
 
+TEST(TrapezoidalProfile, DecelerationTakesAsLongAsAcceleration) {
+    StepWire wire;
+    wire.parameters(k8x, 50);
+    wire.load({.position = 33'980, .speed = std::uint8_t{150}, .acceleration = std::uint8_t{4}});
+    wire.wait(milliseconds(600));
+    while (wire.step().speed == 150)
+        wire.wait(kTick);
+    EXPECT_NEAR(toSeconds(wire.timeToStop()), 0.1, 0.001);
+    EXPECT_EQ(wire.position(), 33'980);
+}
+
 TEST(TrapezoidalProfile, AnyLengthEndsExactlyAndNeverFasterThanItsSpeed) {
     for (const std::int32_t goal : {1, 2, 3, 17, 100, 999, 1990, 3979, 3980, 3981, 5000}) {
         StepWire wire;
