@@ -8,6 +8,7 @@
 #include "sim/line.h"
 #include "sim/random.h"
 #include "sim/servomodule.h"
+#include "sim/stepmodule.h"
 
 namespace nmc::sim {
 
@@ -60,9 +61,12 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
             m_random.below(static_cast<std::uint64_t>(std::chrono::nanoseconds(kServoTick).count())));
         const ModuleOptions moduleOptions{Duration(phase), options.resetDeadTime, options.unpaced,
                                           options.deafWhenAddressInputRises};
-        assert(identity.type == ModuleType::Servo);
+        assert(identity.type == ModuleType::Servo || identity.type == ModuleType::Step);
         const auto index = static_cast<std::uint8_t>(modules.size());
-        modules.push_back(std::make_unique<ServoModule>(identity, index, moduleOptions, violations));
+        if (identity.type == ModuleType::Step)
+            modules.push_back(std::make_unique<StepModule>(identity, index, moduleOptions, violations));
+        else
+            modules.push_back(std::make_unique<ServoModule>(identity, index, moduleOptions, violations));
     }
     moduleEvents.assign(modules.size(), kNever);
     addressLineBroken.assign(modules.size(), false);

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "sim/chainspec.h"
 
+#include <algorithm>
+#include <array>
+
 namespace nmc::sim {
 
 namespace {
 
 constexpr std::string_view kAllowed =
-    "allowed is a comma list of 1 to 32 of servo, servo@1, servo@2, servo@3 and servo@4";
-constexpr std::uint8_t kServoVersion = 4;
+    "allowed is a comma list of 1 to 32 of servo, servo@1, servo@2, servo@3, servo@4, step and step@1";
+
+struct Kind {
+    std::string_view name;
+    ModuleType type;
+    char lastVersion;  ///< the one simulated when none is named
+};
+constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, '4'}, Kind{"step", ModuleType::Step, '1'}};
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t";
@@ -26,19 +35,17 @@ tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     const std::string_view name = item.substr(0, at);
     if (item.empty())
         return tl::unexpected("An item of the chain is empty; " + std::string(kAllowed) + ".");
-    if (name == "step")
-        return tl::unexpected("PIC-STEP is not simulated yet (item " + quoted(item) + "); " +
-                              std::string(kAllowed) + ".");
-    if (name != "servo")
+    const auto kind =
+        std::find_if(kKinds.begin(), kKinds.end(), [name](const Kind& k) { return k.name == name; });
+    if (kind == kKinds.end())
         return tl::unexpected("Unknown item " + quoted(item) + " in the chain; " + std::string(kAllowed) +
                               ".");
-    if (at == std::string_view::npos)
-        return ModuleIdentity{ModuleType::Servo, kServoVersion};
-    const std::string_view version = item.substr(at + 1);
-    if (version.size() != 1 || version[0] < '1' || version[0] > '4')
+    const std::string_view version =
+        at == std::string_view::npos ? std::string_view(&kind->lastVersion, 1) : item.substr(at + 1);
+    if (version.size() != 1 || version[0] < '1' || version[0] > kind->lastVersion)
         return tl::unexpected("There is no such version as in item " + quoted(item) + "; " +
                               std::string(kAllowed) + ".");
-    return ModuleIdentity{ModuleType::Servo, static_cast<std::uint8_t>(version[0] - '0')};
+    return ModuleIdentity{kind->type, static_cast<std::uint8_t>(version[0] - '0')};
 }
 
 }  // namespace

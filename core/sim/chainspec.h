@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxModules = 32;
 /// What is simulated when nobody says otherwise.
 inline constexpr std::string_view kDefaultChain = "servo,servo,servo";
 
-/// Reads "servo,servo@1": a comma list in the order of addressing (farthest from the host first).
+/// Reads "servo,servo@1,step": a comma list in the order of addressing (farthest from the host first).
 /// The error is one sentence that names the item and what is allowed.
 [[nodiscard]] tl::expected<std::vector<ModuleIdentity>, std::string> parseChain(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -70,20 +71,8 @@ Json gainsJson(const Gains& g) {
             {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
 }
 
-Json state(Chain& chain, ModuleIndex module, TimePoint now) {
-    const ModuleSnapshot s = chain.snapshot(module, now);
-    const ServoSnapshot& servo = s.servo;
-    return {{"module", module.value() + 1},
-            {"type", "servo"},
-            {"version", s.identity.version},
-            {"address", s.address},
-            {"group", s.group},
-            {"leader", s.leader},
-            {"baud", std::lround(realRate(s.brd))},
-            {"listening", s.listening},
-            {"time", toSeconds(s.time.time_since_epoch())},
-            {"tick", s.tick},
-            {"position", servo.position},
+Json servoJson(const ServoSnapshot& servo) {
+    return {{"position", servo.position},
             {"shaft", servo.shaftCounts},
             {"command_position", servo.commandPosition},
             {"position_error", servo.positionError},
@@ -104,6 +93,45 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
             {"gains", gainsJson(servo.gains)}};
 }
 
+Json pinsJson(const StepPins& pins) {
+    return {{"estop", pins.estop},   {"in1", pins.in1},       {"in2", pins.in2},
+            {"limit1", pins.limit1}, {"limit2", pins.limit2}, {"home_switch", pins.homeSwitch}};
+}
+
+Json stepJson(const StepSnapshot& step) {
+    return {{"position", step.position},
+            {"step_rate", step.stepRate},
+            {"speed", step.speed},
+            {"timer_count", step.timerCount},
+            {"moving", step.moving},
+            {"reverse", step.reverse},
+            {"mode", toText(step.mode)},
+            {"amp_enabled", step.ampEnabled},
+            {"power", step.inputs.power},
+            {"analog", step.inputs.analog},
+            {"homing", step.homing},
+            {"home", step.home},
+            {"inputs", pinsJson(step.inputs)},
+            {"outputs", step.outputs},
+            {"current_limit", step.currentLimit}};
+}
+
+Json state(Chain& chain, ModuleIndex module, TimePoint now) {
+    const ModuleSnapshot s = chain.snapshot(module, now);
+    Json json{{"module", module.value() + 1},
+              {"type", s.step ? "step" : "servo"},
+              {"version", s.identity.version},
+              {"address", s.address},
+              {"group", s.group},
+              {"leader", s.leader},
+              {"baud", std::lround(realRate(s.brd))},
+              {"listening", s.listening},
+              {"time", toSeconds(s.time.time_since_epoch())},
+              {"tick", s.tick}};
+    json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));
+    return json;
+}
+
 // --- set
 // ------------------------------------------------------------------------------------------------------
 
@@ -118,7 +146,7 @@ struct InputRow {
 };
 
 // Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
-constexpr std::array kInputs{
+constexpr std::array kServoInputs{
     InputRow{"limit1", Input::Limit1, "0 or 1", {}, 0, 1, true},
     InputRow{"limit2", Input::Limit2, "0 or 1", {}, 0, 1, true},
     InputRow{"index", Input::Index, "0 or 1", {}, 0, 1, true},
@@ -131,9 +159,24 @@ constexpr std::array kInputs{
     InputRow{"travel_max", Input::TravelMax, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
 };
 
-constexpr std::string_view kNames =
-    "allowed are limit1, limit2, index, power, analog, load, inertia, friction, travel_min, travel_max, "
-    "limits";
+constexpr std::array kStepInputs{
+    InputRow{"estop", Input::Estop, "0 or 1", {}, 0, 1, true},
+    InputRow{"in1", Input::In1, "0 or 1", {}, 0, 1, true},
+    InputRow{"in2", Input::In2, "0 or 1", {}, 0, 1, true},
+    InputRow{"home_switch", Input::HomeSwitch, "0 or 1", {}, 0, 1, true},
+    InputRow{"limit1", Input::Limit1, "0 or 1", {}, 0, 1, true},
+    InputRow{"limit2", Input::Limit2, "0 or 1", {}, 0, 1, true},
+    InputRow{"power", Input::Power, "0 or 1", {}, 0, 1, true},
+    InputRow{"analog", Input::Analog, "0 to 255", {}, 0, 255, true},
+};
+
+/// "; allowed are limit1, limit2, ...".
+std::string namesAllowed(std::span<const InputRow> rows, std::string_view last) {
+    std::string text = "; allowed are ";
+    for (const InputRow& row : rows)
+        text += std::string(&row == rows.data() ? "" : ", ") + std::string(row.name);
+    return last.empty() ? text : text + ", " + std::string(last);
+}
 
 /// What the module's present state forbids although the value is in range; empty when nothing does.
 std::string conflict(const ServoSnapshot& servo, Input input, std::optional<double> value) {
@@ -149,32 +192,37 @@ std::string conflict(const ServoSnapshot& servo, Input input, std::optional<doub
     return {};
 }
 
+Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view word, TimePoint now) {
+    std::optional<double> value;
+    if (row.word.empty() || word != row.word) {
+        value = number<double>(word);
+        // Written so that NaN is refused.
+        if (!value || !(*value >= row.min && *value <= row.max) ||
+            (row.whole && *value != std::floor(*value)))
+            return error(std::string(row.name) + " cannot be " + quoted(word) + "; allowed is " +
+                         std::string(row.allowed));
+    }
+    if (const std::string why = conflict(chain.snapshot(module, now).servo, row.input, value); !why.empty())
+        return error(why);
+    chain.set(module, row.input, value, now);
+    return ok();
+}
+
 Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view word, TimePoint now) {
-    if (name == "limits") {
+    const bool isStep = chain.identity(module).type == ModuleType::Step;
+    if (name == "limits" && !isStep) {
         if (word != "auto" && word != "manual")
             return error("limits cannot be " + quoted(word) + "; allowed are auto, manual");
         chain.set(module, Input::Limits, word == "auto" ? 1.0 : 0.0, now);
         return ok();
     }
-    for (const InputRow& row : kInputs) {
-        if (row.name != name)
-            continue;
-        std::optional<double> value;
-        if (row.word.empty() || word != row.word) {
-            value = number<double>(word);
-            // Written so that NaN is refused.
-            if (!value || !(*value >= row.min && *value <= row.max) ||
-                (row.whole && *value != std::floor(*value)))
-                return error(std::string(name) + " cannot be " + quoted(word) + "; allowed is " +
-                             std::string(row.allowed));
-        }
-        if (const std::string why = conflict(chain.snapshot(module, now).servo, row.input, value);
-            !why.empty())
-            return error(why);
-        chain.set(module, row.input, value, now);
-        return ok();
-    }
-    return error("a servo has no input " + quoted(name) + "; " + std::string(kNames));
+    const std::span<const InputRow> rows =
+        isStep ? std::span<const InputRow>(kStepInputs) : std::span<const InputRow>(kServoInputs);
+    for (const InputRow& row : rows)
+        if (row.name == name)
+            return setInput(chain, module, row, word, now);
+    return error((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
+                 namesAllowed(rows, isStep ? "" : "limits"));
 }
 
 // --- stats, time

@@ -22,9 +22,7 @@ bool Homing::triggered(HomeInputs now, bool positionErrorTrip, bool currentLimit
     return found;
 }
 
-Homing::Stop Homing::stop(std::uint8_t version) const {
-    if (version < 3)
-        return Stop::None;
+Homing::Stop Homing::stop() const {
     if ((m_control & kMotorOff) != 0)
         return Stop::Off;
     if ((m_control & kStopAbruptly) != 0)

@@ -9,11 +9,11 @@ namespace nmc::sim {
 struct HomeInputs {
     bool limit1 = false;
     bool limit2 = false;
-    bool index = false;
+    bool index = false;  ///< a stepper's home switch
     bool operator==(const HomeInputs&) const = default;
 };
 
-/// What Set Homing Mode asks for, and whether it has come (DS-V 5.2).
+/// What Set Homing Mode asks for, and whether it has come (DS-V 5.2, DS-S 5.1).
 class Homing {
 public:
     enum class Stop : std::uint8_t { None, Off, Abrupt, Smooth };
@@ -33,8 +33,8 @@ public:
     /// Once per maximum-rate tick while in progress. True when the home position is to be captured; the
     /// search is then over.
     bool triggered(HomeInputs now, bool positionErrorTrip, bool currentLimiting);
-    /// How the motor is to be stopped when home is found. Versions 1 and 2 leave it to the host.
-    [[nodiscard]] Stop stop(std::uint8_t version) const;
+    /// How the motor is to be stopped when home is found.
+    [[nodiscard]] Stop stop() const;
 
 private:
     HomeInputs m_baseline;

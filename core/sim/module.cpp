@@ -10,6 +10,7 @@ namespace nmc::sim {
 namespace {
 
 constexpr std::uint8_t kGroupBit = 0x80;
+constexpr std::uint8_t kEveryone = 0xFF;
 constexpr std::uint8_t kCommunicationError = 0x02;
 
 }  // namespace
@@ -79,12 +80,16 @@ void Module::hears(std::uint8_t byte, bool framingError, TimePoint now) {
 
 void Module::accept(const Packet& packet, TimePoint now) {
     const bool own = packet.address == m_address;
-    if (!own && packet.address != m_group)
+    const bool member = packet.address == m_group;
+    const bool good = !packet.framingError && packet.sumIsRight();
+    const bool resetsAll =
+        good && obeysResetOfAll() && packet.address == kEveryone && packet.code() == CommandCode::HardReset;
+    if (!own && !member && !resetsAll)
         return;
-    if (m_pending && !packet.framingError && packet.sumIsRight())
+    if (m_pending && good)
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;
-    m_pending = Pending{packet, tickEnd(tick), tick, own, own || m_leader};
+    m_pending = Pending{packet, tickEnd(tick), tick, own, own || (member && m_leader)};
 }
 
 void Module::execute() {

@@ -93,6 +93,8 @@ private:
         bool answers = false;
     };
 
+    /// Whether Hard Reset to address FF is obeyed in any group (DS-S 5.1).
+    [[nodiscard]] virtual bool obeysResetOfAll() const { return false; }
     /// Power-up state of everything that is the chip's own.
     virtual void resetChip() = 0;
     virtual void runTicks(std::uint64_t ticks) = 0;

@@ -159,6 +159,11 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::TravelMax:
             setLoad(input, value);
             return;
+        case Input::Estop:
+        case Input::In1:
+        case Input::In2:
+        case Input::HomeSwitch:
+            return;  // A stepper's.
     }
 }
 

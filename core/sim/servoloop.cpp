@@ -81,7 +81,9 @@ void ServoLoop::watchHome() {
     if (!m_homing.triggered(homeInputs(), m_tripped, m_limiting))
         return;
     saveAsHome();
-    switch (m_homing.stop(m_version)) {
+    if (m_version < 3)
+        return;  // Versions 1 and 2 leave the stop to the host.
+    switch (m_homing.stop()) {
         case Homing::Stop::None:
             break;
         case Homing::Stop::Off:

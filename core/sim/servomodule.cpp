@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "sim/datareader.h"
+
 namespace nmc::sim {
 
 namespace {
@@ -12,23 +14,6 @@ constexpr std::uint32_t kMaxMotion = 0x7FFF'FFFF;
 std::uint16_t wordAt(const Packet& packet, std::size_t offset) {
     return readLittleEndian<std::uint16_t>(ByteSpan(packet.data).subspan(offset, 2));
 }
-
-/// Takes the data bytes in their order, as far as the buffer goes.
-class DataReader {
-public:
-    explicit DataReader(const Packet& packet) : m_data(packet.data) {}
-    template <typename T>
-    T next() {
-        const T value = readLittleEndian<T>(m_data.subspan(m_at, sizeof(T)));
-        m_at += sizeof(T);
-        return value;
-    }
-    [[nodiscard]] std::size_t taken() const { return m_at; }
-
-private:
-    ByteSpan m_data;
-    std::size_t m_at = 0;
-};
 
 }  // namespace
 

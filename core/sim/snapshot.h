@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "base/time.h"
@@ -39,6 +40,41 @@ struct ServoSnapshot {
     Gains gains;
 };
 
+/// The starting and goal modes of the stepper's mode table (DS-S 5.1, Table 4).
+enum class StepMode : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithStop, Unprofiled };
+
+/// "stopped", "trapezoidal", "velocity", "unprofiled" with a stop or without.
+[[nodiscard]] std::string_view toText(StepMode mode);
+
+/// Levels of a stepper's input pins. As shipped the switches are open and the driver has its power.
+struct StepPins {
+    bool estop = false;
+    bool in1 = false;
+    bool in2 = false;
+    bool limit1 = false;  ///< forward
+    bool limit2 = false;  ///< reverse
+    bool homeSwitch = false;
+    bool power = true;
+    std::uint8_t analog = 255;  ///< TEMP_SENS: a cold motor
+};
+
+/// Ground truth about a stepper module at its last tick.
+struct StepSnapshot {
+    std::int32_t position = 0;
+    double stepRate = 0;  ///< steps per second, negative in reverse
+    unsigned speed = 0;   ///< the profile's integer speed, the nearest one in the unprofiled modes
+    std::uint16_t timerCount = 0;
+    StepMode mode = StepMode::Stopped;
+    bool reverse = false;  ///< DIR
+    bool moving = false;
+    bool ampEnabled = false;
+    bool homing = false;
+    std::int32_t home = 0;
+    StepPins inputs;
+    std::uint8_t outputs = 0;       ///< bits 0 to 4: OUT1 to OUT5
+    std::uint8_t currentLimit = 0;  ///< CUR_LIM, 255 is full current
+};
+
 /// Ground truth about a module.
 struct ModuleSnapshot {
     ModuleIdentity identity;
@@ -48,8 +84,9 @@ struct ModuleSnapshot {
     std::uint8_t brd = 0;    ///< divisor of its UART
     bool listening = false;  ///< ADDR_IN has been low and the dead time is over
     TimePoint time;
-    std::uint64_t tick = 0;  ///< its own ticks since the simulation began
-    ServoSnapshot servo;     ///< of a servo module only
+    std::uint64_t tick = 0;            ///< its own ticks since the simulation began
+    ServoSnapshot servo;               ///< of a servo module only
+    std::optional<StepSnapshot> step;  ///< of a stepper module only
 };
 
 /// What `set` can change from outside (simulator.md, Control).
@@ -58,13 +95,18 @@ enum class Input : std::uint8_t {
     Limit2,     ///< 0 or 1
     Index,      ///< 0 or 1, until the shaft moves on
     Power,      ///< 0 or 1
-    Analog,     ///< 0..255; nothing: the motor's current
+    Analog,     ///< 0..255; nothing: the motor's current (servo only)
     Load,       ///< N·m
     Inertia,    ///< kg·m², > 0
     Friction,   ///< N·m, >= 0
     TravelMin,  ///< shaft counts, not beyond the shaft; nothing: none
     TravelMax,  ///< shaft counts, not beyond the shaft; nothing: none
     Limits,     ///< 1: limit 1 and 2 follow travel_min and travel_max, 0: they are set
+    // Of a stepper only, each 0 or 1. It has Limit1, Limit2, Power and Analog too, and none of the others.
+    Estop,
+    In1,
+    In2,
+    HomeSwitch,
 };
 
 }  // namespace nmc::sim

@@ -27,6 +27,12 @@ std::string_view toText(ViolationKind kind) {
             return "set_baud_single";
         case ViolationKind::Unsupported:
             return "unsupported";
+        case ViolationKind::ModeTransition:
+            return "mode_transition";
+        case ViolationKind::DirectionChange:
+            return "direction_change";
+        case ViolationKind::ParametersNotSet:
+            return "parameters_not_set";
     }
     return "";
 }

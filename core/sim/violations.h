@@ -15,7 +15,7 @@ enum class ViolationKind : std::uint8_t {
     CommandInFlight,     ///< a command sent before the previous one was answered (DS-V 4.1)
     CommandOverwritten,  ///< a module lost a command to the next one (DS-V 4.1)
     TrapezoidInMotion,   ///< a trapezoidal move started or changed while the motor moved (DS-V 4.4)
-    ResetInMotion,       ///< Reset Position during a trapezoidal move (DS-V 5.2)
+    ResetInMotion,       ///< Reset Position in a servo's trapezoid or any motion of a stepper
     ReplyCollision,      ///< two modules answered at once: two leaders of a group, or one address twice
     WrongLength,         ///< the command byte announced another number of data bytes than the command has
     UnknownCommand,      ///< no such command on this chip
@@ -23,6 +23,9 @@ enum class ViolationKind : std::uint8_t {
     OutOfRange,          ///< a value outside the data sheet's range
     SetBaudSingle,       ///< Set Baud Rate to an individual address (DS-V 5.2)
     Unsupported,         ///< not available on this version
+    ModeTransition,      ///< not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)
+    DirectionChange,     ///< a stepper's direction changed without a stop (DS-S 4.1, 4.2)
+    ParametersNotSet,    ///< a stepper started before Set Parameters (DS-S 5.1)
 };
 
 /// Snake case, as in `stats`.

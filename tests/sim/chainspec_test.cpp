@@ -27,11 +27,17 @@ TEST(ChainSpec, AnErrorNamesTheItemAndWhatIsAllowed) {
     }
 }
 
-TEST(ChainSpec, SaysThatSteppersAreNotSimulatedYet) {
-    for (const std::string item : {"step", "step@1"}) {
-        const auto chain = parseChain("servo," + item);
-        ASSERT_FALSE(chain);
-        EXPECT_THAT(chain.error(), HasSubstr("PIC-STEP is not simulated yet"));
+TEST(ChainSpec, ASteppersOnlyVersionIsOne) {
+    const auto chain = parseChain("step,servo,step@1");
+    ASSERT_TRUE(chain);
+    EXPECT_EQ((*chain)[0], (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ((*chain)[1], (ModuleIdentity{ModuleType::Servo, 4}));
+    EXPECT_EQ((*chain)[2], (ModuleIdentity{ModuleType::Step, 1}));
+    for (const std::string item : {"step@0", "step@2", "step@4", "step@", "steps"}) {
+        const auto refused = parseChain("servo," + item);
+        ASSERT_FALSE(refused) << item;
+        EXPECT_THAT(refused.error(), HasSubstr("'" + item + "'"));
+        EXPECT_THAT(refused.error(), HasSubstr("step@1"));
     }
 }
 

@@ -124,6 +124,41 @@ TEST_F(Control, AHardStopCannotBePutBeyondTheShaftNorALimitSetThatFollowsIt) {
     EXPECT_EQ(say("state 1")["limit1"], false);
 }
 
+TEST_F(Control, AStepperHasItsOwnStateAndInputs) {
+    wire = HostWire("servo,step");
+    wire.address(2);
+    for (const char* line : {"set 2 estop 1", "set 2 in1 1", "set 2 in2 1", "set 2 home_switch 1",
+                             "set 2 limit1 1", "set 2 limit2 1", "set 2 power 0", "set 2 analog 77"})
+        EXPECT_EQ(say(line), (nlohmann::json{{"ok", true}})) << line;
+    const auto s = say("state 2");
+    EXPECT_EQ(s["type"], "step");
+    EXPECT_EQ(s["version"], 1);
+    EXPECT_EQ(s["address"], 2);
+    EXPECT_EQ(s["mode"], "stopped");
+    EXPECT_EQ(s["moving"], false);
+    EXPECT_EQ(s["step_rate"], 0.0);
+    EXPECT_EQ(s["position"], 0);
+    EXPECT_EQ(s["outputs"], 0x10);
+    EXPECT_EQ(s["current_limit"], 0);
+    EXPECT_EQ(s["power"], false);
+    EXPECT_EQ(s["analog"], 77);
+    for (const char* pin : {"estop", "in1", "in2", "home_switch", "limit1", "limit2"})
+        EXPECT_EQ(s["inputs"][pin], true) << pin;
+    for (const char* key : {"gains", "pwm", "servo_on", "position_error"})
+        EXPECT_FALSE(s.contains(key)) << key;
+}
+
+TEST_F(Control, ANameOfTheOtherKindOfModuleIsAnErrorThatNamesWhatIsAllowed) {
+    wire = HostWire("servo,step");
+    for (const char* line : {"set 2 load 1", "set 2 limits auto", "set 2 index 1", "set 2 travel_max none"})
+        EXPECT_THAT(errorOf(line), HasSubstr("allowed are estop, in1, in2, home_switch, limit1, limit2, "
+                                             "power, analog"));
+    EXPECT_THAT(errorOf("set 2 analog auto"), HasSubstr("0 to 255"));
+    for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1"})
+        EXPECT_THAT(errorOf(line), HasSubstr("allowed are limit1, limit2, index, power, analog, load, "
+                                             "inertia, friction, travel_min, travel_max, limits"));
+}
+
 TEST_F(Control, PowerCycleBreakAndMendReachTheAddressLine) {
     EXPECT_EQ(say("power-cycle all"), (nlohmann::json{{"ok", true}}));
     wire.wait(milliseconds(10));

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "sim/stepcontrol.h"
+
+#include <algorithm>
+
+namespace nmc::sim {
+
+std::string_view toText(StepMode mode) {
+    switch (mode) {
+        case StepMode::Stopped:
+            return "stopped";
+        case StepMode::Trapezoidal:
+            return "trapezoidal";
+        case StepMode::Velocity:
+            return "velocity";
+        case StepMode::UnprofiledWithStop:
+        case StepMode::Unprofiled:
+            return "unprofiled";
+    }
+    return "";
+}
+
+void StepControl::reset() {
+    const StepPins pins = m_pins;
+    *this = StepControl{};
+    m_pins = pins;
+    m_pinsChanged = true;
+}
+
+// --- Time
+// -----------------------------------------------------------------------------------------------------
+
+void StepControl::run(Duration time) {
+    if (m_pinsChanged) {
+        const Duration tick = std::min(time, kServoTick);
+        advance(tick);
+        time -= tick;
+        watchPins();
+    }
+    advance(time);
+}
+
+void StepControl::advance(Duration time) {
+    Duration rest = time;
+    if (m_motion.isMoving()) {
+        rest = m_motion.advance(time);
+        m_current.motionSeen();
+    }
+    if (!m_motion.isMoving())
+        m_current.motorRests(rest);
+}
+
+// --- Commands
+// -------------------------------------------------------------------------------------------------
+
+void StepControl::setParameters(const StepParameters& parameters) {
+    m_parameters = parameters;
+    m_hasParameters = true;
+    m_current.setLimits(parameters.runningCurrent, parameters.holdingCurrent);
+    m_pinsChanged = true;
+    if (m_motion.isMoving())
+        return;
+    m_motion.setSpeedMode(static_cast<SpeedMode>(parameters.mode & 0x03U));
+    m_motion.setMinimumSpeed(parameters.minimumSpeed);
+}
+
+void StepControl::start(StepMode goal) {
+    const bool reverse = m_motion.wouldReverse(goal, m_loaded);
+    if (driverFails() || estopActs() || limitActs(reverse)) {
+        // As if it had started and run into it.
+        if (driverFails() || m_parameters.has(StepParameters::kMotorOff))
+            turnOff();
+        return;
+    }
+    m_motion.start(goal, m_loaded);
+    if (m_motion.isMoving())
+        m_current.motionSeen();
+}
+
+void StepControl::setAmplifier(bool enabled) {
+    m_ampEnabled = enabled && !driverFails();
+}
+
+void StepControl::stopAbruptly() {
+    m_motion.stopAbruptly();
+}
+
+/// "Stop Motor command will have set the goal velocity to zero": said of the smooth stop alone.
+void StepControl::stopSmoothly() {
+    m_loaded.speed = 0;
+    m_motion.stopSmoothly(m_loaded.accelerationTime);
+}
+
+void StepControl::turnOff() {
+    m_ampEnabled = false;
+    m_motion.stopAbruptly();
+}
+
+void StepControl::setHoming(std::uint8_t control) {
+    constexpr unsigned kUsed = 0x3F;
+    m_homing.begin(static_cast<std::uint8_t>(control & kUsed), homePins());
+}
+
+// --- Pins
+// -----------------------------------------------------------------------------------------------------
+
+void StepControl::set(Input input, std::optional<double> value) {
+    const bool level = value.value_or(0.0) != 0.0;
+    m_pinsChanged = true;
+    switch (input) {
+        case Input::Limit1:
+            m_pins.limit1 = level;
+            return;
+        case Input::Limit2:
+            m_pins.limit2 = level;
+            return;
+        case Input::Power:
+            m_pins.power = level;
+            return;
+        case Input::Estop:
+            m_pins.estop = level;
+            return;
+        case Input::In1:
+            m_pins.in1 = level;
+            return;
+        case Input::In2:
+            m_pins.in2 = level;
+            return;
+        case Input::HomeSwitch:
+            m_pins.homeSwitch = level;
+            return;
+        case Input::Analog:
+            m_pins.analog = static_cast<std::uint8_t>(value.value_or(0.0));
+            return;
+        case Input::Index:
+        case Input::Load:
+        case Input::Inertia:
+        case Input::Friction:
+        case Input::TravelMin:
+        case Input::TravelMax:
+        case Input::Limits:
+            return;  // A servo's.
+    }
+}
+
+bool StepControl::driverFails() const {
+    return !m_pins.power || m_pins.analog < m_parameters.thermalLimit;
+}
+
+bool StepControl::estopActs() const {
+    return m_pins.estop && !m_parameters.has(StepParameters::kIgnoreEstop);
+}
+
+bool StepControl::limitActs(bool reverse) const {
+    return (reverse ? m_pins.limit2 : m_pins.limit1) && !m_parameters.has(StepParameters::kIgnoreLimits);
+}
+
+HomeInputs StepControl::homePins() const {
+    return {m_pins.limit1, m_pins.limit2, m_pins.homeSwitch};
+}
+
+void StepControl::watchPins() {
+    m_pinsChanged = false;
+    watchHome();
+    const bool motorOff = m_parameters.has(StepParameters::kMotorOff);
+    if (driverFails())
+        turnOff();
+    // The E-stop input turns a resting motor off too, once: the host may enable it again.
+    if (estopActs()) {
+        m_motion.stopAbruptly();
+        if (motorOff && !m_estopSeen)
+            turnOff();
+    }
+    m_estopSeen = estopActs();
+    if (m_motion.isMoving() && limitActs(m_motion.isReverse())) {
+        m_motion.stopAbruptly();
+        if (motorOff)
+            turnOff();
+    }
+}
+
+void StepControl::watchHome() {
+    if (!m_homing.inProgress() || !m_homing.triggered(homePins(), false, false))
+        return;
+    saveAsHome();
+    switch (m_homing.stop()) {
+        case Homing::Stop::None:
+            break;
+        case Homing::Stop::Off:
+            turnOff();
+            break;
+        case Homing::Stop::Abrupt:
+            stopAbruptly();
+            break;
+        case Homing::Stop::Smooth:
+            stopSmoothly();
+            break;
+    }
+}
+
+// --- Status
+// ---------------------------------------------------------------------------------------------------
+
+std::uint8_t StepControl::statusByte() const {
+    unsigned bits = m_motion.isMoving() ? 0x01U : 0U;
+    bits |= m_ampEnabled ? 0x04U : 0U;
+    bits |= m_pins.power ? 0x08U : 0U;
+    bits |= m_motion.atCommandedSpeed() ? 0x10U : 0U;
+    bits |= m_motion.mode() == StepMode::Velocity ? 0x20U : 0U;
+    bits |= m_motion.mode() == StepMode::Trapezoidal ? 0x40U : 0U;
+    bits |= m_homing.inProgress() ? 0x80U : 0U;
+    return static_cast<std::uint8_t>(bits);
+}
+
+std::uint8_t StepControl::inputsByte() const {
+    unsigned bits = m_pins.estop ? 0x01U : 0U;
+    bits |= m_pins.in1 ? 0x02U : 0U;
+    bits |= m_pins.in2 ? 0x04U : 0U;
+    bits |= m_pins.limit1 ? 0x08U : 0U;
+    bits |= m_pins.limit2 ? 0x10U : 0U;
+    bits |= m_pins.homeSwitch ? 0x20U : 0U;
+    return static_cast<std::uint8_t>(bits);
+}
+
+StepSnapshot StepControl::snapshot() const {
+    StepSnapshot s;
+    s.position = m_motion.position();
+    s.stepRate = m_motion.stepRate();
+    s.speed = m_motion.speed();
+    s.timerCount = m_motion.timerCount();
+    s.mode = m_motion.mode();
+    s.reverse = m_motion.isReverse();
+    s.moving = m_motion.isMoving();
+    s.ampEnabled = m_ampEnabled;
+    s.homing = m_homing.inProgress();
+    s.home = m_home;
+    s.inputs = m_pins;
+    s.outputs = m_outputs;
+    s.currentLimit = m_current.limit();
+    return s;
+}
+
+}  // namespace nmc::sim

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/time.h"
+#include "sim/homing.h"
+#include "sim/snapshot.h"
+#include "sim/stepcurrent.h"
+#include "sim/stepmotion.h"
+#include "sim/steptransition.h"
+
+namespace nmc::sim {
+
+/// The data of Set Parameters.
+struct StepParameters {
+    static constexpr std::uint8_t kIgnoreLimits = 0x04;
+    static constexpr std::uint8_t kIgnoreEstop = 0x08;
+    static constexpr std::uint8_t kMotorOff = 0x10;
+
+    std::uint8_t mode = 0;
+    std::uint8_t minimumSpeed = 1;
+    std::uint8_t runningCurrent = 0;
+    std::uint8_t holdingCurrent = 0;
+    std::uint8_t thermalLimit = 0;
+
+    [[nodiscard]] bool has(std::uint8_t bit) const { return (mode & bit) != 0; }
+};
+
+/// The stepper chip behind its commands: step generator, pins, and what the pins do to the motion (DS-S 4).
+/// Pins are looked at once per tick.
+class StepControl {
+public:
+    /// Power-up. The levels of the pins are not the chip's.
+    void reset();
+    void run(Duration time);
+    void set(Input input, std::optional<double> value);
+
+    // Commands.
+    void resetPosition() { m_motion.resetPosition(); }
+    void setParameters(const StepParameters& parameters);
+    [[nodiscard]] bool hasParameters() const { return m_hasParameters; }
+    [[nodiscard]] const StepTrajectory& loaded() const { return m_loaded; }
+    void load(const StepTrajectory& trajectory) { m_loaded = trajectory; }
+    /// Executes what is loaded, unless a pin forbids it. The transition must be an allowed one.
+    void start(StepMode goal);
+    [[nodiscard]] const StepMotion& motion() const { return m_motion; }
+    void setAmplifier(bool enabled);
+    void stopAbruptly();
+    void stopSmoothly();
+    void setOutputs(std::uint8_t outputs) { m_outputs = outputs & kOutputPins; }
+    void setHoming(std::uint8_t control);
+    void saveAsHome() { m_home = m_motion.position(); }
+
+    // Status.
+    [[nodiscard]] std::uint8_t statusByte() const;
+    [[nodiscard]] std::uint8_t inputsByte() const;
+    [[nodiscard]] std::uint8_t analog() const { return m_pins.analog; }
+    [[nodiscard]] std::int32_t home() const { return m_home; }
+    [[nodiscard]] StepSnapshot snapshot() const;
+
+private:
+    static constexpr std::uint8_t kOutputPins = 0x1F;
+    static constexpr std::uint8_t kPowerUpOutputs = 0x10;
+
+    void advance(Duration time);
+    void watchPins();
+    void watchHome();
+    void turnOff();
+    /// No driver power, or too hot a motor: no amplifier and no motion.
+    [[nodiscard]] bool driverFails() const;
+    [[nodiscard]] bool estopActs() const;
+    [[nodiscard]] bool limitActs(bool reverse) const;
+    [[nodiscard]] HomeInputs homePins() const;
+
+    StepPins m_pins;
+    bool m_pinsChanged = false;  ///< or what they mean
+    StepMotion m_motion;
+    StepTrajectory m_loaded;
+    StepParameters m_parameters;
+    bool m_hasParameters = false;
+    StepCurrent m_current;
+    bool m_ampEnabled = false;
+    bool m_estopSeen = false;
+    std::uint8_t m_outputs = kPowerUpOutputs;
+    Homing m_homing;
+    std::int32_t m_home = 0;
+};
+
+}  // namespace nmc::sim

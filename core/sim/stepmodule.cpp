@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "sim/stepmodule.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/datareader.h"
+
+namespace nmc::sim {
+
+void StepModule::executeOwn(const Packet& packet) {
+    switch (packet.code()) {
+        case CommandCode::ResetPosition:
+            return resetPosition();
+        case CommandCode::LoadTrajectory:
+            return loadTrajectory(packet);
+        case CommandCode::StartMotion:
+            static_cast<void>(startMotion());
+            return;
+        case CommandCode::SetGain:  // Set Parameters
+            return setParameters(packet);
+        case CommandCode::StopMotor:
+            return stopMotor(packet.data[0]);
+        case CommandCode::IoControl:  // Set Outputs
+            return m_control.setOutputs(packet.data[0]);
+        case CommandCode::SetHoming:
+            return setHoming(packet.data[0]);
+        case CommandCode::SaveAsHome:
+            return m_control.saveAsHome();
+        case CommandCode::ClearStickyBits:  // Not on this chip.
+        case CommandCode::SetAddress:
+        case CommandCode::DefineStatus:
+        case CommandCode::ReadStatus:
+        case CommandCode::SetBaud:
+        case CommandCode::Reserved:
+        case CommandCode::Nop:
+        case CommandCode::HardReset:
+            return;  // Module's.
+    }
+}
+
+template <typename T>
+T StepModule::inRange(T value, T min, T max) {
+    if (value < min || value > max)
+        violates(ViolationKind::OutOfRange);
+    return std::clamp(value, min, max);
+}
+
+void StepModule::resetPosition() {
+    if (m_control.motion().isMoving())
+        violates(ViolationKind::ResetInMotion);
+    m_control.resetPosition();
+}
+
+void StepModule::loadTrajectory(const Packet& packet) {
+    constexpr std::uint8_t kByte = 0xFF;
+    const StepTrajectory before = m_control.loaded();
+    StepTrajectory t = before;
+    t.isLoaded = true;
+    DataReader reader(packet);
+    t.control = reader.next<std::uint8_t>();
+    if (t.has(StepTrajectory::kPosition))
+        t.position = reader.next<std::int32_t>();
+    if (t.has(StepTrajectory::kSpeed))
+        t.speed = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 1, kMaxStepSpeed);
+    if (t.has(StepTrajectory::kAcceleration))
+        t.accelerationTime = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 1, kByte);
+    if (t.has(StepTrajectory::kTimer)) {
+        t.timerCount = inRange(reader.next<std::uint16_t>(), kMinTimerCount, kMaxTimerCount);
+        t.nearestSpeed = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 0, kMaxStepSpeed);
+    }
+    if (packet.length() > 0 && packet.length() != reader.taken())
+        violates(ViolationKind::WrongLength);
+    m_control.load(t);
+    if (t.has(StepTrajectory::kStartNow) && !startMotion())
+        m_control.load(before);
+}
+
+bool StepModule::startMotion() {
+    const StepMotion& motion = m_control.motion();
+    const StepTrajectory& loaded = m_control.loaded();
+    if (!m_control.hasParameters()) {
+        violates(ViolationKind::ParametersNotSet);
+        return false;
+    }
+    if (!loaded.isLoaded)
+        return true;  // Nothing to execute.
+    const auto goal = goalMode(motion.mode(), loaded.control);
+    if (!goal) {
+        violates(ViolationKind::ModeTransition);
+        return false;
+    }
+    if (motion.isMoving() && motion.wouldReverse(*goal, loaded) != motion.isReverse()) {
+        violates(ViolationKind::DirectionChange);
+        return false;
+    }
+    m_control.start(*goal);
+    return true;
+}
+
+void StepModule::setParameters(const Packet& packet) {
+    DataReader reader(packet);
+    StepParameters p;
+    p.mode = reader.next<std::uint8_t>();
+    p.minimumSpeed = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 1, kMaxStepSpeed);
+    p.runningCurrent = reader.next<std::uint8_t>();
+    p.holdingCurrent = reader.next<std::uint8_t>();
+    p.thermalLimit = reader.next<std::uint8_t>();
+    m_control.setParameters(p);
+}
+
+void StepModule::stopMotor(unsigned control) {
+    constexpr unsigned kAmplifier = 0x01, kAbrupt = 0x04, kSmooth = 0x08;
+    if (std::popcount(control & (kAbrupt | kSmooth)) > 1)
+        violates(ViolationKind::StopBits);
+    m_control.setAmplifier((control & kAmplifier) != 0);
+    if ((control & kAbrupt) != 0)
+        m_control.stopAbruptly();
+    else if ((control & kSmooth) != 0)
+        m_control.stopSmoothly();
+}
+
+void StepModule::setHoming(std::uint8_t control) {
+    constexpr unsigned kStops = Homing::kMotorOff | Homing::kStopAbruptly | Homing::kStopSmoothly;
+    if (std::popcount(control & kStops) > 1)
+        violates(ViolationKind::StopBits);
+    m_control.setHoming(control);
+}
+
+void StepModule::appendItems(std::uint8_t items, ReplyBytes& reply) const {
+    const auto wanted = [items](unsigned bit) { return (unsigned{items} >> bit & 1U) != 0; };
+    if (wanted(0))
+        reply.appendLittleEndian(m_control.motion().position());
+    if (wanted(1))
+        reply.push_back(m_control.analog());
+    if (wanted(2))
+        reply.appendLittleEndian(m_control.motion().timerCount());
+    if (wanted(3))
+        reply.push_back(m_control.inputsByte());
+    if (wanted(4))
+        reply.appendLittleEndian(m_control.home());
+    if (wanted(5)) {
+        reply.push_back(static_cast<std::uint8_t>(identity().type));
+        reply.push_back(identity().version);
+    }
+}
+
+ModuleSnapshot StepModule::snapshot(TimePoint now) const {
+    ModuleSnapshot s = Module::snapshot(now);
+    s.step = m_control.snapshot();
+    return s;
+}
+
+}  // namespace nmc::sim
