@@ -111,8 +111,7 @@ void Chain::Private::catchUp() {
     }
 }
 
-// --- Modules
-// --------------------------------------------------------------------------------------------------
+// ---- Modules ----
 
 void Chain::Private::runModule(std::size_t index) {
     Module& module = *modules[index];
@@ -173,8 +172,7 @@ void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, boo
     toHost.push_back({now, value});
 }
 
-// --- The host
-// -------------------------------------------------------------------------------------------------
+// ---- The host ----
 
 void Chain::Private::deliverToModules(const LineByte& byte) {
     ++statistics.bytesIn;
@@ -220,8 +218,7 @@ void Chain::Private::watchForHaste(const LineByte& byte) {
     m_hasty = false;
 }
 
-// --- Chain
-// ----------------------------------------------------------------------------------------------------
+// ---- Chain ----
 
 Chain::Chain(const std::vector<ModuleIdentity>& modules, ChainOptions options)
     : d(std::make_unique<Private>(modules, options)) {}

@@ -16,7 +16,7 @@ namespace nmc::sim {
 inline constexpr std::size_t kMaxModules = 32;
 
 /// What is simulated when nobody says otherwise.
-inline constexpr std::string_view kDefaultChain = "servo,servo,servo";
+inline constexpr std::string_view kDefaultChain = "servo,servo,step";
 
 /// Reads "servo,servo@1,step": a comma list in the order of addressing (farthest from the host first).
 /// The error is one sentence that names the item and what is allowed.

@@ -63,8 +63,7 @@ tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::str
     return ModuleIndex(static_cast<std::uint8_t>(*value - 1));
 }
 
-// --- state
-// ----------------------------------------------------------------------------------------------------
+// ---- state ----
 
 Json gainsJson(const Gains& g) {
     return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
@@ -132,8 +131,7 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
     return json;
 }
 
-// --- set
-// ------------------------------------------------------------------------------------------------------
+// ---- set ----
 
 struct InputRow {
     std::string_view name;
@@ -225,8 +223,7 @@ Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_vi
                  namesAllowed(rows, isStep ? "" : "limits"));
 }
 
-// --- stats, time
-// ----------------------------------------------------------------------------------------------
+// ---- stats, time ----
 
 Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
     Json executed = Json::object();
@@ -268,8 +265,7 @@ Json time(TimePoint now, double lagSeconds) {
     return {{"time", toSeconds(since)}, {"ticks", since / kServoTick}, {"lag", lagSeconds}};
 }
 
-// --- verbs
-// ----------------------------------------------------------------------------------------------------
+// ---- verbs ----
 
 Json powerCycle(Chain& chain, std::string_view word, TimePoint now) {
     if (word == "all") {

@@ -22,8 +22,7 @@ Module::Module(ModuleIdentity identity, std::uint8_t index, const ModuleOptions&
     m_deafUntil = TimePoint{} + options.resetDeadTime;
 }
 
-// --- Addressing
-// -----------------------------------------------------------------------------------------------
+// ---- Addressing ----
 
 void Module::powerUp(TimePoint now) {
     advanceTo(now);
@@ -70,8 +69,7 @@ void Module::setAddress(const Packet& packet) {
     m_addressOutputLow = true;
 }
 
-// --- Commands
-// -------------------------------------------------------------------------------------------------
+// ---- Commands ----
 
 void Module::hears(std::uint8_t byte, bool framingError, TimePoint now) {
     if (m_receiver.hears(byte, framingError))
@@ -164,8 +162,7 @@ void Module::violates(ViolationKind kind) {
     m_violations.add({tickEnd(m_ticks), m_index, kind, m_answered});
 }
 
-// --- Reply
-// ----------------------------------------------------------------------------------------------------
+// ---- Reply ----
 
 void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_reply.clear();
@@ -201,8 +198,7 @@ void Module::dropReply() {
     m_sent = 0;
 }
 
-// --- Time
-// -----------------------------------------------------------------------------------------------------
+// ---- Time ----
 
 TimePoint Module::nextEvent() const {
     return std::min(executesAt(), isReplying() ? replyByteDue() : kNever);

@@ -27,8 +27,7 @@ void StepControl::reset() {
     m_pinsChanged = true;
 }
 
-// --- Time
-// -----------------------------------------------------------------------------------------------------
+// ---- Time ----
 
 void StepControl::run(Duration time) {
     if (m_pinsChanged) {
@@ -50,8 +49,7 @@ void StepControl::advance(Duration time) {
         m_current.motorRests(rest);
 }
 
-// --- Commands
-// -------------------------------------------------------------------------------------------------
+// ---- Commands ----
 
 void StepControl::setParameters(const StepParameters& parameters) {
     m_parameters = parameters;
@@ -101,8 +99,7 @@ void StepControl::setHoming(std::uint8_t control) {
     m_homing.begin(static_cast<std::uint8_t>(control & kUsed), homePins());
 }
 
-// --- Pins
-// -----------------------------------------------------------------------------------------------------
+// ---- Pins ----
 
 void StepControl::set(Input input, std::optional<double> value) {
     const bool level = value.value_or(0.0) != 0.0;
@@ -198,8 +195,7 @@ void StepControl::watchHome() {
     }
 }
 
-// --- Status
-// ---------------------------------------------------------------------------------------------------
+// ---- Status ----
 
 std::uint8_t StepControl::statusByte() const {
     unsigned bits = m_motion.isMoving() ? 0x01U : 0U;

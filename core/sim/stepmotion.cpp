@@ -16,8 +16,7 @@ constexpr std::int64_t dividedUp(std::int64_t value, std::int64_t by) {
 
 }  // namespace
 
-// --- Starting and stopping
-// ------------------------------------------------------------------------------------
+// ---- Starting and stopping ----
 
 bool StepMotion::wouldReverse(StepMode goal, const StepTrajectory& loaded) const {
     const bool hasGoalPosition = goal == StepMode::Trapezoidal || goal == StepMode::UnprofiledWithStop;
@@ -82,8 +81,7 @@ void StepMotion::resetPosition() {
         stopAbruptly();
 }
 
-// --- Running
-// --------------------------------------------------------------------------------------------------
+// ---- Running ----
 
 Duration StepMotion::advance(Duration time) {
     std::int64_t left = time.count();

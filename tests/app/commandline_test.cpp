@@ -40,7 +40,7 @@ TEST(CommandLine, TakesAPortAndARate) {
 }
 
 TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
-    EXPECT_EQ(started(QStringLiteral("--simulator")).port, QStringLiteral("simulator=servo,servo,servo"));
+    EXPECT_EQ(started(QStringLiteral("--simulator")).port, QStringLiteral("simulator=servo,servo,step"));
     EXPECT_EQ(started(QStringLiteral("--simulator=servo,servo@1")).port,
               QStringLiteral("simulator=servo,servo@1"));
 }
