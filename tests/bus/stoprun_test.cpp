@@ -373,6 +373,29 @@ TEST(StopRun, IsReportedBeforeWhatTheModuleSaysAfterIt) {
         EXPECT_LT(time, *stopped);
 }
 
+TEST(StopRun, StopsASimulatedStepperAndLeavesAnOffOneOff) {
+    VirtualBus bus({{ModuleType::Servo, 4}, {ModuleType::Step, 1}, {ModuleType::Step, 1}});
+    ASSERT_TRUE(bus.connect());
+    const auto toStep = [](StepCommand command) { return bus::Step{ModuleIndex(1), std::move(command)}; };
+    step::LoadTrajectory run;
+    run.speed = std::uint8_t{100};
+    run.accelerationTime = std::uint8_t{2};
+    ASSERT_EQ(
+        bus.perform({toStep(step::SetParameters{step::SpeedMode::X1, false, false, false, 5, 200, 50, 0}),
+                     toStep(step::StopMotor{true, step::StopManner::AmplifierOnly}), toStep(run),
+                     toStep(StartMotion{})}),
+        Outcome::Done);
+    bus.runFor(500ms);
+    ASSERT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->moving);
+    const auto finished = bus.stopAll();
+    ASSERT_TRUE(finished.has_value());
+    EXPECT_THAT(numbers(finished->stopped), ElementsAre(0, 1, 2));
+    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->moving);
+    EXPECT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).step->ampEnabled) << "it keeps holding";
+    EXPECT_FALSE(bus.chain.snapshot(ModuleIndex(2), bus.now).step->ampEnabled);
+    bus.expectNoViolations();
+}
+
 }  // namespace
 
 }  // namespace nmc::test
