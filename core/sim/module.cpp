@@ -168,12 +168,31 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_reply.clear();
     const unsigned error = communicationError ? kCommunicationError : 0U;
     m_reply.push_back(static_cast<std::uint8_t>(statusByte() | error));
-    appendItems(items, m_reply);
+    appendItems(items);
     m_reply.push_back(sum8(m_reply));
     m_sent = 0;
     m_collided = false;
     m_replyStart = now;
     m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
+}
+
+void Module::appendItems(std::uint8_t mask) {
+    const auto wanted = [mask](unsigned bit) { return (unsigned{mask} >> bit & 1U) != 0; };
+    const Items items = statusItems();
+    if (wanted(0))
+        m_reply.appendLittleEndian(items.position);
+    if (wanted(1))
+        m_reply.push_back(items.analog);
+    if (wanted(2))
+        m_reply.appendLittleEndian(items.speed);
+    if (wanted(3))
+        m_reply.push_back(items.pins);
+    if (wanted(4))
+        m_reply.appendLittleEndian(items.home);
+    if (wanted(5)) {
+        m_reply.push_back(static_cast<std::uint8_t>(m_identity.type));
+        m_reply.push_back(m_identity.version);
+    }
 }
 
 bool Module::replyByteSent() {

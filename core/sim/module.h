@@ -77,6 +77,15 @@ public:
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:
+    /// The values of the status items; both chips send them in the same order and size (Define Status).
+    struct Items {
+        std::int32_t position = 0;
+        std::uint8_t analog = 0;
+        std::uint16_t speed = 0;  ///< PIC-SERVO: negative velocity; PIC-STEP: timer count
+        std::uint8_t pins = 0;    ///< PIC-SERVO: auxiliary status; PIC-STEP: inputs
+        std::int32_t home = 0;
+    };
+
     /// A status packet: at most status, 14 item bytes and sum.
     using ReplyBytes = ByteBuffer<16>;
 
@@ -102,8 +111,9 @@ private:
     virtual void executeOwn(const Packet& packet) = 0;
     /// Without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
-    virtual void appendItems(std::uint8_t items, ReplyBytes& reply) const = 0;
+    [[nodiscard]] virtual Items statusItems() const = 0;
 
+    void appendItems(std::uint8_t mask);
     void accept(const Packet& packet, TimePoint now);
     void runTo(std::uint64_t tick);
     void executeGood(const Pending& command);

@@ -136,22 +136,10 @@ void ServoModule::setHoming(std::uint8_t control) {
     m_loop.setHoming(control);
 }
 
-void ServoModule::appendItems(std::uint8_t items, ReplyBytes& reply) const {
-    const auto wanted = [items](unsigned bit) { return (unsigned{items} >> bit & 1U) != 0; };
-    if (wanted(0))
-        reply.appendLittleEndian(m_loop.position());
-    if (wanted(1))
-        reply.push_back(m_loop.analog());
-    if (wanted(2))  // The negative of the velocity (DS-V 5.2 Define Status).
-        reply.appendLittleEndian(static_cast<std::int16_t>(-m_loop.velocity()));
-    if (wanted(3))
-        reply.push_back(m_loop.auxiliaryByte());
-    if (wanted(4))
-        reply.appendLittleEndian(m_loop.home());
-    if (wanted(5)) {
-        reply.push_back(static_cast<std::uint8_t>(identity().type));
-        reply.push_back(identity().version);
-    }
+Module::Items ServoModule::statusItems() const {
+    // The wire carries the negative of the velocity (DS-V 5.2 Define Status).
+    const auto velocity = static_cast<std::uint16_t>(-m_loop.velocity());
+    return {m_loop.position(), m_loop.analog(), velocity, m_loop.auxiliaryByte(), m_loop.home()};
 }
 
 ModuleSnapshot ServoModule::snapshot(TimePoint now) const {

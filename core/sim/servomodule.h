@@ -22,7 +22,7 @@ private:
     void runTicks(std::uint64_t ticks) override { m_loop.run(ticks); }
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t statusByte() const override { return m_loop.statusByte(); }
-    void appendItems(std::uint8_t items, ReplyBytes& reply) const override;
+    [[nodiscard]] Items statusItems() const override;
 
     void resetPosition();
     void loadTrajectory(const Packet& packet);

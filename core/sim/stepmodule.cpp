@@ -127,22 +127,10 @@ void StepModule::setHoming(std::uint8_t control) {
     m_control.setHoming(control);
 }
 
-void StepModule::appendItems(std::uint8_t items, ReplyBytes& reply) const {
-    const auto wanted = [items](unsigned bit) { return (unsigned{items} >> bit & 1U) != 0; };
-    if (wanted(0))
-        reply.appendLittleEndian(m_control.motion().position());
-    if (wanted(1))
-        reply.push_back(m_control.analog());
-    if (wanted(2))
-        reply.appendLittleEndian(m_control.motion().timerCount());
-    if (wanted(3))
-        reply.push_back(m_control.inputsByte());
-    if (wanted(4))
-        reply.appendLittleEndian(m_control.home());
-    if (wanted(5)) {
-        reply.push_back(static_cast<std::uint8_t>(identity().type));
-        reply.push_back(identity().version);
-    }
+Module::Items StepModule::statusItems() const {
+    const StepMotion& motion = m_control.motion();
+    return {motion.position(), m_control.analog(), motion.timerCount(), m_control.inputsByte(),
+            m_control.home()};
 }
 
 ModuleSnapshot StepModule::snapshot(TimePoint now) const {

@@ -22,7 +22,7 @@ private:
     }
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t statusByte() const override { return m_control.statusByte(); }
-    void appendItems(std::uint8_t items, ReplyBytes& reply) const override;
+    [[nodiscard]] Items statusItems() const override;
 
     void resetPosition();
     void loadTrajectory(const Packet& packet);

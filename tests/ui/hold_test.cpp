@@ -21,7 +21,11 @@ protected:
         EXPECT_EQ(releases.size(), 1);
         EXPECT_FALSE(forward->isHeld());
         const qsizetype before = holds.size();
-        QTest::qWait(20);
+        // A timer like the button's own: when it has fired again and again, the button's had its chances.
+        QTimer reference;
+        QSignalSpy chances(&reference, &QTimer::timeout);
+        reference.start(5);
+        EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
         EXPECT_EQ(holds.size(), before) << "evidence went on after the end";
     }
     HoldButton* forward = nullptr;
