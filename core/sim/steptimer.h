@@ -42,7 +42,7 @@ struct StepRate {
 /// The rate with an initial timer count: f / (65536 - count + k), from DS-S 4.1.
 [[nodiscard]] constexpr StepRate rateOfCount(SpeedMode mode, std::uint16_t count) {
     const unsigned m = multiplier(mode);
-    const std::int64_t clocks = 65'536 - std::int64_t{count} + 2 * m;
+    const std::int64_t clocks = 65'536 - std::int64_t{count} + std::int64_t{2} * m;
     return {1, clocks * 1600 / m};  // 625 kHz is 1600 ns
 }
 

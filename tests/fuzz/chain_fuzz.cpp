@@ -11,7 +11,8 @@
 namespace {
 
 std::vector<std::uint8_t> answerOf(nmc::ByteSpan input) {
-    nmc::sim::Chain chain({{nmc::ModuleType::Servo, 4}, {nmc::ModuleType::Servo, 1}});
+    nmc::sim::Chain chain(
+        {{nmc::ModuleType::Servo, 4}, {nmc::ModuleType::Step, 1}, {nmc::ModuleType::Servo, 1}});
     nmc::TimePoint now{};
     now += std::chrono::milliseconds(20);  // past the dead time after power-up
     std::vector<std::uint8_t> answer;
@@ -42,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;  // longer inputs find nothing new and are slow
     const nmc::ByteSpan input{data, size};
     const std::vector<std::uint8_t> answer = answerOf(input);
-    // Two modules, at most 16 bytes each for four bytes heard.
+    // Three modules, one answer at a time, at most 16 bytes each for four bytes heard.
     if (answer.size() > 8 * (size + 1) || answer != answerOf(input))
         std::abort();
     return 0;
