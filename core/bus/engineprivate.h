@@ -82,7 +82,6 @@ private:
     void deliverOperation(const ReplyEnd& end);
     void deliverHold(const Work& work, const ReplyEnd& end);
     void deliverHoldStop(const ReplyEnd& end);
-    void deliverStop(const Work& work, const ReplyEnd& end, TimePoint now);
     void noteAnswer(ModuleIndex module, TimePoint now);
     void noteTimeout(ModuleIndex module, TimePoint now);
     void chainFound(ChainFound found);

@@ -50,7 +50,6 @@ public:
     [[nodiscard]] std::optional<TimePoint> deadline() const { return m_deadline; }
 
     [[nodiscard]] bool idle() const { return !m_pending && m_script.empty() && !m_deadline; }
-    [[nodiscard]] bool awaitsReply() const { return m_pending.has_value(); }
     /// When a packet of that length, sent now, is latched by its module.
     [[nodiscard]] TimePoint latchTime(std::size_t txBytes, TimePoint now) const;
     [[nodiscard]] const LineTiming& timing() const { return m_timing; }

@@ -24,9 +24,6 @@ public:
     void showMessage(const Message& message);
     void endMessage(const QString& key);
 
-    /// Key of the message that stands there, empty when none does.
-    [[nodiscard]] QString currentKey() const { return m_shown; }
-
 signals:
     void actionTriggered(const QString& key, const QString& actionId);
 
