@@ -23,7 +23,7 @@ constexpr int kBadArguments = 2;
 struct Options {
     std::string chain{nmc::sim::kDefaultChain};
     std::string link;
-    double speed = 1.0;
+    nmc::Pacing pacing;
     nmc::sim::ChainOptions simulation;
 };
 
@@ -43,6 +43,7 @@ void printHelp() {
         "                         default %s\n"
         "  --link PATH            also make a symbolic link PATH to the terminal\n"
         "  --speed X              simulated seconds per real second\n"
+        "  --stepped              time stands still but for the control line: advance SECONDS\n"
         "  --unpaced              replies take no wire time\n"
         "  --reset-dead-time MS   how long a module is deaf after a reset; default 8\n"
         "  --seed N               seed of everything random\n"
@@ -75,11 +76,12 @@ T number(const char* option, const char* text, T min, T max, const char* range) 
 }
 
 Options readOptions(int argc, char** argv) {
-    enum : int { Chain = 256, Link, Speed, Unpaced, ResetDeadTime, Seed, Help, Version };
+    enum : int { Chain = 256, Link, Speed, Stepped, Unpaced, ResetDeadTime, Seed, Help, Version };
     static constexpr option kOptions[] = {
         {"chain", required_argument, nullptr, Chain},
         {"link", required_argument, nullptr, Link},
         {"speed", required_argument, nullptr, Speed},
+        {"stepped", no_argument, nullptr, Stepped},
         {"unpaced", no_argument, nullptr, Unpaced},
         {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
         {"seed", required_argument, nullptr, Seed},
@@ -97,7 +99,10 @@ Options readOptions(int argc, char** argv) {
                 options.link = optarg;
                 break;
             case Speed:
-                options.speed = number("--speed", optarg, 0.001, 1000.0, "from 0.001 to 1000");
+                options.pacing.speed = number("--speed", optarg, 0.001, 1000.0, "from 0.001 to 1000");
+                break;
+            case Stepped:
+                options.pacing.stepped = true;
                 break;
             case Unpaced:
                 options.simulation.unpaced = true;
@@ -152,7 +157,7 @@ int main(int argc, char** argv) {
     const int stop = catchSignals();
     std::printf("ready %s\n", terminal->path().c_str());
     std::fflush(stdout);
-    nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.speed,
+    nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.pacing,
                           STDIN_FILENO, STDOUT_FILENO);
     server.run(stop);
     return 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "link/clock.h"
 #include "protocol/baud.h"
@@ -19,10 +20,11 @@ constexpr std::size_t kMaxLine = 4'096;
 
 }  // namespace
 
-SimServer::SimServer(sim::Chain chain, PtyServer terminal, double speed, int controlIn, int controlOut)
+SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn,
+                     int controlOut)
     : m_chain(std::move(chain)),
       m_terminal(std::move(terminal)),
-      m_speed(speed),
+      m_pacing(pacing),
       m_controlIn(controlIn),
       m_controlOut(controlOut),
       m_hostBaud(kPowerUpBaud),
@@ -31,7 +33,7 @@ SimServer::SimServer(sim::Chain chain, PtyServer terminal, double speed, int con
 void SimServer::run(int stopFd) {
     while (true) {
         std::optional<TimePoint> next;
-        if (const auto event = m_chain.nextEvent())
+        if (const auto event = m_chain.nextEvent(); event && !m_pacing.stepped)
             next = realTimeOf(*event);
         std::array<pollfd, 3> fds{{{stopFd, POLLIN, 0},
                                    {m_terminal.fd(), POLLIN, 0},
@@ -48,15 +50,18 @@ void SimServer::run(int stopFd) {
 }
 
 TimePoint SimServer::simulatedNow() const {
-    return TimePoint(fromSeconds(toSeconds(monotonicNow() - m_started) * m_speed));
+    if (m_pacing.stepped)
+        return m_stepped;
+    return TimePoint(fromSeconds(toSeconds(monotonicNow() - m_started) * m_pacing.speed));
 }
 
 TimePoint SimServer::realTimeOf(TimePoint simulated) const {
-    return m_started + fromSeconds(toSeconds(simulated.time_since_epoch()) / m_speed);
+    return m_started + fromSeconds(toSeconds(simulated.time_since_epoch()) / m_pacing.speed);
 }
 
 void SimServer::serveHost() {
     const std::vector<std::uint8_t> bytes = m_terminal.read();
+    m_pace.received += bytes.size();
     const TimePoint now = simulatedNow();
     m_chain.advanceTo(now);
     const std::uint32_t baud = m_terminal.hostBaud().value_or(kPowerUpBaud);
@@ -74,8 +79,9 @@ void SimServer::deliver() {
     std::vector<std::uint8_t> bytes;
     for (const sim::HostByte& byte : m_chain.takeHostBytes()) {
         bytes.push_back(byte.value);
-        m_lag = std::max(m_lag, toSeconds(now - byte.due) / m_speed);
+        m_pace.lagSeconds = std::max(m_pace.lagSeconds, toSeconds(now - byte.due) / m_pacing.speed);
     }
+    m_pace.sent += bytes.size();
     if (!bytes.empty())
         m_terminal.write(bytes);
 }
@@ -101,12 +107,37 @@ bool SimServer::serveControl() {
 
 bool SimServer::answer(const std::string& line) {
     const bool last = line == "quit" || line == "quit\r";
-    std::string reply =
-        last ? R"({"quit":true})"
-             : sim::handleControlLine(m_chain, line, simulatedNow(), std::exchange(m_lag, 0.0));
-    reply += '\n';
+    const std::string reply = (last ? R"({"quit":true})" : answerTo(line)) + '\n';
     [[maybe_unused]] const auto written = ::write(m_controlOut, reply.data(), reply.size());
     return !last;
+}
+
+std::string SimServer::answerTo(const std::string& line) {
+    if (line.rfind("advance", 0) == 0)
+        return advance(line);
+    return sim::handleControlLine(m_chain, line, simulatedNow(), takePace());
+}
+
+std::string SimServer::advance(const std::string& line) {
+    constexpr double kLongest = 100'000.0;
+    if (!m_pacing.stepped)
+        return R"({"error":"advance is for nmcsim --stepped; here time passes by itself"})";
+    std::istringstream words(line);
+    std::string verb;
+    double seconds = 0.0;
+    if (!(words >> verb >> seconds) || verb != "advance" || !(words >> std::ws).eof() ||
+        !(seconds >= 0.0 && seconds <= kLongest))
+        return R"({"error":"allowed is advance SECONDS, from 0 to 100000"})";
+    m_stepped += fromSeconds(seconds);
+    deliver();
+    m_pace.lagSeconds = 0.0;  // nothing is late where nothing is paced
+    return sim::handleControlLine(m_chain, "time", simulatedNow(), takePace());
+}
+
+sim::Pace SimServer::takePace() {
+    const sim::Pace pace = m_pace;
+    m_pace.lagSeconds = 0.0;
+    return pace;
 }
 
 }  // namespace nmc

@@ -5,16 +5,26 @@
 
 #include "link/ptyserver.h"
 #include "sim/chain.h"
+#include "sim/control.h"
 
 namespace nmc {
 
-/// Serves a simulated chain on a pseudo-terminal in real time, and answers control lines: what nmcsim does.
-/// Runs in the calling thread until `quit` or until stopFd becomes readable. Without Qt.
+/// What makes simulated time pass.
+struct Pacing {
+    double speed = 1.0;    ///< simulated seconds per real second, above 0
+    bool stepped = false;  ///< time stands still but for the control line `advance`
+};
+
+/// Serves a simulated chain on a pseudo-terminal, and answers control lines: what nmcsim does. Runs in the
+/// calling thread until `quit` or until stopFd becomes readable. Without Qt.
+///
+/// Stepped, the bytes that the host has written before `advance SECONDS` leave its port when that begins, and
+/// what reaches the host during it is in the terminal when it is answered: a test through a real terminal
+/// that no scheduler can upset.
 class SimServer {
 public:
-    /// `speed` is simulated seconds per real second, above 0. `controlIn` is read for lines, `controlOut`
-    /// gets one line of JSON for each.
-    SimServer(sim::Chain chain, PtyServer terminal, double speed, int controlIn, int controlOut);
+    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each.
+    SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn, int controlOut);
 
     void run(int stopFd);
 
@@ -26,17 +36,21 @@ private:
     /// Returns false when it was the last line.
     bool serveControl();
     bool answer(const std::string& line);
+    std::string answerTo(const std::string& line);
+    std::string advance(const std::string& line);
+    [[nodiscard]] sim::Pace takePace();
 
     sim::Chain m_chain;
     PtyServer m_terminal;
-    double m_speed;
+    Pacing m_pacing;
     int m_controlIn;
     int m_controlOut;
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
     TimePoint m_started;
-    double m_lag = 0;  ///< s, the largest since it was last asked for
+    TimePoint m_stepped;  ///< simulated time, when stepped
+    sim::Pace m_pace;
 };
 
 }  // namespace nmc

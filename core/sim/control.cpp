@@ -260,9 +260,13 @@ Json stats(Chain& chain, TimePoint now) {
             {"violations", violations}};
 }
 
-Json time(TimePoint now, double lagSeconds) {
+Json time(TimePoint now, const Pace& pace) {
     const Duration since = now.time_since_epoch();
-    return {{"time", toSeconds(since)}, {"ticks", since / kServoTick}, {"lag", lagSeconds}};
+    return {{"time", toSeconds(since)},
+            {"ticks", since / kServoTick},
+            {"lag", pace.lagSeconds},
+            {"received", pace.received},
+            {"sent", pace.sent}};
 }
 
 // ---- verbs ----
@@ -295,7 +299,7 @@ Json withModule(Chain& chain, const Words& words, TimePoint now) {
     return ok();
 }
 
-Json answer(Chain& chain, const Words& words, TimePoint now, double lagSeconds) {
+Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
     struct Verb {
         std::string_view name;
         std::size_t words;
@@ -321,7 +325,7 @@ Json answer(Chain& chain, const Words& words, TimePoint now, double lagSeconds) 
         if (verb.name == "stats")
             return stats(chain, now);
         if (verb.name == "time")
-            return time(now, lagSeconds);
+            return time(now, pace);
         if (verb.name == "power-cycle")
             return powerCycle(chain, words[1], now);
         return withModule(chain, words, now);
@@ -331,9 +335,9 @@ Json answer(Chain& chain, const Words& words, TimePoint now, double lagSeconds) 
 
 }  // namespace
 
-std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, double lagSeconds) {
+std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, const Pace& pace) {
     // What comes in may be any bytes; what goes out is UTF-8.
-    return answer(chain, split(line), now, lagSeconds).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return answer(chain, split(line), now, pace).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace nmc::sim

@@ -16,8 +16,8 @@ using testing::HasSubstr;
 class Control : public testing::Test {
 protected:
     Control() : wire("servo,servo@2") { wire.address(2); }
-    nlohmann::json say(std::string_view line, double lag = 0.0) {
-        const std::string answer = handleControlLine(wire.chain, line, wire.now, lag);
+    nlohmann::json say(std::string_view line, const Pace& pace = {}) {
+        const std::string answer = handleControlLine(wire.chain, line, wire.now, pace);
         EXPECT_EQ(answer.find('\n'), std::string::npos);
         return nlohmann::json::parse(answer);
     }
@@ -198,10 +198,11 @@ TEST_F(Control, StatsCountWhatHappened) {
     EXPECT_GT(s["violations"][0]["time"], 0.01);
 }
 
-TEST_F(Control, TimeHasTheTicksAndTheCallersLag) {
+TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {
     wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
-    const auto t = say("time", 0.25);
-    EXPECT_EQ(t, (nlohmann::json{{"time", 5.12}, {"ticks", 10000}, {"lag", 0.25}}));
+    const auto t = say("time", Pace{0.25, 7, 9});
+    EXPECT_EQ(
+        t, (nlohmann::json{{"time", 5.12}, {"ticks", 10000}, {"lag", 0.25}, {"received", 7}, {"sent", 9}}));
 }
 
 }  // namespace
