@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/time.h"
+
+namespace nmc::conformance {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// One servo tick (DS-V 3.1: 1953.12 Hz).
+inline constexpr Duration kTick = std::chrono::microseconds(512);
+
+/// A simulated chain and the host's port on it, in virtual time: nothing happens but in wait(). What a host
+/// can do, and control lines for what only the bench has: switches, loads, the truth.
+class Rig {
+public:
+    virtual ~Rig() = default;
+
+    /// Bytes leave the host's port from now on, back to back.
+    virtual void send(const Bytes& bytes) = 0;
+    /// Time passes; what has arrived since the last call.
+    virtual Bytes wait(Duration time) = 0;
+    virtual void setBaud(unsigned baud) = 0;
+    /// One control line of simulator.md, and its answer.
+    virtual nlohmann::json control(const std::string& line) = 0;
+
+    void waitTicks(int ticks) { wait(kTick * ticks); }
+    /// Sends and gives the answer 20 ms, which is enough for the longest at 19 200 Bd.
+    Bytes exchange(const Bytes& bytes);
+    /// A command packet with its sum; `command` is the whole command byte. The answer.
+    Bytes command(unsigned address, unsigned command, const Bytes& data = {});
+    /// Gives the modules the addresses 1, 2 ...; group FF, no leader.
+    void address(unsigned count);
+    nlohmann::json state(int module = 1) { return control("state " + std::to_string(module)); }
+    /// A control line that must be obeyed.
+    void must(const std::string& line);
+    /// The kinds of the violations so far.
+    std::vector<std::string> violations();
+};
+
+/// A packet with its sum, made without the program's code.
+[[nodiscard]] Bytes packet(unsigned address, unsigned command, const Bytes& data = {});
+/// `value` in `count` bytes, least significant first.
+[[nodiscard]] Bytes little(std::uint32_t value, int count);
+[[nodiscard]] Bytes operator+(Bytes left, const Bytes& right);
+
+// Fields of an answer: its status byte first. 0 with a test failure when it is too short.
+[[nodiscard]] unsigned byteAt(const Bytes& answer, std::size_t at);
+[[nodiscard]] unsigned wordAt(const Bytes& answer, std::size_t at);
+[[nodiscard]] std::int32_t longAt(const Bytes& answer, std::size_t at);
+
+/// Where the chain is simulated: the scenarios are the same.
+enum class Place { InProcess, Terminal };
+
+/// A chain that has just been switched on, past the time in which a module is deaf. `options` are nmcsim's,
+/// by their long names: "--enable-faults" and the like.
+[[nodiscard]] std::unique_ptr<Rig> makeRig(Place place, const std::string& chain,
+                                           const std::vector<std::string>& options = {});
+
+}  // namespace nmc::conformance
