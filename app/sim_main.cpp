@@ -47,6 +47,7 @@ void printHelp() {
         "  --unpaced              replies take no wire time\n"
         "  --reset-dead-time MS   how long a module is deaf after a reset; default 8\n"
         "  --seed N               seed of everything random\n"
+        "  --enable-faults        take fault lines\n"
         "  --help, --version\n"
         "\n"
         "Control lines on standard input; each is answered by one line of JSON:\n"
@@ -58,6 +59,13 @@ void printHelp() {
         "                         analog 0..255\n"
         "  power-cycle N|all      break N      mend N\n"
         "  stats                  time         quit\n"
+        "  fault bus|module K[,K...] KIND [cmd|status] [on=COMMAND] [p=PROB] [n=COUNT] [t=A..B]\n"
+        "        [at=TIME] [for=DURATION] [bit=B]\n"
+        "                         kinds, of command packets and replies: drop dup flip collide\n"
+        "                         truncate garbage overrun delay silent cksum ignore=COMMAND stuck;\n"
+        "                         of the line: noise break mute rx|tx echo foreign; of the\n"
+        "                         module: powercycle stall reverse sameaddr definestat\n"
+        "  faults                 fault clear\n"
         "\n"
         "Examples:\n"
         "  nmcsim --chain servo,servo@1,step --link /tmp/nmc\n"
@@ -76,7 +84,18 @@ T number(const char* option, const char* text, T min, T max, const char* range) 
 }
 
 Options readOptions(int argc, char** argv) {
-    enum : int { Chain = 256, Link, Speed, Stepped, Unpaced, ResetDeadTime, Seed, Help, Version };
+    enum : int {
+        Chain = 256,
+        Link,
+        Speed,
+        Stepped,
+        Unpaced,
+        ResetDeadTime,
+        Seed,
+        EnableFaults,
+        Help,
+        Version
+    };
     static constexpr option kOptions[] = {
         {"chain", required_argument, nullptr, Chain},
         {"link", required_argument, nullptr, Link},
@@ -85,6 +104,7 @@ Options readOptions(int argc, char** argv) {
         {"unpaced", no_argument, nullptr, Unpaced},
         {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
         {"seed", required_argument, nullptr, Seed},
+        {"enable-faults", no_argument, nullptr, EnableFaults},
         {"help", no_argument, nullptr, Help},
         {"version", no_argument, nullptr, Version},
         {nullptr, 0, nullptr, 0},
@@ -115,6 +135,9 @@ Options readOptions(int argc, char** argv) {
             case Seed:
                 options.simulation.seed =
                     number<std::uint64_t>("--seed", optarg, 0, UINT64_MAX, "from 0 to 18446744073709551615");
+                break;
+            case EnableFaults:
+                options.simulation.enableFaults = true;
                 break;
             case Help:
                 printHelp();

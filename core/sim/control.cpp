@@ -13,6 +13,7 @@
 
 #include "protocol/baud.h"
 #include "protocol/commandtable.h"
+#include "sim/faultspec.h"
 
 namespace nmc::sim {
 
@@ -22,7 +23,8 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string_view>;
 
 constexpr std::string_view kVerbs =
-    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, stats, time";
+    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, fault ..., fault clear, "
+    "faults, stats, time";
 
 Json error(const std::string& text) {
     return {{"error", text}};
@@ -299,6 +301,36 @@ Json withModule(Chain& chain, const Words& words, TimePoint now) {
     return ok();
 }
 
+// ---- faults ----
+
+Json inject(Chain& chain, const Words& words, TimePoint now) {
+    if (words.size() == 2 && words[1] == "clear") {
+        chain.clearFaults(now);
+        return ok();
+    }
+    std::vector<ModuleIdentity> identities;
+    for (std::size_t i = 0; i < chain.moduleCount(); ++i)
+        identities.push_back(chain.identity(ModuleIndex(static_cast<std::uint8_t>(i))));
+    const auto spec = parseFault(std::span(words).subspan(1), identities);
+    if (!spec)
+        return error(spec.error());
+    const auto number = chain.inject(*spec, now);
+    if (!number)
+        return error(number.error());
+    return {{"ok", true}, {"fault", *number}};
+}
+
+Json faults(Chain& chain, TimePoint now) {
+    chain.advanceTo(now);
+    Json list = Json::array();
+    for (const FaultReport& fault : chain.faults())
+        list.push_back({{"fault", fault.number},
+                        {"text", fault.text},
+                        {"struck", fault.struck},
+                        {"active", fault.active}});
+    return {{"faults", list}};
+}
+
 Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
     struct Verb {
         std::string_view name;
@@ -311,11 +343,14 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
         Verb{"power-cycle", 2, "power-cycle N|all"},
         Verb{"break", 2, "break N"},
         Verb{"mend", 2, "mend N"},
+        Verb{"faults", 1, "faults"},
         Verb{"stats", 1, "stats"},
         Verb{"time", 1, "time"},
     };
     if (words.empty())
         return error("empty line; " + std::string(kVerbs));
+    if (words[0] == "fault")
+        return inject(chain, words, now);
     for (const Verb& verb : kTable) {
         if (words[0] != verb.name)
             continue;
@@ -324,6 +359,8 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
                          std::string(verb.usage));
         if (verb.name == "stats")
             return stats(chain, now);
+        if (verb.name == "faults")
+            return faults(chain, now);
         if (verb.name == "time")
             return time(now, pace);
         if (verb.name == "power-cycle")

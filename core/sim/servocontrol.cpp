@@ -167,6 +167,16 @@ void ServoLoop::set(Input input, std::optional<double> value) {
     }
 }
 
+void ServoLoop::holdShaft(bool held) {
+    m_plant.hold(held);
+    m_quiet = false;
+}
+
+void ServoLoop::reverseEncoder(bool reversed) {
+    m_encoder.setReversed(reversed);
+    m_quiet = false;
+}
+
 void ServoLoop::setSwitch(Input input, bool level) {
     if (input == Input::Limit1)
         m_limitInput[0] = level;
