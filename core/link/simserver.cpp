@@ -64,13 +64,30 @@ void SimServer::serveHost() {
     m_pace.received += bytes.size();
     const TimePoint now = simulatedNow();
     m_chain.advanceTo(now);
-    const std::uint32_t baud = m_terminal.hostBaud().value_or(kPowerUpBaud);
-    if (baud != m_hostBaud) {
-        m_hostBaud = baud;
-        m_chain.setHostBaud(baud);
-    }
-    if (!bytes.empty())
+    const std::size_t before = endOfLastSetBaud(bytes);
+    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
+    if (baud == m_hostBaud) {
         m_chain.hostSends(bytes, now);
+        return;
+    }
+    // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
+    // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
+    m_chain.hostSends(ByteSpan(bytes).first(before), now);
+    m_hostBaud = baud;
+    m_chain.setHostBaud(baud);
+    m_chain.hostSends(ByteSpan(bytes).subspan(before), now);
+}
+
+std::size_t SimServer::endOfLastSetBaud(ByteSpan bytes) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (!m_monitor.hears(bytes[i], false))
+            continue;
+        const sim::Packet& packet = m_monitor.packet();
+        if (packet.code() == CommandCode::SetBaud && packet.sumIsRight())
+            end = i + 1;
+    }
+    return end;
 }
 
 void SimServer::deliver() {

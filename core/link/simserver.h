@@ -6,6 +6,7 @@
 #include "link/ptyserver.h"
 #include "sim/chain.h"
 #include "sim/control.h"
+#include "sim/receiver.h"
 
 namespace nmc {
 
@@ -32,6 +33,8 @@ private:
     [[nodiscard]] TimePoint simulatedNow() const;
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
     void serveHost();
+    /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
+    std::size_t endOfLastSetBaud(ByteSpan bytes);
     void deliver();
     /// Returns false when it was the last line.
     bool serveControl();
@@ -48,6 +51,7 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
+    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
     TimePoint m_started;
     TimePoint m_stepped;  ///< simulated time, when stepped
     sim::Pace m_pace;
