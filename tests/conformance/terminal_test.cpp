@@ -165,5 +165,52 @@ TEST(Terminal, AMegabyteOfRepliesThatNobodyReadsHarmsNothing) {
     EXPECT_TRUE(answers(port, kNop));
 }
 
+Bytes command(unsigned address, unsigned code, const Bytes& data) {
+    Bytes bytes{0xAA, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(code)};
+    unsigned sum = address + code;
+    for (const std::uint8_t value : data) {
+        bytes.push_back(value);
+        sum += value;
+    }
+    bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
+    return bytes;
+}
+
+TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
+    // 32 moving servos at a thousand times real time are too much for any machine.
+    constexpr int kServos = 32;
+    std::string chain = "servo";
+    for (int i = 1; i < kServos; ++i)
+        chain += ",servo";
+    const std::string errors = testing::TempDir() + "nmc-lag-" + std::to_string(::getpid());
+    SimProcess sim(chain, {"--speed", "1000"}, errors);
+    const auto said = [&] {
+        std::ifstream file(errors);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const auto waitUntilSaid = [&](const char* words) {
+        for (int i = 0; i < 6'000 && said().find(words) == std::string::npos; ++i)
+            pause(10);
+        return said().find(words) != std::string::npos;
+    };
+    Port port(sim.terminal());
+    for (std::uint8_t i = 1; sim.state(kServos)["address"] == 0; ++i)
+        answer(port, command(0, 0x21, {i, 0xFF}));
+    // To all: gains, amplifier and servo on, velocity mode.
+    for (const Bytes& bytes :
+         {command(0xFF, 0xE6, {200, 0, 0xD0, 7, 0, 0, 0, 0, 255, 0, 0xFF, 0x3F, 1, 0}),
+          command(0xFF, 0x17, {0x05}), command(0xFF, 0x94, {0xB6, 0, 0, 5, 0, 0, 1, 0, 0})}) {
+        port.write(bytes);
+        pause(50);
+    }
+    EXPECT_TRUE(waitUntilSaid("s behind real time; use fewer modules or a lower --speed.\n"));
+    const double before = sim.control("time")["time"];
+    for (int i = 1; i <= kServos; ++i)
+        EXPECT_TRUE(sim.control("set " + std::to_string(i) + " power 0")["ok"]);
+    EXPECT_GT(sim.control("time")["time"], before);
+    EXPECT_TRUE(waitUntilSaid("nmcsim: caught up with real time.\n"));
+    ::unlink(errors.c_str());
+}
+
 }  // namespace
 }  // namespace nmc
