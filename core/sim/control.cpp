@@ -264,11 +264,8 @@ Json stats(Chain& chain, TimePoint now) {
 
 Json time(TimePoint now, const Pace& pace) {
     const Duration since = now.time_since_epoch();
-    return {{"time", toSeconds(since)},
-            {"ticks", since / kServoTick},
-            {"lag", pace.lagSeconds},
-            {"received", pace.received},
-            {"sent", pace.sent}};
+    return {{"time", toSeconds(since)},        {"ticks", since / kServoTick}, {"lag", pace.lagSeconds},
+            {"late_p99", pace.lateP99Seconds}, {"received", pace.received},   {"sent", pace.sent}};
 }
 
 // ---- verbs ----

@@ -50,7 +50,7 @@ private:
 };
 
 /// How likely a byte is heard wrong between a UART with divisor `brd` and one at `baud`: 0 up to 2 %
-/// mismatch, 1 from 5 % on (protocol.md 1).
+/// mismatch, 1 from 5 % on (protocol.md 1), and rare until shortly before that.
 [[nodiscard]] double garbleProbability(std::uint8_t brd, std::uint32_t baud);
 
 /// What is heard instead of `value`: any other byte.

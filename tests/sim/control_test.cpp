@@ -200,9 +200,13 @@ TEST_F(Control, StatsCountWhatHappened) {
 
 TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {
     wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
-    const auto t = say("time", Pace{0.25, 7, 9});
-    EXPECT_EQ(
-        t, (nlohmann::json{{"time", 5.12}, {"ticks", 10000}, {"lag", 0.25}, {"received", 7}, {"sent", 9}}));
+    const auto t = say("time", Pace{0.25, 0.0001, 7, 9});
+    EXPECT_EQ(t, (nlohmann::json{{"time", 5.12},
+                                 {"ticks", 10000},
+                                 {"lag", 0.25},
+                                 {"late_p99", 0.0001},
+                                 {"received", 7},
+                                 {"sent", 9}}));
 }
 
 }  // namespace
