@@ -16,6 +16,8 @@ sim::ChainOptions chainOptions(const std::vector<std::string>& options) {
     for (const std::string& option : options) {
         if (option == "--unpaced")
             result.unpaced = true;
+        else if (option == "--deaf-when-addr-in-rises")
+            result.deafWhenAddressInputRises = true;
         else
             throw std::invalid_argument(option);
     }
