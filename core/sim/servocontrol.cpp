@@ -159,10 +159,14 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::TravelMax:
             setLoad(input, value);
             return;
+        case Input::ServoOverrun:
+            m_servoOverrun = true;
+            return;
         case Input::Estop:
         case Input::In1:
         case Input::In2:
         case Input::HomeSwitch:
+        case Input::HomeSwitchAt:
             return;  // A stepper's.
     }
 }

@@ -18,6 +18,8 @@ sim::ChainOptions chainOptions(const std::vector<std::string>& options) {
             result.unpaced = true;
         else if (option == "--enable-faults")
             result.enableFaults = true;
+        else if (option == "--deaf-when-addr-in-rises")
+            result.deafWhenAddressInputRises = true;
         else
             throw std::invalid_argument(option);
     }

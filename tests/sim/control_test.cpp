@@ -97,7 +97,7 @@ TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     EXPECT_THAT(errorOf("set 1 inertia nan"), HasSubstr("kg·m²"));
     EXPECT_THAT(errorOf("set 1 friction -1"), HasSubstr("N·m"));
     EXPECT_THAT(errorOf("set 1 load inf"), HasSubstr("N·m"));
-    EXPECT_THAT(errorOf("set 1 limits on"), HasSubstr("auto, manual"));
+    EXPECT_THAT(errorOf("set 1 limits on"), HasSubstr("auto or manual"));
     EXPECT_THAT(errorOf("set 1 estop 1"), HasSubstr("travel_max"));
     EXPECT_THAT(errorOf("set 1 power"), HasSubstr("set N NAME VALUE"));
     EXPECT_THAT(errorOf("set 3 power 1"), HasSubstr("1 to 2"));
@@ -124,6 +124,18 @@ TEST_F(Control, AHardStopCannotBePutBeyondTheShaftNorALimitSetThatFollowsIt) {
     EXPECT_EQ(say("state 1")["limit1"], false);
 }
 
+TEST_F(Control, AServoOverrunSetsItsStickyBitUntilTheHostClearsIt) {
+    EXPECT_EQ(wire.report().auxiliary & 0x20U, 0U);
+    EXPECT_THAT(errorOf("set 1 servo_overrun 0"), HasSubstr("allowed is 1"));
+    EXPECT_EQ(say("set 1 servo_overrun 1"), (nlohmann::json{{"ok", true}}));
+    EXPECT_EQ(wire.report().auxiliary & 0x20U, 0x20U);
+    wire.waitTicks(100);
+    EXPECT_EQ(wire.report().auxiliary & 0x20U, 0x20U) << "sticky";
+    EXPECT_EQ(wire.report(2).auxiliary & 0x20U, 0U);
+    wire.command(1, 0x0B);
+    EXPECT_EQ(wire.report().auxiliary & 0x20U, 0U);
+}
+
 TEST_F(Control, AStepperHasItsOwnStateAndInputs) {
     wire = HostWire("servo,step");
     wire.address(2);
@@ -138,6 +150,7 @@ TEST_F(Control, AStepperHasItsOwnStateAndInputs) {
     EXPECT_EQ(s["moving"], false);
     EXPECT_EQ(s["step_rate"], 0.0);
     EXPECT_EQ(s["position"], 0);
+    EXPECT_EQ(s["shaft"], 0);
     EXPECT_EQ(s["outputs"], 0x10);
     EXPECT_EQ(s["current_limit"], 0);
     EXPECT_EQ(s["power"], false);
@@ -150,13 +163,15 @@ TEST_F(Control, AStepperHasItsOwnStateAndInputs) {
 
 TEST_F(Control, ANameOfTheOtherKindOfModuleIsAnErrorThatNamesWhatIsAllowed) {
     wire = HostWire("servo,step");
-    for (const char* line : {"set 2 load 1", "set 2 limits auto", "set 2 index 1", "set 2 travel_max none"})
-        EXPECT_THAT(errorOf(line), HasSubstr("allowed are estop, in1, in2, home_switch, limit1, limit2, "
-                                             "power, analog"));
+    for (const char* line : {"set 2 load 1", "set 2 friction 0", "set 2 index 1", "set 2 servo_overrun 1"})
+        EXPECT_THAT(errorOf(line), HasSubstr("allowed are limit1, limit2, power, analog, travel_min, "
+                                             "travel_max, limits, estop, in1, in2, home_switch, "
+                                             "home_switch_at"));
     EXPECT_THAT(errorOf("set 2 analog auto"), HasSubstr("0 to 255"));
-    for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1"})
+    for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1", "set 1 home_switch_at 5"})
         EXPECT_THAT(errorOf(line), HasSubstr("allowed are limit1, limit2, index, power, analog, load, "
-                                             "inertia, friction, travel_min, travel_max, limits"));
+                                             "inertia, friction, travel_min, travel_max, limits, "
+                                             "servo_overrun"));
 }
 
 TEST_F(Control, PowerCycleBreakAndMendReachTheAddressLine) {
