@@ -25,6 +25,7 @@ struct ChainOptions {
     std::uint64_t seed = 1;
     /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
     bool deafWhenAddressInputRises = false;
+    bool enableFaults = false;  ///< control lines may inject faults
 };
 
 /// A byte that arrives at the host; `due` is the end of its stop bit.
