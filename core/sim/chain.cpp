@@ -269,7 +269,9 @@ ModuleSnapshot Chain::snapshot(ModuleIndex module, TimePoint now) {
     Module& m = *d->modules[module.value()];
     m.advanceTo(d->now);
     static_cast<void>(m.isAwake(d->now));
-    return m.snapshot(d->now);
+    ModuleSnapshot s = m.snapshot(d->now);
+    s.addressLineBroken = d->addressLineBroken[module.value()];
+    return s;
 }
 
 void Chain::set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now) {

@@ -71,6 +71,12 @@ Json gainsJson(const Gains& g) {
             {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
 }
 
+/// A number, or null where there is none.
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
 Json servoJson(const ServoSnapshot& servo) {
     return {{"position", servo.position},
             {"shaft", servo.shaftCounts},
@@ -82,6 +88,7 @@ Json servoJson(const ServoSnapshot& servo) {
             {"current_limit_adjustment", servo.currentLimitAdjustment},
             {"current", servo.amperes},
             {"analog", servo.analog},
+            {"analog_input", orNull(servo.analogInput)},
             {"servo_on", servo.servoOn},
             {"amp_enabled", servo.ampEnabled},
             {"power", servo.power},
@@ -90,6 +97,12 @@ Json servoJson(const ServoSnapshot& servo) {
             {"limit1", servo.limit1},
             {"limit2", servo.limit2},
             {"index", servo.index},
+            {"load", servo.loadNm},
+            {"inertia", servo.inertiaKgM2},
+            {"friction", servo.frictionNm},
+            {"travel_min", orNull(servo.travelMin)},
+            {"travel_max", orNull(servo.travelMax)},
+            {"limits", servo.limitsAutomatic ? "auto" : "manual"},
             {"gains", gainsJson(servo.gains)}};
 }
 
@@ -127,6 +140,7 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
               {"leader", s.leader},
               {"baud", std::lround(realRate(s.brd))},
               {"listening", s.listening},
+              {"addr_broken", s.addressLineBroken},
               {"time", toSeconds(s.time.time_since_epoch())},
               {"tick", s.tick}};
     json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));

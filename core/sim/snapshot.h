@@ -27,7 +27,8 @@ struct ServoSnapshot {
     double amperes = 0;          ///< motor current
     int pwm = 0;                 ///< -255..255, the sign is the direction pin
     int currentLimitAdjustment = 0;
-    std::uint8_t analog = 0;  ///< what the A/D converter reads
+    std::uint8_t analog = 0;                  ///< what the A/D converter reads
+    std::optional<std::uint8_t> analogInput;  ///< set from outside; nothing: the motor's current
     bool servoOn = false;
     bool ampEnabled = false;
     bool power = false;
@@ -37,6 +38,11 @@ struct ServoSnapshot {
     bool limit2 = false;
     bool index = false;
     bool limitsAutomatic = false;  ///< the limit pins follow the travel
+    double loadNm = 0;
+    double inertiaKgM2 = 0;
+    double frictionNm = 0;
+    std::optional<double> travelMin;  ///< hard stops, in shaft counts
+    std::optional<double> travelMax;
     Gains gains;
 };
 
@@ -84,8 +90,9 @@ struct ModuleSnapshot {
     std::uint8_t address = 0;
     std::uint8_t group = 0xFF;
     bool leader = false;
-    std::uint8_t brd = 0;    ///< divisor of its UART
-    bool listening = false;  ///< ADDR_IN has been low and the dead time is over
+    std::uint8_t brd = 0;            ///< divisor of its UART
+    bool listening = false;          ///< ADDR_IN has been low and the dead time is over
+    bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;
     std::uint64_t tick = 0;            ///< its own ticks since the simulation began
     ServoSnapshot servo;               ///< of a servo module only

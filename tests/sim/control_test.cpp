@@ -87,6 +87,35 @@ TEST_F(Control, SetReachesTheInputsAndTheLoad) {
     EXPECT_EQ(say("state 2")["limit1"], false) << "module 2 is another one";
 }
 
+TEST_F(Control, StateTellsWhatWasSet) {
+    auto s = say("state 1");
+    EXPECT_EQ(s["load"], 0.0);
+    EXPECT_EQ(s["inertia"], 1.7e-5);
+    EXPECT_EQ(s["friction"], 0.004);
+    EXPECT_TRUE(s["travel_min"].is_null() && s["travel_max"].is_null()) << s;
+    EXPECT_TRUE(s["analog_input"].is_null());
+    EXPECT_EQ(s["limits"], "manual");
+    EXPECT_EQ(s["addr_broken"], false);
+    for (const char* line :
+         {"set 1 load -0.25", "set 1 inertia 2.5e-5", "set 1 friction 0.01", "set 1 travel_min -1000",
+          "set 1 travel_max 2000", "set 1 limits auto", "set 1 analog 77", "break 1"})
+        say(line);
+    s = say("state 1");
+    EXPECT_EQ(s["load"], -0.25);
+    EXPECT_EQ(s["inertia"], 2.5e-5);
+    EXPECT_EQ(s["friction"], 0.01);
+    EXPECT_EQ(s["travel_min"], -1000.0);
+    EXPECT_EQ(s["travel_max"], 2000.0);
+    EXPECT_EQ(s["analog_input"], 77);
+    EXPECT_EQ(s["limits"], "auto");
+    EXPECT_EQ(s["addr_broken"], true);
+    say("set 1 travel_max none");
+    say("mend 1");
+    EXPECT_TRUE(say("state 1")["travel_max"].is_null());
+    EXPECT_EQ(say("state 1")["addr_broken"], false);
+    EXPECT_EQ(say("state 2")["load"], 0.0) << "module 2 is another one";
+}
+
 TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     const auto before = say("state 1");
     EXPECT_THAT(errorOf("set 1 limit1 2"), HasSubstr("0 or 1"));
