@@ -47,6 +47,8 @@ void SimServer::run(int stopFd) {
         catchUp();
         if (fds[1].revents != 0)
             serveHost();
+        else
+            followHostBaud();
         if (fds[2].revents != 0 && !serveControl())
             return;
     }
@@ -90,6 +92,15 @@ void SimServer::catchUp() {
 
 // ---- The host ----
 
+/// A rate that is changed without anything being written counts from now on, for replies too.
+void SimServer::followHostBaud() {
+    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
+    if (baud == m_hostBaud)
+        return;
+    m_hostBaud = baud;
+    m_chain.setHostBaud(baud);
+}
+
 void SimServer::serveHost() {
     const std::vector<std::uint8_t> bytes = m_terminal.read();
     m_received += bytes.size();
@@ -102,8 +113,7 @@ void SimServer::serveHost() {
     // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
     // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
     m_chain.hostSends(ByteSpan(bytes).first(before), m_now);
-    m_hostBaud = baud;
-    m_chain.setHostBaud(baud);
+    followHostBaud();
     m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now);
 }
 
@@ -179,6 +189,7 @@ std::string SimServer::advance(const std::string& line) {
     if (!(words >> verb >> seconds) || verb != "advance" || !(words >> std::ws).eof() ||
         !(seconds >= 0.0 && seconds <= kLongest))
         return R"({"error":"allowed is advance SECONDS, from 0 to 100000"})";
+    serveHost();
     m_now += fromSeconds(seconds);
     m_chain.advanceTo(m_now);
     deliver();

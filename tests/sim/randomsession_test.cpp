@@ -120,7 +120,7 @@ public:
         }
         m_books[2].set = {{"estop", 0},  {"in1", 0},    {"in2", 0},   {"home_switch", 0},
                           {"limit1", 0}, {"limit2", 0}, {"power", 1}, {"analog", 255}};
-        for (const std::size_t i : {0, 1, 3})
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{3}})
             m_books[i].set = {{"limit1", 0}, {"limit2", 0}, {"power", 1}};
     }
 
@@ -150,7 +150,7 @@ private:
             bytes.push_back(static_cast<std::uint8_t>(below(256)));
         return bytes;
     }
-    Book& anyModule() { return m_books[below(m_books.size())]; }
+    Book& anyModule() { return m_books[m_random.below(m_books.size())]; }
 
     // ---- The wire ----
 
@@ -229,10 +229,12 @@ private:
         EXPECT_EQ(reply.bit(1), !good);
         look(*answering, reply);
         // Position and home of one reply are of one instant.
-        if (good && (command & 0x0FU) == 0x0C && reply.item[0] && reply.item[4])
+        if (good && (command & 0x0FU) == 0x0C && reply.item[0] && reply.item[4]) {
             EXPECT_EQ(reply.item[0], reply.item[4]);
-        if (good && (command & 0x0FU) == 0x00 && reply.item[0] && !answering->isStep)
+        }
+        if (good && (command & 0x0FU) == 0x00 && reply.item[0] && !answering->isStep) {
             EXPECT_EQ(*reply.item[0], 0U);
+        }
         return reply;
     }
 
@@ -243,14 +245,18 @@ private:
             EXPECT_EQ(reply.bit(5), pin(book, 0));
             EXPECT_EQ(reply.bit(6), pin(book, 1));
         }
-        if (book.isStep && reply.item[3])
+        if (book.isStep && reply.item[3]) {
             EXPECT_EQ(*reply.item[3], inputs(book));
-        if (book.set.contains("analog") && reply.item[1])
+        }
+        if (book.set.contains("analog") && reply.item[1]) {
             EXPECT_EQ(*reply.item[1], book.set.at("analog"));
-        if (reply.item[5])
+        }
+        if (reply.item[5]) {
             EXPECT_EQ(*reply.item[5], (book.isStep ? 3U : 0U) | book.version << 8U);
-        if (book.home && reply.home())
+        }
+        if (book.home && reply.home()) {
             EXPECT_EQ(reply.home(), book.home);
+        }
     }
     static bool pin(const Book& book, unsigned number) {
         if ((book.pinControl >> (2 + number) & 1U) == 0)
