@@ -15,8 +15,7 @@ const Bytes kIdle{0x19, 0x19};
 class PicServoNetwork : public PicServo {
 protected:
     Bytes setAddress(unsigned at, unsigned address, unsigned group) {
-        return rig->command(at, 0x21,
-                            {static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(group)});
+        return rig->command(at, 0x21, {static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(group)});
     }
     Bytes nop(unsigned at) { return rig->command(at, 0x0E); }
     bool listens(int module) { return rig->state(module)["listening"]; }
