@@ -208,6 +208,9 @@ TEST_P(PicServoNetwork, SetBaudRate1_TheDivisorsOfTheSheetGiveItsRates) {
 }
 
 TEST_P(PicServoNetwork, SetBaudRate2_OtherDivisorsGiveTheClockOver16OverTheDivisorPlus1) {
+    setBaud(31, 38'400);
+    EXPECT_EQ(truth("baud"), 39'063) << "20 MHz / 16 / 32";
+    EXPECT_EQ(nop(1), kIdle);
     setBaud(21, 57'600);
     EXPECT_EQ(truth("baud"), 56'818) << "20 MHz / 16 / 22";
     EXPECT_EQ(nop(1), kIdle);
