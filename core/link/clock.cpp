@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "link/clock.h"
 
+#include <sys/prctl.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
@@ -9,6 +11,10 @@ namespace nmc {
 
 TimePoint monotonicNow() {
     return TimePoint(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+void wantFineTimers() {
+    ::prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
 }
 
 int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until) {

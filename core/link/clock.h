@@ -13,6 +13,9 @@ namespace nmc {
 /// The monotonic clock: the one place where time comes from.
 [[nodiscard]] TimePoint monotonicNow();
 
+/// Asks for this thread's timers to fire when they are due instead of up to 50 us later.
+void wantFineTimers();
+
 /// poll(2) until a time point, to the nanosecond; without one, for ever. Returns what poll returns; an
 /// interrupting signal counts as nothing ready.
 int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until);

@@ -13,17 +13,18 @@
 #include <cstring>
 #include <utility>
 
+#include "protocol/baud.h"
+
 namespace nmc {
 
 namespace {
-
-constexpr std::uint32_t kFreshTerminalBaud = 38'400;
 
 std::string systemError(const std::string& what) {
     return what + ": " + std::strerror(errno);
 }
 
-/// No echo, no line editing, no translation, reads return at once.
+/// No echo, no line editing, no translation, reads return at once; at the modules' power-up rate, so that a
+/// host that never sets one is understood, and any that it does set is its choice.
 bool makeRaw(int fd) {
     termios2 settings{};
     if (::ioctl(fd, TCGETS2, &settings) != 0)
@@ -31,6 +32,9 @@ bool makeRaw(int fd) {
     settings.c_iflag = IGNBRK;
     settings.c_oflag = 0;
     settings.c_lflag = 0;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | CBAUD << IBSHIFT);
+    settings.c_cflag |= B19200;
+    settings.c_ispeed = settings.c_ospeed = kPowerUpBaud;
     settings.c_cc[VMIN] = 1;
     settings.c_cc[VTIME] = 0;
     return ::ioctl(fd, TCSETS2, &settings) == 0;
@@ -94,8 +98,7 @@ void PtyServer::write(ByteSpan bytes) const {
 
 std::optional<std::uint32_t> PtyServer::hostBaud() const {
     termios2 settings{};
-    if (::ioctl(m_master, TCGETS2, &settings) != 0 || settings.c_ospeed == kFreshTerminalBaud ||
-        settings.c_ospeed == 0)
+    if (::ioctl(m_master, TCGETS2, &settings) != 0 || settings.c_ospeed == 0)
         return std::nullopt;
     return settings.c_ospeed;
 }

@@ -16,8 +16,8 @@ namespace nmc {
 /// The slave side is kept open here as well, so a host may close and reopen it.
 class PtyServer {
 public:
-    /// Makes a raw terminal of mode 0600 and, with a non-empty `link`, a symbolic link to it. An error is a
-    /// sentence.
+    /// Makes a raw terminal of mode 0600 at 19 200 Bd and, with a non-empty `link`, a symbolic link to it. An
+    /// error is a sentence.
     [[nodiscard]] static tl::expected<PtyServer, std::string> create(const std::string& link);
     PtyServer(PtyServer&& other) noexcept;
     PtyServer& operator=(PtyServer&&) = delete;
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> read() const;
     /// Bytes that a host does not read for long are lost, as on a real line.
     void write(ByteSpan bytes) const;
-    /// The rate the host has chosen; empty while the terminal still has the 38 400 of a fresh one.
+    /// The rate of the host's side, 19 200 at first; empty at B0, which is "hang up" and no rate.
     [[nodiscard]] std::optional<std::uint32_t> hostBaud() const;
 
 private:

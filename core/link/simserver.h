@@ -3,9 +3,11 @@
 
 #include <string>
 
+#include "link/lateness.h"
 #include "link/ptyserver.h"
 #include "sim/chain.h"
 #include "sim/control.h"
+#include "sim/receiver.h"
 
 namespace nmc {
 
@@ -29,9 +31,15 @@ public:
     void run(int stopFd);
 
 private:
-    [[nodiscard]] TimePoint simulatedNow() const;
+    /// What simulated time should be.
+    [[nodiscard]] TimePoint wantedNow() const;
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
+    [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
+    void catchUp();
+    void reportLag();
     void serveHost();
+    /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
+    std::size_t endOfLastSetBaud(ByteSpan bytes);
     void deliver();
     /// Returns false when it was the last line.
     bool serveControl();
@@ -48,9 +56,13 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
+    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
     TimePoint m_started;
-    TimePoint m_stepped;  ///< simulated time, when stepped
-    sim::Pace m_pace;
+    TimePoint m_now;  ///< simulated time that has been reached
+    std::uint64_t m_received = 0;
+    std::uint64_t m_sent = 0;
+    Lateness m_lateness;  ///< of the bytes to the host, since last asked
+    LagReport m_lagReport;
 };
 
 }  // namespace nmc

@@ -108,4 +108,19 @@ void PolledMovingServos(benchmark::State& state) {
 }
 BENCHMARK(PolledMovingServos)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
 
+/// The aim is below 15 s: an hour of a bus of eight at 115 200 Bd, one exchange after the other, position,
+/// velocity and auxiliary byte of each in turn, while all of them move.
+void AnHourOfEightPolledServos(benchmark::State& state) {
+    constexpr unsigned kServos = 8;
+    for (auto _ : state) {
+        BenchHost host(kServos);
+        host.goTo115200();
+        host.send({0xFF, 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
+        const TimePoint end = host.now() + std::chrono::hours(1);
+        for (std::uint8_t i = 0; host.now() < end; i = static_cast<std::uint8_t>((i + 1) % kServos))
+            host.send({static_cast<std::uint8_t>(i + 1), 0x13, 0x0D});
+    }
+}
+BENCHMARK(AnHourOfEightPolledServos)->Iterations(1)->Unit(benchmark::kSecond);
+
 }  // namespace

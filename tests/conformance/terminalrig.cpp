@@ -3,12 +3,11 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstring>
+#include <cstdio>
 #include <map>
 #include <stdexcept>
 
@@ -22,47 +21,24 @@ constexpr int kPatienceMs = 10'000;
     throw std::runtime_error(what);
 }
 
+std::vector<std::string> stepped(std::vector<std::string> options) {
+    options.push_back("--stepped");
+    return options;
+}
+
 }  // namespace
 
-TerminalRig::TerminalRig(const std::string& chain, const std::vector<std::string>& options) {
-    std::vector<std::string> words{NMCSIM_PATH, "--stepped", "--chain", chain};
-    words.insert(words.end(), options.begin(), options.end());
-    std::vector<char*> argv;
-    for (std::string& word : words)
-        argv.push_back(word.data());
-    argv.push_back(nullptr);
-
-    std::array<int, 2> in{};
-    std::array<int, 2> out{};
-    if (::pipe2(in.data(), O_CLOEXEC) != 0 || ::pipe2(out.data(), O_CLOEXEC) != 0)
-        fail("no pipe");
-    m_process = ::fork();
-    if (m_process == 0) {
-        ::dup2(in[0], STDIN_FILENO);
-        ::dup2(out[1], STDOUT_FILENO);
-        ::execv(argv[0], argv.data());
-        ::_exit(127);
-    }
-    ::close(in[0]);
-    ::close(out[1]);
-    m_toSimulator = ::fdopen(in[1], "w");
-    m_fromSimulator = ::fdopen(out[0], "r");
-    const std::string ready = answer();
-    if (ready.rfind("ready ", 0) != 0)
-        fail("nmcsim said: " + ready);
-    m_port = ::open(ready.substr(6).c_str(), O_RDWR | O_NOCTTY);
+TerminalRig::TerminalRig(const std::string& chain, const std::vector<std::string>& options)
+    : m_simulator(chain, stepped(options)),
+      m_port(::open(m_simulator.terminal().c_str(), O_RDWR | O_NOCTTY)) {
     if (m_port < 0)
-        fail("no terminal " + ready);
+        fail("no terminal " + m_simulator.terminal());
     setBaud(19'200);
 }
 
 TerminalRig::~TerminalRig() {
     if (m_port >= 0)
         ::close(m_port);
-    std::fputs("quit\n", m_toSimulator);
-    std::fclose(m_toSimulator);
-    std::fclose(m_fromSimulator);
-    ::waitpid(m_process, nullptr, 0);
 }
 
 void TerminalRig::setBaud(unsigned baud) {
@@ -107,22 +83,6 @@ Bytes TerminalRig::wait(Duration time) {
     }
     m_received = sent;
     return bytes;
-}
-
-nlohmann::json TerminalRig::control(const std::string& line) {
-    std::fprintf(m_toSimulator, "%s\n", line.c_str());
-    std::fflush(m_toSimulator);
-    return nlohmann::json::parse(answer());
-}
-
-std::string TerminalRig::answer() {
-    std::string line;
-    for (int c = 0; (c = std::fgetc(m_fromSimulator)) != '\n';) {
-        if (c == EOF)
-            fail("nmcsim has gone");
-        line += static_cast<char>(c);
-    }
-    return line;
 }
 
 }  // namespace nmc::conformance

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <sys/types.h>
-
-#include <cstdio>
-
 #include "tests/conformance/rig.h"
+#include "tests/support/simprocess.h"
 
 namespace nmc::conformance {
 
@@ -21,15 +18,12 @@ public:
     void send(const Bytes& bytes) override;
     Bytes wait(Duration time) override;
     void setBaud(unsigned baud) override;
-    nlohmann::json control(const std::string& line) override;
+    nlohmann::json control(const std::string& line) override { return m_simulator.control(line); }
 
 private:
-    std::string answer();
     void waitUntilHeard();
 
-    pid_t m_process = -1;
-    std::FILE* m_toSimulator = nullptr;
-    std::FILE* m_fromSimulator = nullptr;
+    testing_support::SimProcess m_simulator;
     int m_port = -1;
     std::uint64_t m_sent = 0;      ///< bytes to the simulator
     std::uint64_t m_received = 0;  ///< bytes from it

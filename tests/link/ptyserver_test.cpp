@@ -64,14 +64,17 @@ TEST(PtyServer, IsForItsOwnerOnly) {
     EXPECT_EQ(info.st_mode & 0777U, 0600U);
 }
 
-TEST(PtyServer, SeesTheRateTheHostChoosesAndNoneOnAFreshTerminal) {
+TEST(PtyServer, IsAt19200UntilTheHostChoosesAnyOtherRate) {
     const auto server = PtyServer::create({});
-    EXPECT_FALSE(server->hostBaud().has_value());
-    Host host(server->path());
-    host.setBaud(B19200);
     EXPECT_EQ(server->hostBaud(), 19'200U);
+    Host host(server->path());
+    EXPECT_EQ(server->hostBaud(), 19'200U) << "opening it is no choice";
+    host.setBaud(B38400);
+    EXPECT_EQ(server->hostBaud(), 38'400U) << "what a fresh terminal has elsewhere is a choice here";
     host.setBaud(B115200);
     EXPECT_EQ(server->hostBaud(), 115'200U);
+    host.setBaud(B0);
+    EXPECT_FALSE(server->hostBaud().has_value());
 }
 
 TEST(PtyServer, OutlivesAHostThatClosesAndComesBack) {

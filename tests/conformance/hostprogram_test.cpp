@@ -1,0 +1,507 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A host program as they are in the field, in real time on nmcsim's terminal: nothing but POSIX and the data
+// sheets. It retries what it must, as such programs do, so that a byte garbled at 57 600 Bd with code 20, or
+// a busy machine, is no failure.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "tests/support/port.h"
+#include "tests/support/simprocess.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::SimProcess;
+using Bytes = std::vector<std::uint8_t>;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTimeoutMs = 100;
+constexpr int kMaxTries = 20;
+constexpr std::chrono::seconds kPatience{20};
+constexpr unsigned kEveryone = 0xFF;
+
+std::uint8_t byte(unsigned value) {
+    return static_cast<std::uint8_t>(value & 0xFFU);
+}
+
+Bytes little(std::uint32_t value, unsigned count) {
+    Bytes bytes;
+    for (unsigned i = 0; i < count; ++i)
+        bytes.push_back(byte(value >> (8 * i)));
+    return bytes;
+}
+
+Bytes operator+(Bytes left, const Bytes& right) {
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+}
+
+/// A status packet, its fields found by the items that were asked for.
+struct Status {
+    unsigned byte = 0;
+    std::int32_t position = 0;
+    unsigned analog = 0;
+    unsigned speed = 0;  ///< PIC-SERVO: minus the velocity; PIC-STEP: timer count
+    unsigned pins = 0;   ///< PIC-SERVO: auxiliary byte; PIC-STEP: inputs
+    std::int32_t home = 0;
+    unsigned type = 99;
+    unsigned version = 0;
+
+    [[nodiscard]] bool has(unsigned bit) const { return (byte >> bit & 1U) != 0; }
+    [[nodiscard]] int velocity() const { return -static_cast<std::int16_t>(speed); }
+};
+
+class Host {
+public:
+    explicit Host(const std::string& terminal) : m_port(terminal) { m_port.setRate(B19200); }
+
+    /// 20 nulls and Hard Reset, twice; then Set Address until nobody answers.
+    unsigned enumerate() {
+        for (int i = 0; i < 2; ++i) {
+            put(Bytes(20, 0));
+            put(packet(kEveryone, 0x0F));
+            discardFor(100);
+        }
+        unsigned address = 1;
+        while (once(0, 0x21, {byte(address), kEveryone}))
+            ++address;
+        // The last one was for nobody: an error to the host, which goes on.
+        m_errors = 0;
+        m_attempted.clear();
+        m_answered.clear();
+        return address - 1;
+    }
+
+    void goTo(unsigned code, speed_t rate) {
+        put(packet(kEveryone, 0x1A, {byte(code)}));
+        for (unsigned a = 1; a <= kModules; ++a)
+            ++m_attempted[{a, 0x0A}];
+        m_port.setRate(rate);
+        discardFor(20);
+    }
+
+    /// One command, until it is answered.
+    Status ask(unsigned address, unsigned command, const Bytes& data = {}) {
+        for (int i = 0; i < kMaxTries; ++i)
+            if (const auto status = once(address, command, data))
+                return *status;
+        throw std::runtime_error("module " + std::to_string(address) + " does not answer");
+    }
+
+    /// A command that nobody answers: as often as it takes until `done`.
+    void tell(const std::vector<unsigned>& members, unsigned group, unsigned command, const Bytes& data,
+              const std::function<bool()>& done) {
+        for (int i = 0; i < kMaxTries; ++i) {
+            put(packet(group, command, data));
+            for (const unsigned a : members)
+                ++m_attempted[{a, command & 0x0FU}];
+            discardFor(10);
+            if (done())
+                return;
+            recover();
+        }
+        throw std::runtime_error("the group does not obey");
+    }
+
+    /// Reads everything until `wanted`.
+    Status until(unsigned address, const std::function<bool(const Status&)>& wanted) {
+        for (const auto start = Clock::now(); Clock::now() < start + kPatience;)
+            if (const Status status = ask(address, 0x13, {0x3F}); wanted(status))
+                return status;
+        throw std::runtime_error("module " + std::to_string(address) + " never gets there");
+    }
+
+    /// A packet whose sum is wrong; the answer's status byte.
+    unsigned wrongSum(unsigned address) {
+        for (int i = 0; i < kMaxTries; ++i) {
+            Bytes bytes = packet(address, 0x00);
+            bytes.back() ^= 0x40U;
+            put(bytes);
+            if (const auto answer = get(replyLength(m_items[address])))
+                return answer->front();
+            recover();
+        }
+        throw std::runtime_error("no answer to a wrong sum");
+    }
+
+    void becomes(unsigned before, unsigned after) { m_items[after] = m_items[before]; }
+    /// Reads until nothing has come for so long.
+    void discardFor(int ms) {
+        for (Bytes bytes; !(bytes = m_port.read(256, ms)).empty();)
+            m_received += bytes.size();
+    }
+
+    static constexpr unsigned kModules = 4;
+    [[nodiscard]] unsigned errors() const { return m_errors; }
+    [[nodiscard]] std::size_t sent() const { return m_sent; }
+    [[nodiscard]] std::size_t received() const { return m_received; }
+    [[nodiscard]] unsigned attempted(unsigned address, unsigned code) { return m_attempted[{address, code}]; }
+    [[nodiscard]] unsigned answered(unsigned address, unsigned code) { return m_answered[{address, code}]; }
+
+private:
+    static Bytes packet(unsigned address, unsigned command, const Bytes& data = {}) {
+        Bytes bytes{0xAA, byte(address), byte(command)};
+        unsigned sum = address + command;
+        for (const std::uint8_t value : data) {
+            bytes.push_back(value);
+            sum += value;
+        }
+        bytes.push_back(byte(sum));
+        return bytes;
+    }
+
+    /// Status byte, items and sum.
+    static std::size_t replyLength(unsigned items) {
+        static constexpr std::array<std::size_t, 6> kSizes{4, 1, 2, 1, 4, 2};
+        std::size_t length = 2;
+        for (unsigned i = 0; i < kSizes.size(); ++i)
+            length += (items >> i & 1U) != 0 ? kSizes[i] : 0;
+        return length;
+    }
+
+    static Status decoded(const Bytes& answer, unsigned items) {
+        std::size_t at = 1;
+        const auto next = [&](unsigned item, unsigned count) {
+            std::uint32_t value = 0;
+            if ((items >> item & 1U) == 0)
+                return value;
+            for (unsigned i = 0; i < count; ++i)
+                value |= std::uint32_t{answer[at++]} << (8 * i);
+            return value;
+        };
+        Status s;
+        s.byte = answer[0];
+        s.position = static_cast<std::int32_t>(next(0, 4));
+        s.analog = next(1, 1);
+        s.speed = next(2, 2);
+        s.pins = next(3, 1);
+        s.home = static_cast<std::int32_t>(next(4, 4));
+        const unsigned identity = next(5, 2);
+        s.type = identity & 0xFFU;
+        s.version = identity >> 8U;
+        return s;
+    }
+
+    std::optional<Status> once(unsigned address, unsigned command, const Bytes& data = {}) {
+        const unsigned code = command & 0x0FU;
+        if (code == 0x02)
+            m_items[address] = data[0];
+        const unsigned items = code == 0x03 ? data[0] : m_items[address];
+        m_port.flush();
+        ++m_attempted[{address, code}];
+        put(packet(address, command, data));
+        const auto answer = get(replyLength(items));
+        if (!answer || (answer->front() & 0x02U) != 0) {
+            recover();
+            return std::nullopt;
+        }
+        ++m_answered[{address, code}];
+        return decoded(*answer, items);
+    }
+
+    void recover() {
+        ++m_errors;
+        put(Bytes(30, 0));
+        discardFor(50);
+    }
+
+    void put(const Bytes& bytes) {
+        m_port.write(bytes);
+        m_sent += bytes.size();
+    }
+
+    /// That many bytes with the right sum.
+    std::optional<Bytes> get(std::size_t count) {
+        Bytes bytes;
+        while (bytes.size() < count) {
+            const Bytes more = m_port.read(count - bytes.size(), kTimeoutMs);
+            if (more.empty())
+                return std::nullopt;
+            m_received += more.size();
+            bytes.insert(bytes.end(), more.begin(), more.end());
+        }
+        unsigned sum = 0;
+        for (std::size_t i = 0; i + 1 < count; ++i)
+            sum += bytes[i];
+        if (byte(sum) != bytes.back())
+            return std::nullopt;
+        return bytes;
+    }
+
+    using Key = std::pair<unsigned, unsigned>;  // address, command code
+    testing_support::Port m_port;
+    std::map<unsigned, unsigned> m_items;  ///< by address; as defined, none after a reset
+    std::map<Key, unsigned> m_attempted;
+    std::map<Key, unsigned> m_answered;
+    unsigned m_errors = 0;
+    std::size_t m_sent = 0;
+    std::size_t m_received = 0;
+};
+
+/// A rate, its code, and what the modules really make of it: 1 250 000 / (code + 1).
+struct Rate {
+    const char* name;
+    speed_t speed;
+    unsigned code;
+    int real;
+};
+
+class HostProgram : public testing::TestWithParam<Rate> {
+protected:
+    HostProgram() : sim("servo,servo@1,servo@3,step"), host(sim.terminal()) {}
+
+    void everyServoCommand(unsigned address, unsigned version);
+    void everyStepCommand(unsigned address);
+    void groups();
+    void addresses(unsigned address);
+    void books();
+
+    /// Ground truth about the module at an address; they are numbered alike.
+    nlohmann::json truth(unsigned address) { return sim.state(static_cast<int>(address)); }
+    void set(unsigned address, const std::string& what) {
+        const auto answer = sim.control("set " + std::to_string(address) + " " + what);
+        ASSERT_FALSE(answer.contains("error")) << answer;
+    }
+
+    SimProcess sim;
+    Host host;
+};
+
+constexpr std::uint32_t perTick(double counts) {
+    return static_cast<std::uint32_t>(counts * 65536.0);
+}
+
+// Without an integral the motor comes to rest where the filter's output no longer overcomes dry friction:
+// 0.004 N*m are 0.105 A or 0.12 V, which is less than 2 of 255 at 24 V; 2 * 256 / Kp 200 is 2.6 counts.
+constexpr int kAtGoal = 4;
+
+auto reached(std::int32_t goal) {
+    return [goal](const Status& s) { return s.has(0) && std::abs(s.position - goal) <= kAtGoal; };
+}
+
+void HostProgram::everyServoCommand(unsigned a, unsigned version) {
+    EXPECT_EQ(host.ask(a, 0x0E).byte, 0x19U) << "No Operation: move done, power, servo off";
+    EXPECT_EQ(host.wrongSum(a) & 0x02U, 0x02U);
+    Status s = host.ask(a, 0x12, {0x3F});  // Define Status
+    EXPECT_EQ(s.type, 0U);
+    EXPECT_EQ(host.ask(a, 0x0E).version, version);
+
+    // Set Gain, 14 and 15 data bytes: Kp, Kd, Ki, IL, OL, CL, EL, SR, DB.
+    const Bytes rest =
+        little(2000, 2) + little(0, 2) + little(0, 2) + Bytes{255, 0} + little(0x3FFF, 2) + Bytes{1};
+    host.ask(a, 0xE6, little(100, 2) + rest + Bytes{0});
+    EXPECT_EQ(truth(a)["gains"]["kp"], 100);
+    host.ask(a, 0xF6, little(200, 2) + rest + Bytes{0, 0x77});
+    const nlohmann::json gains{{"kp", 200}, {"kd", 2000},   {"ki", 0}, {"il", 0}, {"ol", 255},
+                               {"cl", 0},   {"el", 0x3FFF}, {"sr", 1}, {"db", 0}};
+    EXPECT_EQ(truth(a)["gains"], gains);
+
+    s = host.ask(a, 0x18, {0x09});  // I/O Control: limit 1 is an output, and high
+    EXPECT_TRUE(s.has(5));
+    EXPECT_TRUE(truth(a)["limit1"]);
+    EXPECT_FALSE(host.ask(a, 0x18, {0x0C}).has(5)) << "an input again";
+
+    s = host.ask(a, 0x17, {0x05});  // Stop Motor: amplifier on, stop abruptly, which turns the servo on
+    EXPECT_EQ(s.pins & 0x04U, 0x04U);
+    EXPECT_TRUE(truth(a)["servo_on"]);
+    EXPECT_TRUE(truth(a)["amp_enabled"]);
+    EXPECT_FALSE(host.ask(a, 0x0B).has(4)) << "Clear Sticky Bits: no position error";
+    host.ask(a, 0x00);  // Reset Position
+    EXPECT_NEAR(host.ask(a, 0x0E).position, 0, 1);
+
+    // Load Trajectory, trapezoidal; nothing moves before Start Motion.
+    host.ask(a, 0xD4, Bytes{0x17} + little(1500, 4) + little(perTick(8), 4) + little(perTick(0.05), 4));
+    EXPECT_NEAR(host.ask(a, 0x0E).position, 0, 1);
+    host.ask(a, 0x05);
+    s = host.until(a, reached(1500));
+    EXPECT_NEAR(truth(a)["position"].get<int>(), s.position, 1);
+    host.ask(a, 0x0C);  // Save as Home
+    s = host.ask(a, 0x0E);
+    EXPECT_NEAR(s.home, 1500, kAtGoal);
+    EXPECT_EQ(truth(a)["home"], s.home);
+
+    // Velocity mode, and a smooth stop.
+    host.ask(a, 0x94, Bytes{0xB6} + little(perTick(3), 4) + little(perTick(0.1), 4));
+    host.until(a, [](const Status& now) { return now.has(0) && std::abs(now.velocity() - 3) <= 1; });
+    EXPECT_EQ(truth(a)["mode"], "velocity");
+    host.ask(a, 0x17, {0x09});
+    host.until(a, [](const Status& now) { return now.has(0) && now.velocity() == 0; });
+
+    // Homing on a change of limit 1, abrupt stop, which versions 1 and 2 leave to the host.
+    EXPECT_TRUE(host.ask(a, 0x19, {0x11}).has(7));
+    host.ask(a, 0x94, Bytes{0xF6} + little(perTick(1), 4) + little(perTick(0.1), 4));
+    set(a, "limit1 1");
+    s = host.until(a, [](const Status& now) { return !now.has(7); });
+    EXPECT_TRUE(s.has(5));
+    EXPECT_EQ(truth(a)["home"], s.home);
+    if (version < 3)
+        host.ask(a, 0x17, {0x05});
+    s = host.until(a, [](const Status& now) { return now.has(0) && now.velocity() == 0; });
+    set(a, "limit1 0");
+
+    if (version > 1) {  // stop here
+        const std::int32_t here = s.position + 100;
+        host.ask(a, 0x57, Bytes{0x11} + little(static_cast<std::uint32_t>(here), 4));
+        host.until(a, reached(here));
+        EXPECT_EQ(truth(a)["mode"], "stop-here");
+    }
+
+    host.ask(a, 0x24, {0x88, 30});  // PWM mode
+    EXPECT_EQ(truth(a)["pwm"], 30);
+    EXPECT_EQ(truth(a)["mode"], "pwm");
+    s = host.ask(a, 0x17, {0x02});  // motor off
+    EXPECT_EQ(s.pins & 0x04U, 0U);
+    EXPECT_EQ(truth(a)["pwm"], 0);
+    EXPECT_FALSE(truth(a)["amp_enabled"]);
+}
+
+void HostProgram::everyStepCommand(unsigned a) {
+    EXPECT_EQ(host.ask(a, 0x0E).byte & 0x0FU, 0x08U) << "No Operation: power; amplifier off, at rest";
+    EXPECT_EQ(host.wrongSum(a) & 0x02U, 0x02U);
+    Status s = host.ask(a, 0x12, {0x3F});
+    EXPECT_EQ(s.type, 3U);
+    EXPECT_EQ(s.version, 1U);
+    host.ask(a, 0x56, {0x03, 1, 200, 80, 0});  // Set Parameters: 1x, minimum speed 1
+    EXPECT_TRUE(host.ask(a, 0x17, {0x01}).has(2)) << "amplifier on";
+    host.ask(a, 0x18, {0x15});  // Set Outputs
+    EXPECT_EQ(truth(a)["outputs"], 0x15);
+    host.ask(a, 0x00);
+
+    // A trapezoid of 200 steps at speed 40, 1000 steps/s; not before Start Motion.
+    host.ask(a, 0x74, Bytes{0x07} + little(200, 4) + Bytes{40, 1});
+    EXPECT_EQ(host.ask(a, 0x0E).position, 0);
+    host.ask(a, 0x05);
+    host.until(a, [](const Status& now) { return !now.has(0) && now.position == 200; });
+    EXPECT_EQ(truth(a)["position"], 200);
+    EXPECT_EQ(host.ask(a, 0x0C).home, 200);
+    EXPECT_EQ(truth(a)["home"], 200);
+
+    // Velocity mode at speed 20, 500 steps/s: count 65536 - 625000/500 + 2.
+    host.ask(a, 0x34, {0x86, 20, 2});
+    s = host.until(a, [](const Status& now) { return now.has(0) && now.has(4); });
+    EXPECT_TRUE(s.has(5));
+    EXPECT_EQ(s.speed, 64'288U);
+    EXPECT_DOUBLE_EQ(truth(a)["step_rate"].get<double>(), 500.0);
+    host.ask(a, 0x17, {0x09});
+    host.until(a, [](const Status& now) { return !now.has(0); });
+
+    // Unprofiled by its timer count, in reverse; stopped abruptly.
+    host.ask(a, 0x44, Bytes{0x98} + little(64'288, 2) + Bytes{20});
+    EXPECT_DOUBLE_EQ(truth(a)["step_rate"].get<double>(), -500.0);
+    EXPECT_FALSE(host.ask(a, 0x17, {0x05}).has(0));
+
+    // Homing on the home switch with an abrupt stop: it stands where it was captured.
+    EXPECT_TRUE(host.ask(a, 0x19, {0x18}).has(7));
+    host.ask(a, 0x34, {0x86, 20, 2});
+    set(a, "home_switch 1");
+    s = host.until(a, [](const Status& now) { return !now.has(7) && !now.has(0); });
+    EXPECT_EQ(s.home, s.position);
+    EXPECT_EQ(s.pins & 0x20U, 0x20U);
+    EXPECT_EQ(truth(a)["home"], s.home);
+    set(a, "home_switch 0");
+    EXPECT_FALSE(host.ask(a, 0x17, {0x00}).has(2));
+}
+
+/// A module moves to another address and back.
+void HostProgram::addresses(unsigned a) {
+    const unsigned other = a + 20;
+    // Once it has moved, a try whose answer was lost can only be answered at the new address.
+    const auto move = [&](unsigned from, unsigned to) {
+        host.becomes(from, to);
+        host.tell({a}, from, 0x21, {byte(to), kEveryone}, [&] { return truth(a)["address"] == to; });
+    };
+    move(a, other);
+    EXPECT_EQ(host.ask(other, 0x13, {0x20}).type, truth(a)["type"] == "step" ? 3U : 0U);
+    move(other, a);
+}
+
+/// A group of 1 and 2 with 1 as its leader, which answers alone.
+void HostProgram::groups() {
+    host.ask(1, 0x21, {1, 0x05});
+    host.ask(2, 0x21, {2, 0x85});
+    EXPECT_EQ(truth(1)["group"], 0x85);
+    EXPECT_TRUE(truth(1)["leader"]);
+    EXPECT_FALSE(truth(2)["leader"]);
+    host.becomes(1, 0x85);
+    EXPECT_EQ(host.ask(0x85, 0x13, {0x20}).version, 4U) << "the leader's";
+    host.ask(2, 0x00);
+    host.tell({2}, 0x85, 0x0C, {}, [&] { return host.ask(2, 0x0E).home == host.ask(2, 0x0E).position; });
+    EXPECT_EQ(truth(1)["home"], truth(1)["position"]);
+    EXPECT_EQ(truth(2)["home"], truth(2)["position"]);
+    host.ask(1, 0x21, {1, kEveryone});
+    host.ask(2, 0x21, {2, kEveryone});
+}
+
+/// What nmcsim counted is what this host counted, where nothing had to be tried again.
+void HostProgram::books() {
+    host.discardFor(kTimeoutMs);
+    const nlohmann::json stats = sim.control("stats");
+    EXPECT_EQ(stats["bytes_in"], host.sent());
+    unsigned replies = 0;
+    for (const auto& module : stats["modules"])
+        replies += module["replies"].get<unsigned>();
+    EXPECT_EQ(stats["exchanges"], replies);
+    const std::map<std::string, unsigned> codes{
+        {"define_status", 2},  {"load_trajectory", 4}, {"start_motion", 5},      {"set_gain", 6},
+        {"set_parameters", 6}, {"stop_motor", 7},      {"io_control", 8},        {"set_outputs", 8},
+        {"set_homing", 9},     {"set_baud", 10},       {"clear_sticky_bits", 11}};
+    for (unsigned a = 1; a <= Host::kModules; ++a) {
+        for (const auto& [name, count] : stats["modules"][a - 1]["executed"].items()) {
+            const auto code = codes.find(name);
+            if (code == codes.end())
+                continue;  // sent to a group or at another address too
+            EXPECT_GE(count, host.answered(a, code->second)) << name << " " << a;
+            EXPECT_LE(count, host.attempted(a, code->second)) << name << " " << a;
+        }
+        EXPECT_GE(stats["modules"][a - 1]["checksum_errors"], 1);
+    }
+    if (host.errors() > 0)
+        return;
+    EXPECT_EQ(stats["bytes_out"], host.received());
+    EXPECT_EQ(stats["violations"], nlohmann::json::array());
+}
+
+TEST_P(HostProgram, WorksUnchangedWithEveryCommandOfBothModuleTypes) {
+    ASSERT_EQ(host.enumerate(), Host::kModules);
+    const std::array<std::pair<unsigned, unsigned>, Host::kModules> identities{
+        {{0, 4}, {0, 1}, {0, 3}, {3, 1}}};
+    for (unsigned a = 1; a <= Host::kModules; ++a) {
+        const Status s = host.ask(a, 0x13, {0x20});
+        EXPECT_EQ(std::pair(s.type, s.version), identities[a - 1]);
+    }
+    host.goTo(GetParam().code, GetParam().speed);
+    for (unsigned a = 1; a <= Host::kModules; ++a)
+        EXPECT_EQ(truth(a)["baud"], GetParam().real);
+
+    for (unsigned a = 1; a <= 3; ++a)
+        everyServoCommand(a, identities[a - 1].second);
+    everyStepCommand(4);
+    books();
+    groups();
+    for (unsigned a = 1; a <= Host::kModules; ++a)
+        addresses(a);
+
+    host.tell({}, kEveryone, 0x0F, {}, [&] {
+        for (unsigned a = 1; a <= Host::kModules; ++a)
+            if (truth(a)["address"] != 0 || truth(a)["baud"] != 19'531)
+                return false;
+        return true;
+    });
+    RecordProperty("errors", static_cast<int>(host.errors()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, HostProgram,
+                         testing::Values(Rate{"19200", B19200, 63, 19'531},
+                                         Rate{"57600Code20", B57600, 20, 59'524},
+                                         Rate{"57600Code21", B57600, 21, 56'818},
+                                         Rate{"115200", B115200, 10, 113'636}),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace nmc::testing_support {
+
+/// The real nmcsim in a process of its own, and its control lines. Nothing but POSIX; throws when it fails.
+class SimProcess {
+public:
+    /// `errors`: a file for what it says on standard error; empty: with ours.
+    explicit SimProcess(const std::string& chain, const std::vector<std::string>& options = {},
+                        const std::string& errors = {});
+    ~SimProcess();
+    SimProcess(const SimProcess&) = delete;
+    SimProcess& operator=(const SimProcess&) = delete;
+
+    /// The terminal to open.
+    [[nodiscard]] const std::string& terminal() const { return m_terminal; }
+    nlohmann::json control(const std::string& line);
+    nlohmann::json state(int module) { return control("state " + std::to_string(module)); }
+    [[nodiscard]] pid_t pid() const { return m_process; }
+
+private:
+    std::string answer();
+
+    pid_t m_process = -1;
+    std::FILE* m_to = nullptr;
+    std::FILE* m_from = nullptr;
+    std::string m_terminal;
+};
+
+}  // namespace nmc::testing_support
