@@ -820,6 +820,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Answer to: %1</source>
         <translation>Antwort auf: %1</translation>
     </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
 </context>
 <context>
     <name>nmc::Banner</name>
@@ -1640,12 +1644,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Ref.-Schalter bei</translation>
     </message>
     <message>
-        <source>Where the home switch stands. Unchecked, it is set by hand.</source>
-        <translation>Wo der Referenzschalter steht. Ohne Haken wird er von Hand gestellt.</translation>
-    </message>
-    <message>
         <source>Follows the motor&apos;s position: see Mechanics.</source>
         <translation>Folgt der Position des Motors: siehe Mechanik.</translation>
+    </message>
+    <message>
+        <source>The home switch is closed from there on, forward. Unchecked, it is set by hand.</source>
+        <translation>Der Referenzschalter ist von dort an vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
     </message>
 </context>
 <context>

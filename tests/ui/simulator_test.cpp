@@ -44,6 +44,7 @@ QJsonObject stepState() {
             {u"type"_s, u"step"_s},
             {u"version"_s, 1},
             {u"position"_s, 700},
+            {u"shaft"_s, 700},
             {u"step_rate"_s, -400},
             {u"power"_s, true},
             {u"analog"_s, 255},
