@@ -23,6 +23,7 @@ class CommandLine {
 const QString kPort = QStringLiteral("port");
 const QString kBaud = QStringLiteral("baud");
 const QString kSimulator = QStringLiteral("simulator");
+const QString kEnableFaults = QStringLiteral("enable-faults");
 const QString kListPorts = QStringLiteral("list-ports");
 const QString kHelp = QStringLiteral("help");
 const QString kVersion = QStringLiteral("version");
@@ -43,6 +44,7 @@ void declareOptions(QCommandLineParser& parser) {
              "the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
          CommandLine::tr("CHAIN")},
+        {kEnableFaults, CommandLine::tr("Let control lines inject faults into the built-in simulator.")},
         {kListPorts, CommandLine::tr("List the serial ports of this machine.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
         {{QStringLiteral("v"), kVersion}, CommandLine::tr("Show the version.")},
@@ -118,6 +120,7 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
 
     Start start;
     start.quitAfterFirstPaint = parser.isSet(kQuitAfterFirstPaint);
+    start.enableFaults = parser.isSet(kEnableFaults);
     if (parser.isSet(kBaud)) {
         const auto baud = findBaud(parser.value(kBaud).toUInt());
         if (!baud)

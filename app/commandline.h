@@ -19,6 +19,7 @@ struct Start {
         port;  ///< connect at once; for the simulator kSimulatorPort, or that, '=' and a chain
     std::uint32_t baud = 19'200;
     bool quitAfterFirstPaint = false;  ///< for the start-up benchmark
+    bool enableFaults = false;         ///< the built-in simulator takes fault lines
 };
 
 /// Nothing to start: text for standard output, or for standard error when the exit code is not 0.

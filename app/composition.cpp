@@ -49,6 +49,7 @@ Composition::Composition(QSettings& settings, QObject* parent)
 }
 
 void Composition::show(const Start& start) {
+    m_enableFaults = start.enableFaults;
     m_window.show();
     if (start.quitAfterFirstPaint) {
         // The first turn of the event loop paints; the second one ends.
@@ -93,6 +94,8 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
+    connect(&m_window, &MainWindow::simulatorLineEntered, this,
+            [this](const QString& line) { m_worker.control(line.toStdString()); });
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
 }
@@ -118,7 +121,11 @@ void Composition::openNow(const Target& target) {
     BusWorker::TransportFactory factory;
     if (isSimulator(port)) {
         config.adapterLatency = Duration::zero();
-        factory = [modules = simulatedChain(port)] { return std::make_unique<SimulatorTransport>(modules); };
+        sim::ChainOptions options;
+        options.enableFaults = m_enableFaults;
+        factory = [modules = simulatedChain(port), options] {
+            return std::make_unique<SimulatorTransport>(modules, options);
+        };
     } else {
         factory = [port] { return std::make_unique<SerialTransport>(port); };
     }
@@ -250,6 +257,10 @@ void Composition::told(const PortClosed& closed) {
         quit();
     else if (m_openNext)
         openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+void Composition::told(const SimulatorAnswered& answer) {
+    m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
 }
 
 void Composition::told(const ServoWentOff& off) {

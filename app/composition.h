@@ -65,6 +65,7 @@ private:
     void told(const bus::HoldExpired& expired);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
+    void told(const SimulatorAnswered& answer);
 
     QSettings& m_settings;
     BusWorker m_worker;
@@ -75,6 +76,7 @@ private:
     std::optional<Target> m_target;    ///< what is connected, or was last
     std::optional<Target> m_openNext;  ///< to be opened when the present connection has closed
     bool m_quitWhenClosed = false;
+    bool m_enableFaults = false;
     std::uint32_t m_lastOperation = 0;
 };
 

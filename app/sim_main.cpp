@@ -46,18 +46,30 @@ void printHelp() {
         "  --stepped              time stands still but for the control line: advance SECONDS\n"
         "  --unpaced              replies take no wire time\n"
         "  --reset-dead-time MS   how long a module is deaf after a reset; default 8\n"
+        "  --deaf-when-addr-in-rises  a module that was awake goes deaf when its ADDR_IN rises again;\n"
+        "                         the data sheets are silent on it, and without this it stays awake\n"
         "  --seed N               seed of everything random\n"
+        "  --enable-faults        take fault lines\n"
         "  --help, --version\n"
         "\n"
         "Control lines on standard input; each is answered by one line of JSON:\n"
         "  state N                everything about module N\n"
         "  set N NAME VALUE       servo: limit1 limit2 index power 0|1, analog 0..255|auto,\n"
         "                         load N*m, inertia kg*m^2, friction N*m,\n"
-        "                         travel_min, travel_max counts, limits auto|manual\n"
+        "                         travel_min, travel_max counts|none, limits auto|manual,\n"
+        "                         servo_overrun 1\n"
         "                         step: estop in1 in2 home_switch limit1 limit2 power 0|1,\n"
-        "                         analog 0..255\n"
+        "                         analog 0..255, travel_min, travel_max, home_switch_at\n"
+        "                         counts|none, limits auto|manual\n"
         "  power-cycle N|all      break N      mend N\n"
         "  stats                  time         quit\n"
+        "  fault bus|module K[,K...] KIND [cmd|status] [on=COMMAND] [p=PROB] [n=COUNT] [t=A..B]\n"
+        "        [at=TIME] [for=DURATION] [bit=B]\n"
+        "                         kinds, of command packets and replies: drop dup flip collide\n"
+        "                         truncate garbage overrun delay silent cksum ignore=COMMAND stuck;\n"
+        "                         of the line: noise break mute rx|tx echo foreign; of the\n"
+        "                         module: powercycle stall reverse sameaddr definestat\n"
+        "  faults                 fault clear\n"
         "\n"
         "Examples:\n"
         "  nmcsim --chain servo,servo@1,step --link /tmp/nmc\n"
@@ -76,7 +88,19 @@ T number(const char* option, const char* text, T min, T max, const char* range) 
 }
 
 Options readOptions(int argc, char** argv) {
-    enum : int { Chain = 256, Link, Speed, Stepped, Unpaced, ResetDeadTime, Seed, Help, Version };
+    enum : int {
+        Chain = 256,
+        Link,
+        Speed,
+        Stepped,
+        Unpaced,
+        ResetDeadTime,
+        DeafWhenAddrInRises,
+        Seed,
+        EnableFaults,
+        Help,
+        Version
+    };
     static constexpr option kOptions[] = {
         {"chain", required_argument, nullptr, Chain},
         {"link", required_argument, nullptr, Link},
@@ -84,7 +108,9 @@ Options readOptions(int argc, char** argv) {
         {"stepped", no_argument, nullptr, Stepped},
         {"unpaced", no_argument, nullptr, Unpaced},
         {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
+        {"deaf-when-addr-in-rises", no_argument, nullptr, DeafWhenAddrInRises},
         {"seed", required_argument, nullptr, Seed},
+        {"enable-faults", no_argument, nullptr, EnableFaults},
         {"help", no_argument, nullptr, Help},
         {"version", no_argument, nullptr, Version},
         {nullptr, 0, nullptr, 0},
@@ -112,9 +138,15 @@ Options readOptions(int argc, char** argv) {
                     nmc::fromSeconds(1e-3 * number("--reset-dead-time", optarg, 0.0, 10'000.0,
                                                    "of milliseconds from 0 to 10000"));
                 break;
+            case DeafWhenAddrInRises:
+                options.simulation.deafWhenAddressInputRises = true;
+                break;
             case Seed:
                 options.simulation.seed =
                     number<std::uint64_t>("--seed", optarg, 0, UINT64_MAX, "from 0 to 18446744073709551615");
+                break;
+            case EnableFaults:
+                options.simulation.enableFaults = true;
                 break;
             case Help:
                 printHelp();

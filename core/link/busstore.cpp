@@ -82,6 +82,8 @@ void BusStore::take(const WorkerEvent& event) {
         take(*busEvent);
     else if (const auto* close = std::get_if<PortClosed>(&event))
         closed(*close);
+    else if (const auto* answer = std::get_if<SimulatorAnswered>(&event))
+        emit happened(*answer);
 }
 
 void BusStore::take(const bus::Event& event) {

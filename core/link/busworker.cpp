@@ -59,6 +59,10 @@ void BusWorker::stopAll() {
     m_wakeup.wake();
 }
 
+void BusWorker::control(std::string line) {
+    ask(ControlLine{std::move(line)});
+}
+
 std::vector<WorkerEvent> BusWorker::takeEvents() {
     std::vector<WorkerEvent> events = m_events.takeAll();
     for (const WorkerEvent& event : events)
@@ -92,7 +96,7 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             closeBy = now + kCloseTimeout;
             engine.stopAll(now);
         }
-        takeRequests(engine, now);
+        takeRequests(transport, engine, now);
         if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
             engine.onDeadline(now);
         if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
@@ -118,7 +122,7 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
     }
 }
 
-void BusWorker::takeRequests(bus::Engine& engine, TimePoint now) {
+void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoint now) {
     m_wakeup.reset();
     if (m_stopRequested.exchange(false))
         engine.stopAll(now);
@@ -129,9 +133,16 @@ void BusWorker::takeRequests(bus::Engine& engine, TimePoint now) {
             engine.hold(*hold, now);
         else if (std::holds_alternative<Release>(request))
             engine.release(now);
+        else if (auto* line = std::get_if<ControlLine>(&request))
+            answer(transport, *line);
         else
             engine.connect(now);
     }
+}
+
+void BusWorker::answer(Transport& transport, ControlLine& line) {
+    if (auto json = transport.control(line.text))
+        post(SimulatorAnswered{std::move(line.text), std::move(*json)});
 }
 
 tl::expected<void, PortError> BusWorker::perform(Transport& transport,

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,7 +28,13 @@ struct PortClosed {
     std::optional<PortError> error;
 };
 
-using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed>;
+/// The built-in simulator's answer to a control line.
+struct SimulatorAnswered {
+    std::string line;  ///< as it was given
+    std::string json;
+};
+
+using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered>;
 
 /// Runs one connection in a thread of its own: owns the transport and the engine there, for as long as it is
 /// open. The loop blocks in Transport::receive() only; requests reach it through queues and a wake-up, so the
@@ -57,6 +64,9 @@ public:
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll();
+    /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
+    /// neither hears nor answers it.
+    void control(std::string line);
 
     /// Everything since the last call, oldest first.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
@@ -69,11 +79,15 @@ signals:
 private:
     struct Release {};
     struct Restart {};
-    using Request = std::variant<bus::Operation, bus::HoldToMove, Release, Restart>;
+    struct ControlLine {
+        std::string text;
+    };
+    using Request = std::variant<bus::Operation, bus::HoldToMove, Release, Restart, ControlLine>;
 
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
     void converse(Transport& transport, bus::Engine& engine);
-    void takeRequests(bus::Engine& engine, TimePoint now);
+    void takeRequests(Transport& transport, bus::Engine& engine, TimePoint now);
+    void answer(Transport& transport, ControlLine& line);
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);

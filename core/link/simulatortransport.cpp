@@ -5,6 +5,7 @@
 #include <array>
 
 #include "link/clock.h"
+#include "sim/control.h"
 
 namespace nmc {
 
@@ -45,6 +46,10 @@ tl::expected<std::vector<std::uint8_t>, PortError> SimulatorTransport::receive(s
         if (woken || !bytes.empty() || (until && monotonicNow() >= *until))
             return bytes;
     }
+}
+
+std::optional<std::string> SimulatorTransport::control(std::string_view line) {
+    return sim::handleControlLine(m_chain, line, chainTime(monotonicNow()));
 }
 
 std::vector<std::uint8_t> SimulatorTransport::arrived() {

@@ -19,6 +19,7 @@ public:
     void discardInput() override;
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override;
+    std::optional<std::string> control(std::string_view line) override;
 
 private:
     [[nodiscard]] TimePoint chainTime(TimePoint t) const { return TimePoint(t - m_powerUp); }

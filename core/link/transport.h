@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -33,6 +35,10 @@ public:
     /// Empty when nothing arrived.
     virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                        int wakeFd) = 0;
+
+    /// Answers one control line of the simulator with one line of JSON (sim/control.h). Nothing for a port:
+    /// what is on the bench there is not for a program to change.
+    virtual std::optional<std::string> control(std::string_view /*line*/) { return std::nullopt; }
 };
 
 }  // namespace nmc

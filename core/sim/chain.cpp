@@ -5,8 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "sim/line.h"
-#include "sim/random.h"
+#include "sim/chainprivate.h"
 #include "sim/servomodule.h"
 #include "sim/stepmodule.h"
 
@@ -19,43 +18,8 @@ constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
 
 }  // namespace
 
-class Chain::Private {
-public:
-    Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& options);
-
-    void runTo(TimePoint now);
-    [[nodiscard]] TimePoint nextEvent() const;
-    void updateAddressLines();
-
-    std::vector<std::unique_ptr<Module>> modules;
-    /// Module::nextEvent() of each, side by side: the search for the next one is the inner loop.
-    std::vector<TimePoint> moduleEvents;
-    std::vector<bool> addressLineBroken;  ///< between a module and its neighbour towards the host
-    HostLine line;
-    std::vector<HostByte> toHost;
-    ViolationLog violations;
-    ChainStatistics statistics;
-    TimePoint now;
-
-private:
-    void runModule(std::size_t index);
-    void sendReplyByte(Module& module);
-    std::uint8_t collide(Module& sender, std::uint8_t value);
-    void deliverToHost(const Module& sender, std::uint8_t value, bool garbles);
-    void deliverToModules(const LineByte& byte);
-    void watchForHaste(const LineByte& byte);
-    [[nodiscard]] const Module* busyModule() const;
-    void catchUp();
-
-    Random m_random;
-    Receiver m_monitor;  ///< hears the host as it is, to tell whole commands from nulls and garbage
-    bool m_hasty = false;
-    std::uint8_t m_hurried = 0;  ///< the module that was busy
-    TimePoint m_nextCatchUp;
-};
-
-Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& options)
-    : m_random(options.seed) {
+Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& chainOptions)
+    : options(chainOptions), faults(options.seed, identities.size()), m_random(options.seed) {
     for (const ModuleIdentity& identity : identities) {
         const auto phase = static_cast<Duration::rep>(
             m_random.below(static_cast<std::uint64_t>(std::chrono::nanoseconds(kServoTick).count())));
@@ -70,34 +34,42 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
     }
     moduleEvents.assign(modules.size(), kNever);
     addressLineBroken.assign(modules.size(), false);
+    m_heldUp.assign(modules.size(), Duration{});
+    m_underway.moduleEdits.resize(modules.size());
     updateAddressLines();
 }
 
 TimePoint Chain::Private::nextEvent() const {
-    TimePoint next = line.nextDue().value_or(kNever);
+    TimePoint next = std::min(line.nextDue().value_or(kNever), faults.nextEvent());
+    if (!m_late.empty())
+        next = std::min(next, m_late.front().due);
     for (const TimePoint due : moduleEvents)
         next = std::min(next, due);
     return next;
 }
 
-/// Events at the same time: modules in the order of addressing, then the host's byte. A byte that arrives
-/// with a tick's end belongs to the next tick, and one that arrives with a reply's byte does not cut that
-/// byte.
+/// Events at the same time: faults, modules in the order of addressing, then the host's byte. A byte that
+/// arrives with a tick's end belongs to the next tick, and one that arrives with a reply's byte does not cut
+/// that byte.
 void Chain::Private::runTo(TimePoint until) {
     for (;;) {
         const auto first = std::min_element(moduleEvents.begin(), moduleEvents.end());
         const TimePoint moduleDue = first == moduleEvents.end() ? kNever : *first;
         const TimePoint lineDue = line.nextDue().value_or(kNever);
-        const TimePoint due = std::min(moduleDue, lineDue);
+        const TimePoint faultDue = faults.nextEvent();
+        const TimePoint due = std::min({moduleDue, lineDue, faultDue});
         if (due > until)
             break;
         now = std::max(now, due);
-        if (moduleDue <= lineDue)
+        if (faultDue <= due)
+            carryOutFaults();
+        else if (moduleDue <= lineDue)
             runModule(static_cast<std::size_t>(first - moduleEvents.begin()));
         else
             deliverToModules(line.take());
     }
     now = std::max(now, until);
+    deliverLateBytes();
     catchUp();
 }
 
@@ -118,10 +90,24 @@ void Chain::Private::runModule(std::size_t index) {
     if (module.isReplying() && module.replyByteDue() <= module.executesAt()) {
         sendReplyByte(module);
     } else {
-        module.execute();
-        updateAddressLines();
+        execute(module);
     }
     moduleEvents[index] = module.nextEvent();
+}
+
+void Chain::Private::execute(Module& module) {
+    if (faults.any() && !faultsLetExecute(module))
+        return;
+    module.execute();
+    updateAddressLines();
+    if (faults.any())
+        strikeReply(module);
+}
+
+void Chain::Private::powerUp(std::size_t module) {
+    modules[module]->powerUp(now);
+    moduleEvents[module] = modules[module]->nextEvent();
+    updateAddressLines();
 }
 
 void Chain::Private::updateAddressLines() {
@@ -165,30 +151,51 @@ void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, boo
         value = garbled(value, m_random);
         modules[sender.index()]->countGarbled();
     }
-    if (toHost.size() == kMaxWaitingHostBytes) {
+    if (faults.isOn(FaultKind::MuteRx, sender.index(), now))
+        return;
+    hostHears(faults.breaksReplies(now) ? std::uint8_t{0} : value, now + m_heldUp[sender.index()]);
+}
+
+void Chain::Private::hostHears(std::uint8_t value, TimePoint due) {
+    if (toHost.size() + m_late.size() == kMaxWaitingHostBytes) {
         ++statistics.bytesLost;
         return;
     }
-    toHost.push_back({now, value});
+    if (!m_late.empty())
+        m_late.push_back({std::max(due, m_late.back().due), value});
+    else if (due > now)
+        m_late.push_back({due, value});
+    else
+        toHost.push_back({now, value});
+}
+
+void Chain::Private::deliverLateBytes() {
+    for (; !m_late.empty() && m_late.front().due <= now; m_late.pop_front())
+        toHost.push_back(m_late.front());
 }
 
 // ---- The host ----
 
 void Chain::Private::deliverToModules(const LineByte& byte) {
+    if (faults.any())
+        return deliverWithFaults(byte);
     ++statistics.bytesIn;
     watchForHaste(byte);
-    for (std::size_t i = 0; i < modules.size(); ++i) {
-        Module& module = *modules[i];
-        module.dropReply();
-        if (module.isAwake(now)) {
-            const double chance = garbleProbability(module.brd(), byte.baud);
-            const bool wrong = chance > 0.0 && m_random.unit() < chance;
-            if (wrong)
-                module.countGarbled();
-            module.hears(wrong ? garbled(byte.value, m_random) : byte.value, wrong, now);
-        }
-        moduleEvents[i] = module.nextEvent();
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        moduleHears(i, byte.value, byte.baud, false);
+}
+
+void Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error) {
+    Module& module = *modules[index];
+    module.dropReply();
+    if (module.isAwake(now)) {
+        const double chance = garbleProbability(module.brd(), baud);
+        const bool wrong = chance > 0.0 && m_random.unit() < chance;
+        if (wrong)
+            module.countGarbled();
+        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, now);
     }
+    moduleEvents[index] = module.nextEvent();
 }
 
 const Module* Chain::Private::busyModule() const {
@@ -262,7 +269,9 @@ ModuleSnapshot Chain::snapshot(ModuleIndex module, TimePoint now) {
     Module& m = *d->modules[module.value()];
     m.advanceTo(d->now);
     static_cast<void>(m.isAwake(d->now));
-    return m.snapshot(d->now);
+    ModuleSnapshot s = m.snapshot(d->now);
+    s.addressLineBroken = d->addressLineBroken[module.value()];
+    return s;
 }
 
 void Chain::set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now) {
@@ -274,10 +283,7 @@ void Chain::set(ModuleIndex module, Input input, std::optional<double> value, Ti
 
 void Chain::powerCycle(ModuleIndex module, TimePoint now) {
     d->runTo(now);
-    Module& m = *d->modules[module.value()];
-    m.powerUp(d->now);
-    d->moduleEvents[module.value()] = m.nextEvent();
-    d->updateAddressLines();
+    d->powerUp(module.value());
 }
 
 void Chain::breakAddressLine(ModuleIndex module, TimePoint now) {
@@ -290,6 +296,30 @@ void Chain::mendAddressLine(ModuleIndex module, TimePoint now) {
     d->runTo(now);
     d->addressLineBroken[module.value()] = false;
     d->updateAddressLines();
+}
+
+tl::expected<unsigned, std::string> Chain::inject(const FaultSpec& fault, TimePoint now) {
+    d->runTo(now);
+    if (!d->options.enableFaults)
+        return tl::unexpected<std::string>("faults are not enabled; start with --enable-faults");
+    if (d->faults.size() == FaultInjector::kMaxFaults)
+        return tl::unexpected("there are " + std::to_string(FaultInjector::kMaxFaults) +
+                              " faults already; allowed is fault clear");
+    if (fault.at && *fault.at < d->now)
+        return tl::unexpected("at is past: it is " + std::to_string(toSeconds(d->now.time_since_epoch())) +
+                              " s; allowed is any later time");
+    const unsigned number = d->faults.add(fault, d->now);
+    d->runTo(now);
+    return number;
+}
+
+void Chain::clearFaults(TimePoint now) {
+    d->runTo(now);
+    d->clearFaults();
+}
+
+std::vector<FaultReport> Chain::faults() const {
+    return d->faults.reports(d->now);
 }
 
 ChainStatistics Chain::statistics() const {

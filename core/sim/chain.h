@@ -4,12 +4,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "base/bytes.h"
 #include "base/strong.h"
 #include "base/time.h"
 #include "protocol/moduletype.h"
+#include "sim/fault.h"
 #include "sim/snapshot.h"
 #include "sim/statistics.h"
 #include "sim/violations.h"
@@ -25,6 +29,7 @@ struct ChainOptions {
     std::uint64_t seed = 1;
     /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
     bool deafWhenAddressInputRises = false;
+    bool enableFaults = false;  ///< control lines may inject faults
 };
 
 /// A byte that arrives at the host; `due` is the end of its stop bit.
@@ -79,6 +84,13 @@ public:
     /// connection the neighbour's ADDR_IN is high.
     void breakAddressLine(ModuleIndex module, TimePoint now);
     void mendAddressLine(ModuleIndex module, TimePoint now);
+
+    /// Injects a fault (simulator.md, Faults) and gives its number; a sentence when faults are not enabled or
+    /// it cannot be. Faults stay until they are over or cleared.
+    tl::expected<unsigned, std::string> inject(const FaultSpec& fault, TimePoint now);
+    void clearFaults(TimePoint now);
+    /// All that have been injected since the last clearFaults(), in that order.
+    [[nodiscard]] std::vector<FaultReport> faults() const;
 
     [[nodiscard]] ChainStatistics statistics() const;
     [[nodiscard]] const ViolationLog& violations() const;

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 
 #include "protocol/baud.h"
 #include "protocol/commandtable.h"
+#include "sim/faultspec.h"
 
 namespace nmc::sim {
 
@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string_view>;
 
 constexpr std::string_view kVerbs =
-    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, stats, time";
+    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, fault ..., fault clear, "
+    "faults, stats, time";
 
 Json error(const std::string& text) {
     return {{"error", text}};
@@ -70,6 +71,12 @@ Json gainsJson(const Gains& g) {
             {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
 }
 
+/// A number, or null where there is none.
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
 Json servoJson(const ServoSnapshot& servo) {
     return {{"position", servo.position},
             {"shaft", servo.shaftCounts},
@@ -81,6 +88,7 @@ Json servoJson(const ServoSnapshot& servo) {
             {"current_limit_adjustment", servo.currentLimitAdjustment},
             {"current", servo.amperes},
             {"analog", servo.analog},
+            {"analog_input", orNull(servo.analogInput)},
             {"servo_on", servo.servoOn},
             {"amp_enabled", servo.ampEnabled},
             {"power", servo.power},
@@ -89,6 +97,12 @@ Json servoJson(const ServoSnapshot& servo) {
             {"limit1", servo.limit1},
             {"limit2", servo.limit2},
             {"index", servo.index},
+            {"load", servo.loadNm},
+            {"inertia", servo.inertiaKgM2},
+            {"friction", servo.frictionNm},
+            {"travel_min", orNull(servo.travelMin)},
+            {"travel_max", orNull(servo.travelMax)},
+            {"limits", servo.limitsAutomatic ? "auto" : "manual"},
             {"gains", gainsJson(servo.gains)}};
 }
 
@@ -99,6 +113,7 @@ Json pinsJson(const StepPins& pins) {
 
 Json stepJson(const StepSnapshot& step) {
     return {{"position", step.position},
+            {"shaft", step.shaft},
             {"step_rate", step.stepRate},
             {"speed", step.speed},
             {"timer_count", step.timerCount},
@@ -125,6 +140,7 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
               {"leader", s.leader},
               {"baud", std::lround(realRate(s.brd))},
               {"listening", s.listening},
+              {"addr_broken", s.addressLineBroken},
               {"time", toSeconds(s.time.time_since_epoch())},
               {"tick", s.tick}};
     json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));
@@ -133,94 +149,139 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
 
 // ---- set ----
 
+/// Which chips have an input of that name.
+enum class Chips : std::uint8_t { Both, Servo, Step };
+
+/// A word that stands for a value, or for none.
+struct Word {
+    std::string_view text;
+    std::optional<double> value;
+};
+
 struct InputRow {
     std::string_view name;
     Input input;
+    Chips chips;
     std::string_view allowed;
-    std::string_view word;  ///< stands for no value
-    double min;
+    double min;  ///< of numbers; none are allowed when max < min
     double max;
     bool whole;
+    std::array<Word, 2> words;
 };
 
 // Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
-constexpr std::array kServoInputs{
-    InputRow{"limit1", Input::Limit1, "0 or 1", {}, 0, 1, true},
-    InputRow{"limit2", Input::Limit2, "0 or 1", {}, 0, 1, true},
-    InputRow{"index", Input::Index, "0 or 1", {}, 0, 1, true},
-    InputRow{"power", Input::Power, "0 or 1", {}, 0, 1, true},
-    InputRow{"analog", Input::Analog, "0 to 255 or auto", "auto", 0, 255, true},
-    InputRow{"load", Input::Load, "-100 to 100 N·m", {}, -100, 100, false},
-    InputRow{"inertia", Input::Inertia, "1e-6 to 100 kg·m²", {}, 1e-6, 100, false},
-    InputRow{"friction", Input::Friction, "0 to 100 N·m", {}, 0, 100, false},
-    InputRow{"travel_min", Input::TravelMin, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
-    InputRow{"travel_max", Input::TravelMax, "-1e12 to 1e12 counts or none", "none", -1e12, 1e12, false},
+constexpr std::array kInputs{
+    InputRow{"limit1", Input::Limit1, Chips::Both, "0 or 1", 0, 1, true, {}},
+    InputRow{"limit2", Input::Limit2, Chips::Both, "0 or 1", 0, 1, true, {}},
+    InputRow{"index", Input::Index, Chips::Servo, "0 or 1", 0, 1, true, {}},
+    InputRow{"power", Input::Power, Chips::Both, "0 or 1", 0, 1, true, {}},
+    InputRow{"analog", Input::Analog, Chips::Servo, "0 to 255 or auto", 0, 255, true, {Word{"auto", {}}}},
+    InputRow{"analog", Input::Analog, Chips::Step, "0 to 255", 0, 255, true, {}},
+    InputRow{"load", Input::Load, Chips::Servo, "-100 to 100 N·m", -100, 100, false, {}},
+    InputRow{"inertia", Input::Inertia, Chips::Servo, "1e-6 to 100 kg·m²", 1e-6, 100, false, {}},
+    InputRow{"friction", Input::Friction, Chips::Servo, "0 to 100 N·m", 0, 100, false, {}},
+    InputRow{"travel_min",
+             Input::TravelMin,
+             Chips::Both,
+             "-1e12 to 1e12 counts or none",
+             -1e12,
+             1e12,
+             true,
+             {Word{"none", {}}}},
+    InputRow{"travel_max",
+             Input::TravelMax,
+             Chips::Both,
+             "-1e12 to 1e12 counts or none",
+             -1e12,
+             1e12,
+             true,
+             {Word{"none", {}}}},
+    InputRow{"limits",
+             Input::Limits,
+             Chips::Both,
+             "auto or manual",
+             0,
+             -1,
+             true,
+             {Word{"auto", 1.0}, Word{"manual", 0.0}}},
+    InputRow{"servo_overrun", Input::ServoOverrun, Chips::Servo, "1", 1, 1, true, {}},
+    InputRow{"estop", Input::Estop, Chips::Step, "0 or 1", 0, 1, true, {}},
+    InputRow{"in1", Input::In1, Chips::Step, "0 or 1", 0, 1, true, {}},
+    InputRow{"in2", Input::In2, Chips::Step, "0 or 1", 0, 1, true, {}},
+    InputRow{"home_switch", Input::HomeSwitch, Chips::Step, "0 or 1", 0, 1, true, {}},
+    InputRow{"home_switch_at",
+             Input::HomeSwitchAt,
+             Chips::Step,
+             "-1e12 to 1e12 counts or none",
+             -1e12,
+             1e12,
+             true,
+             {Word{"none", {}}}},
 };
 
-constexpr std::array kStepInputs{
-    InputRow{"estop", Input::Estop, "0 or 1", {}, 0, 1, true},
-    InputRow{"in1", Input::In1, "0 or 1", {}, 0, 1, true},
-    InputRow{"in2", Input::In2, "0 or 1", {}, 0, 1, true},
-    InputRow{"home_switch", Input::HomeSwitch, "0 or 1", {}, 0, 1, true},
-    InputRow{"limit1", Input::Limit1, "0 or 1", {}, 0, 1, true},
-    InputRow{"limit2", Input::Limit2, "0 or 1", {}, 0, 1, true},
-    InputRow{"power", Input::Power, "0 or 1", {}, 0, 1, true},
-    InputRow{"analog", Input::Analog, "0 to 255", {}, 0, 255, true},
+/// What a word on the line says; nothing when the row does not allow it.
+std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
+    for (const Word& word : row.words)
+        if (!text.empty() && word.text == text)
+            return word;
+    const auto value = number<double>(text);
+    // Written so that NaN is refused.
+    if (!value || !(*value >= row.min && *value <= row.max) || (row.whole && *value != std::floor(*value)))
+        return std::nullopt;
+    return Word{text, value};
+}
+
+/// What is around a module, of either kind.
+struct Surroundings {
+    double shaft = 0;
+    bool limitsAutomatic = false;
+    bool homeSwitchAutomatic = false;
 };
 
-/// "; allowed are limit1, limit2, ...".
-std::string namesAllowed(std::span<const InputRow> rows, std::string_view last) {
-    std::string text = "; allowed are ";
-    for (const InputRow& row : rows)
-        text += std::string(&row == rows.data() ? "" : ", ") + std::string(row.name);
-    return last.empty() ? text : text + ", " + std::string(last);
+Surroundings surroundings(const ModuleSnapshot& s) {
+    if (s.step)
+        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic, s.step->homeSwitchAutomatic};
+    return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
 }
 
 /// What the module's present state forbids although the value is in range; empty when nothing does.
-std::string conflict(const ServoSnapshot& servo, Input input, std::optional<double> value) {
-    const auto shaft = [&servo] {
-        return "the shaft stands at " + std::to_string(servo.shaftCounts) + " counts";
-    };
-    if ((input == Input::Limit1 || input == Input::Limit2) && servo.limitsAutomatic)
+std::string conflict(const Surroundings& now, Input input, std::optional<double> value) {
+    const auto shaft = [&now] { return "the shaft stands at " + std::to_string(now.shaft) + " counts"; };
+    if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
         return "the limits follow the travel; allowed after limits manual";
-    if (input == Input::TravelMin && value && *value > servo.shaftCounts)
+    if (input == Input::HomeSwitch && now.homeSwitchAutomatic)
+        return "the home switch follows the shaft; allowed after home_switch_at none";
+    if (input == Input::TravelMin && value && *value > now.shaft)
         return shaft() + "; allowed is up to that, or none";
-    if (input == Input::TravelMax && value && *value < servo.shaftCounts)
+    if (input == Input::TravelMax && value && *value < now.shaft)
         return shaft() + "; allowed is from that on, or none";
     return {};
 }
 
-Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view word, TimePoint now) {
-    std::optional<double> value;
-    if (row.word.empty() || word != row.word) {
-        value = number<double>(word);
-        // Written so that NaN is refused.
-        if (!value || !(*value >= row.min && *value <= row.max) ||
-            (row.whole && *value != std::floor(*value)))
-            return error(std::string(row.name) + " cannot be " + quoted(word) + "; allowed is " +
-                         std::string(row.allowed));
-    }
-    if (const std::string why = conflict(chain.snapshot(module, now).servo, row.input, value); !why.empty())
+Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view text, TimePoint now) {
+    const std::optional<Word> word = valueOf(row, text);
+    if (!word)
+        return error(std::string(row.name) + " cannot be " + quoted(text) + "; allowed is " +
+                     std::string(row.allowed));
+    const Surroundings around = surroundings(chain.snapshot(module, now));
+    if (const std::string why = conflict(around, row.input, word->value); !why.empty())
         return error(why);
-    chain.set(module, row.input, value, now);
+    chain.set(module, row.input, word->value, now);
     return ok();
 }
 
-Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view word, TimePoint now) {
+Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view text, TimePoint now) {
     const bool isStep = chain.identity(module).type == ModuleType::Step;
-    if (name == "limits" && !isStep) {
-        if (word != "auto" && word != "manual")
-            return error("limits cannot be " + quoted(word) + "; allowed are auto, manual");
-        chain.set(module, Input::Limits, word == "auto" ? 1.0 : 0.0, now);
-        return ok();
-    }
-    const std::span<const InputRow> rows =
-        isStep ? std::span<const InputRow>(kStepInputs) : std::span<const InputRow>(kServoInputs);
-    for (const InputRow& row : rows)
+    std::string names;
+    for (const InputRow& row : kInputs) {
+        if (row.chips != Chips::Both && (row.chips == Chips::Step) != isStep)
+            continue;
         if (row.name == name)
-            return setInput(chain, module, row, word, now);
+            return setInput(chain, module, row, text, now);
+        names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
+    }
     return error((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
-                 namesAllowed(rows, isStep ? "" : "limits"));
+                 "; allowed are " + names);
 }
 
 // ---- stats, time ----
@@ -296,6 +357,36 @@ Json withModule(Chain& chain, const Words& words, TimePoint now) {
     return ok();
 }
 
+// ---- faults ----
+
+Json inject(Chain& chain, const Words& words, TimePoint now) {
+    if (words.size() == 2 && words[1] == "clear") {
+        chain.clearFaults(now);
+        return ok();
+    }
+    std::vector<ModuleIdentity> identities;
+    for (std::size_t i = 0; i < chain.moduleCount(); ++i)
+        identities.push_back(chain.identity(ModuleIndex(static_cast<std::uint8_t>(i))));
+    const auto spec = parseFault(std::span(words).subspan(1), identities);
+    if (!spec)
+        return error(spec.error());
+    const auto number = chain.inject(*spec, now);
+    if (!number)
+        return error(number.error());
+    return {{"ok", true}, {"fault", *number}};
+}
+
+Json faults(Chain& chain, TimePoint now) {
+    chain.advanceTo(now);
+    Json list = Json::array();
+    for (const FaultReport& fault : chain.faults())
+        list.push_back({{"fault", fault.number},
+                        {"text", fault.text},
+                        {"struck", fault.struck},
+                        {"active", fault.active}});
+    return {{"faults", list}};
+}
+
 Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
     struct Verb {
         std::string_view name;
@@ -308,11 +399,14 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
         Verb{"power-cycle", 2, "power-cycle N|all"},
         Verb{"break", 2, "break N"},
         Verb{"mend", 2, "mend N"},
+        Verb{"faults", 1, "faults"},
         Verb{"stats", 1, "stats"},
         Verb{"time", 1, "time"},
     };
     if (words.empty())
         return error("empty line; " + std::string(kVerbs));
+    if (words[0] == "fault")
+        return inject(chain, words, now);
     for (const Verb& verb : kTable) {
         if (words[0] != verb.name)
             continue;
@@ -321,6 +415,8 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
                          std::string(verb.usage));
         if (verb.name == "stats")
             return stats(chain, now);
+        if (verb.name == "faults")
+            return faults(chain, now);
         if (verb.name == "time")
             return time(now, pace);
         if (verb.name == "power-cycle")

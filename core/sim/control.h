@@ -19,8 +19,9 @@ struct Pace {
 };
 
 /// Answers one control line (simulator.md, Control) with one line of JSON, without its line end:
-/// `state N`, `set N NAME VALUE`, `power-cycle N|all`, `break N`, `mend N`, `stats`, `time`. Modules count
-/// from 1. Anything else gets `{"error":...}`, which names what is allowed, and changes nothing.
+/// `state N`, `set N NAME VALUE`, `power-cycle N|all`, `break N`, `mend N`, `fault ...`, `fault clear`,
+/// `faults`, `stats`, `time`. Modules count from 1. Anything else gets `{"error":...}`, which names what is
+/// allowed, and changes nothing.
 [[nodiscard]] std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now,
                                             const Pace& pace = {});
 

@@ -8,7 +8,7 @@ namespace nmc::sim {
 void Encoder::read(std::int64_t shaft) {
     const std::int64_t edges = std::clamp(shaft - m_shaft, -kMaxEdgesPerTick, kMaxEdgesPerTick);
     m_shaft = shaft;
-    m_counter = static_cast<std::uint16_t>(m_counter + edges);
+    m_counter = static_cast<std::uint16_t>(m_counter + (m_reversed ? -edges : edges));
     const auto moved = static_cast<std::int16_t>(static_cast<std::uint16_t>(m_counter - m_lastRead));
     m_lastRead = m_counter;
     const std::int64_t next = std::int64_t{m_position} + moved;

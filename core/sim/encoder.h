@@ -20,6 +20,8 @@ public:
     [[nodiscard]] std::int32_t position() const { return m_position; }
     [[nodiscard]] bool wrapped() const { return m_wrapped; }
     void clearWrapped() { m_wrapped = false; }
+    /// From now on it counts down when the shaft turns forwards.
+    void setReversed(bool reversed) { m_reversed = reversed; }
 
 private:
     std::int64_t m_shaft = 0;
@@ -27,6 +29,7 @@ private:
     std::uint16_t m_counter = 0;
     std::uint16_t m_lastRead = 0;
     bool m_wrapped = false;
+    bool m_reversed = false;
 };
 
 }  // namespace nmc::sim

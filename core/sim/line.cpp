@@ -6,7 +6,7 @@
 
 namespace nmc::sim {
 
-void HostLine::send(ByteSpan bytes, TimePoint now) {
+void HostLine::send(ByteSpan bytes, TimePoint now, bool foreign) {
     m_freeAt = std::max(m_freeAt, now);
     for (const std::uint8_t value : bytes) {
         if (m_bytes.size() == kCapacity) {
@@ -14,7 +14,7 @@ void HostLine::send(ByteSpan bytes, TimePoint now) {
             continue;
         }
         m_freeAt += byteTimeAtBaud(m_baud);
-        m_bytes.push_back({m_freeAt, m_baud, value});
+        m_bytes.push_back({m_freeAt, m_baud, value, foreign});
     }
 }
 
@@ -28,6 +28,17 @@ LineByte HostLine::take() {
     const LineByte byte = m_bytes.front();
     m_bytes.pop_front();
     return byte;
+}
+
+PacketBytes HostLine::packetBehind(std::uint8_t header) const {
+    constexpr std::size_t kCommandByte = 2;
+    PacketBytes packet{header};
+    for (const LineByte& byte : m_bytes) {
+        if (packet.size() > kCommandByte && packet.size() == packetLength(packet[kCommandByte]))
+            break;
+        packet.push_back(byte.value);
+    }
+    return packet;
 }
 
 // A receiver samples the middle of each bit and starts anew with every byte, so a mismatch adds up to the

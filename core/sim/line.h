@@ -8,6 +8,7 @@
 #include "base/bytes.h"
 #include "base/time.h"
 #include "protocol/baud.h"
+#include "protocol/frame.h"
 #include "sim/random.h"
 
 namespace nmc::sim {
@@ -17,7 +18,13 @@ struct LineByte {
     TimePoint due;  ///< end of its stop bit, when the modules have it
     std::uint32_t baud = kPowerUpBaud;
     std::uint8_t value = 0;
+    bool foreign = false;  ///< another host's
 };
+
+/// Of a command packet, by its command byte.
+[[nodiscard]] constexpr std::size_t packetLength(std::uint8_t commandByte) {
+    return 4U + (commandByte >> 4U);
+}
 
 /// The command line: what the host's port has been given leaves back to back at the host's rate.
 class HostLine {
@@ -27,10 +34,12 @@ public:
 
     void setBaud(std::uint32_t baud) { m_baud = baud; }
     [[nodiscard]] std::uint32_t baud() const { return m_baud; }
-    void send(ByteSpan bytes, TimePoint now);
+    void send(ByteSpan bytes, TimePoint now, bool foreign = false);
     [[nodiscard]] std::optional<TimePoint> nextDue() const;
     /// The first byte on the line; there must be one.
     LineByte take();
+    /// The packet that begins with `header`, as far as it is on the line behind it.
+    [[nodiscard]] PacketBytes packetBehind(std::uint8_t header) const;
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
 
 private:

@@ -176,6 +176,11 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
 }
 
+void Module::replaceReply(ByteSpan bytes, Duration later) {
+    m_reply = ReplyBytes(bytes);
+    m_replyStart += later;
+}
+
 void Module::appendItems(std::uint8_t mask) {
     const auto wanted = [mask](unsigned bit) { return (unsigned{mask} >> bit & 1U) != 0; };
     const Items items = statusItems();

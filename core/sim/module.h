@@ -67,6 +67,25 @@ public:
     /// A byte of the host has come: the rest of the reply is not sent.
     void dropReply();
 
+    // Faults (simulator.md, Faults): what goes wrong in the module or on its way to the host.
+    /// The packet that execute() will carry out; there must be one.
+    [[nodiscard]] const Packet& pendingPacket() const { return m_pending->packet; }
+    void damagePending() { m_pending->packet.framingError = true; }
+    void forgetPending() { m_pending.reset(); }
+    [[nodiscard]] bool isAddressedBy(std::uint8_t address) const {
+        return address == m_address || address == m_group;
+    }
+    [[nodiscard]] std::uint8_t address() const { return m_address; }
+    void takeAddress(std::uint8_t address) { m_address = address; }
+    void defineItems(std::uint8_t mask) { m_items = mask; }
+    /// The command that the reply on its way answers.
+    [[nodiscard]] CommandCode answeredCode() const { return static_cast<CommandCode>(m_answered[2] & 0x0FU); }
+    [[nodiscard]] ByteSpan reply() const { return m_reply; }
+    /// Sends this instead, so much later; nothing when it is empty.
+    void replaceReply(ByteSpan bytes, Duration later);
+    virtual void holdShaft(bool) {}
+    virtual void reverseEncoder(bool) {}
+
     // The world outside and the truth inside.
     /// Runs all ticks that have ended.
     void advanceTo(TimePoint now);
@@ -86,8 +105,8 @@ protected:
         std::int32_t home = 0;
     };
 
-    /// A status packet: at most status, 14 item bytes and sum.
-    using ReplyBytes = ByteBuffer<16>;
+    /// A status packet: at most status, 14 item bytes and sum; and one byte that a fault may add.
+    using ReplyBytes = ByteBuffer<17>;
 
     /// Logs a violation by the command that is being executed.
     void violates(ViolationKind kind);

@@ -94,6 +94,12 @@ void MotorPlant::setParameters(const MotorParameters& p) {
     keepWithinTravel();
 }
 
+void MotorPlant::hold(bool held) {
+    m_held = held;
+    if (held)
+        m_state.radPerSecond = 0.0;
+}
+
 void MotorPlant::advanceTick(int pwm, bool bridgeEnabled) {
     if (!bridgeEnabled) {
         for (int i = 0; i < kSubsteps && !atRest(); ++i)
@@ -134,7 +140,7 @@ void MotorPlant::substepClosed(double volts) {
 void MotorPlant::substepAtRest(double nextAmperes, double volts) {
     const MotorParameters& p = m_parameters;
     const double torque = p.motorConstant * nextAmperes - p.loadNm;
-    if (std::abs(torque) > p.coulombNm && !isStopped(torque)) {
+    if (!m_held && std::abs(torque) > p.coulombNm && !isStopped(torque)) {
         const State next = solved(volts, -p.loadNm - p.coulombNm * signOf(torque));
         // Within the sub-step in which it breaks away, friction may still have been the stronger on the
         // whole.
@@ -167,7 +173,7 @@ void MotorPlant::substepOpen() {
     const MotorParameters& p = m_parameters;
     m_state.amperes = 0.0;
     const double before = m_state.radPerSecond;
-    if (before == 0.0 && std::abs(p.loadNm) <= p.coulombNm)
+    if (m_held || (before == 0.0 && std::abs(p.loadNm) <= p.coulombNm))
         return;
     const double torque = -p.loadNm - p.coulombNm * signOf(before == 0.0 ? -p.loadNm : before);
     State next{0.0, m_coastDecay * before + m_coastGain * torque,

@@ -45,6 +45,9 @@ public:
     /// One maximum-rate servo tick (512 us) with a PWM value of -255..255, the sign being the direction pin.
     void advanceTick(int pwm, bool bridgeEnabled);
 
+    /// Something holds the shaft where it is, however strong the motor; or lets it go.
+    void hold(bool held);
+
     /// Position of the shaft in counts since it was made: unaffected by Reset Position or power.
     [[nodiscard]] double shaftCounts() const { return m_state.counts; }
     /// Whole counts, rounded down.
@@ -63,7 +66,7 @@ public:
     /// Stands still, without current, and nothing but a drive or a changed parameter will move it.
     [[nodiscard]] bool atRest() const {
         return m_state.radPerSecond == 0.0 && m_state.amperes == 0.0 &&
-               std::abs(m_parameters.loadNm) <= m_parameters.coulombNm;
+               (m_held || std::abs(m_parameters.loadNm) <= m_parameters.coulombNm);
     }
 
 private:
@@ -88,6 +91,7 @@ private:
 
     MotorParameters m_parameters;
     State m_state;
+    bool m_held = false;
     Row m_amperes, m_speed, m_counts;  ///< terminals driven
     double m_stalledDecay = 0;         ///< current at standstill
     double m_stalledGain = 0;

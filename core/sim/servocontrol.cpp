@@ -159,12 +159,26 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::TravelMax:
             setLoad(input, value);
             return;
+        case Input::ServoOverrun:
+            m_servoOverrun = true;
+            return;
         case Input::Estop:
         case Input::In1:
         case Input::In2:
         case Input::HomeSwitch:
+        case Input::HomeSwitchAt:
             return;  // A stepper's.
     }
+}
+
+void ServoLoop::holdShaft(bool held) {
+    m_plant.hold(held);
+    m_quiet = false;
+}
+
+void ServoLoop::reverseEncoder(bool reversed) {
+    m_encoder.setReversed(reversed);
+    m_quiet = false;
 }
 
 void ServoLoop::setSwitch(Input input, bool level) {

@@ -2,6 +2,7 @@
 #include "sim/servoloop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace nmc::sim {
@@ -157,6 +158,7 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.pwm = m_pwm;
     s.currentLimitAdjustment = m_adjustment;
     s.analog = analog();
+    s.analogInput = m_analogInput;
     s.servoOn = m_servoOn;
     s.ampEnabled = m_ampEnabled;
     s.power = m_power;
@@ -170,6 +172,14 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.limit2 = limitPin(1);
     s.index = indexPin();
     s.limitsAutomatic = m_limitsAutomatic;
+    const MotorParameters& motor = m_plant.parameters();
+    s.loadNm = motor.loadNm;
+    s.inertiaKgM2 = motor.inertiaKgM2;
+    s.frictionNm = motor.coulombNm;
+    if (std::isfinite(motor.travelMinCounts))
+        s.travelMin = motor.travelMinCounts;
+    if (std::isfinite(motor.travelMaxCounts))
+        s.travelMax = motor.travelMaxCounts;
     s.gains = m_gains;
     return s;
 }

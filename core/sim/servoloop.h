@@ -74,6 +74,10 @@ public:
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);
+    /// Something holds the shaft where it is.
+    void holdShaft(bool held);
+    /// The encoder's channels are exchanged.
+    void reverseEncoder(bool reversed);
     [[nodiscard]] const MotorParameters& motor() const { return m_plant.parameters(); }
     [[nodiscard]] ServoSnapshot snapshot() const;
 

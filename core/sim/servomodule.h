@@ -16,6 +16,8 @@ public:
 
     void set(Input input, std::optional<double> value) override { m_loop.set(input, value); }
     [[nodiscard]] ModuleSnapshot snapshot(TimePoint now) const override;
+    void holdShaft(bool held) override { m_loop.holdShaft(held); }
+    void reverseEncoder(bool reversed) override { m_loop.reverseEncoder(reversed); }
 
 private:
     void resetChip() override { m_loop.reset(); }

@@ -27,7 +27,8 @@ struct ServoSnapshot {
     double amperes = 0;          ///< motor current
     int pwm = 0;                 ///< -255..255, the sign is the direction pin
     int currentLimitAdjustment = 0;
-    std::uint8_t analog = 0;  ///< what the A/D converter reads
+    std::uint8_t analog = 0;                  ///< what the A/D converter reads
+    std::optional<std::uint8_t> analogInput;  ///< set from outside; nothing: the motor's current
     bool servoOn = false;
     bool ampEnabled = false;
     bool power = false;
@@ -37,6 +38,11 @@ struct ServoSnapshot {
     bool limit2 = false;
     bool index = false;
     bool limitsAutomatic = false;  ///< the limit pins follow the travel
+    double loadNm = 0;
+    double inertiaKgM2 = 0;
+    double frictionNm = 0;
+    std::optional<double> travelMin;  ///< hard stops, in shaft counts
+    std::optional<double> travelMax;
     Gains gains;
 };
 
@@ -60,9 +66,10 @@ struct StepPins {
 
 /// Ground truth about a stepper module at its last tick.
 struct StepSnapshot {
-    std::int32_t position = 0;
-    double stepRate = 0;  ///< steps per second, negative in reverse
-    unsigned speed = 0;   ///< the profile's integer speed, the nearest one in the unprofiled modes
+    std::int32_t position = 0;  ///< the chip's counter
+    std::int64_t shaft = 0;     ///< the shaft itself, in steps since the simulation began
+    double stepRate = 0;        ///< steps per second, negative in reverse
+    unsigned speed = 0;         ///< the profile's integer speed, the nearest one in the unprofiled modes
     std::uint16_t timerCount = 0;
     StepMode mode = StepMode::Stopped;
     bool reverse = false;  ///< DIR
@@ -71,8 +78,10 @@ struct StepSnapshot {
     bool homing = false;
     std::int32_t home = 0;
     StepPins inputs;
-    std::uint8_t outputs = 0;       ///< bits 0 to 4: OUT1 to OUT5
-    std::uint8_t currentLimit = 0;  ///< CUR_LIM, 255 is full current
+    bool limitsAutomatic = false;      ///< the limit pins follow the travel
+    bool homeSwitchAutomatic = false;  ///< the home switch follows the shaft
+    std::uint8_t outputs = 0;          ///< bits 0 to 4: OUT1 to OUT5
+    std::uint8_t currentLimit = 0;     ///< CUR_LIM, 255 is full current
 };
 
 /// Ground truth about a module.
@@ -81,8 +90,9 @@ struct ModuleSnapshot {
     std::uint8_t address = 0;
     std::uint8_t group = 0xFF;
     bool leader = false;
-    std::uint8_t brd = 0;    ///< divisor of its UART
-    bool listening = false;  ///< ADDR_IN has been low and the dead time is over
+    std::uint8_t brd = 0;            ///< divisor of its UART
+    bool listening = false;          ///< ADDR_IN has been low and the dead time is over
+    bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;
     std::uint64_t tick = 0;            ///< its own ticks since the simulation began
     ServoSnapshot servo;               ///< of a servo module only
@@ -91,22 +101,24 @@ struct ModuleSnapshot {
 
 /// What `set` can change from outside (simulator.md, Control).
 enum class Input : std::uint8_t {
-    Limit1,     ///< 0 or 1
-    Limit2,     ///< 0 or 1
-    Index,      ///< 0 or 1, until the shaft moves on
-    Power,      ///< 0 or 1
-    Analog,     ///< 0..255; nothing: the motor's current (servo only)
-    Load,       ///< N·m
-    Inertia,    ///< kg·m², > 0
-    Friction,   ///< N·m, >= 0
-    TravelMin,  ///< shaft counts, not beyond the shaft; nothing: none
-    TravelMax,  ///< shaft counts, not beyond the shaft; nothing: none
-    Limits,     ///< 1: limit 1 and 2 follow travel_min and travel_max, 0: they are set
-    // Of a stepper only, each 0 or 1. It has Limit1, Limit2, Power and Analog too, and none of the others.
-    Estop,
-    In1,
-    In2,
-    HomeSwitch,
+    Limit1,        ///< 0 or 1
+    Limit2,        ///< 0 or 1
+    Index,         ///< 0 or 1, until the shaft moves on
+    Power,         ///< 0 or 1
+    Analog,        ///< 0..255; nothing: the motor's current (servo only)
+    Load,          ///< N·m
+    Inertia,       ///< kg·m², > 0
+    Friction,      ///< N·m, >= 0
+    TravelMin,     ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
+    TravelMax,     ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: none
+    Limits,        ///< 1: the limit pins follow travel_min and travel_max, 0: they are set
+    ServoOverrun,  ///< 1: as if a tick had taken too long
+    // Of a stepper only. It has Limit1, Limit2, Power, Analog and the travel too, and none of the others.
+    Estop,         ///< 0 or 1
+    In1,           ///< 0 or 1
+    In2,           ///< 0 or 1
+    HomeSwitch,    ///< 0 or 1
+    HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set
 };
 
 }  // namespace nmc::sim

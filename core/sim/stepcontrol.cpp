@@ -21,16 +21,18 @@ std::string_view toText(StepMode mode) {
 }
 
 void StepControl::reset() {
-    const StepPins pins = m_pins;
+    const StepMachine machine = m_machine;
     *this = StepControl{};
-    m_pins = pins;
+    m_machine = machine;
+    m_pins = machine.pins();
     m_pinsChanged = true;
 }
 
 // ---- Time ----
 
 void StepControl::run(Duration time) {
-    if (m_pinsChanged) {
+    const bool shaftMovesPins = m_machine.shaftMovesPins();
+    while (time > Duration::zero() && (m_pinsChanged || (shaftMovesPins && m_motion.isMoving()))) {
         const Duration tick = std::min(time, kServoTick);
         advance(tick);
         time -= tick;
@@ -42,7 +44,12 @@ void StepControl::run(Duration time) {
 void StepControl::advance(Duration time) {
     Duration rest = time;
     if (m_motion.isMoving()) {
+        const std::int64_t before = m_motion.stepsMade();
         rest = m_motion.advance(time);
+        // A disabled driver does not turn the motor, whatever comes out of STEP.
+        if (m_ampEnabled)
+            m_machine.turn(m_motion.stepsMade() - before);
+        m_pins = m_machine.pins();
         m_current.motionSeen();
     }
     if (!m_motion.isMoving())
@@ -102,42 +109,9 @@ void StepControl::setHoming(std::uint8_t control) {
 // ---- Pins ----
 
 void StepControl::set(Input input, std::optional<double> value) {
-    const bool level = value.value_or(0.0) != 0.0;
+    m_machine.set(input, value);
+    m_pins = m_machine.pins();
     m_pinsChanged = true;
-    switch (input) {
-        case Input::Limit1:
-            m_pins.limit1 = level;
-            return;
-        case Input::Limit2:
-            m_pins.limit2 = level;
-            return;
-        case Input::Power:
-            m_pins.power = level;
-            return;
-        case Input::Estop:
-            m_pins.estop = level;
-            return;
-        case Input::In1:
-            m_pins.in1 = level;
-            return;
-        case Input::In2:
-            m_pins.in2 = level;
-            return;
-        case Input::HomeSwitch:
-            m_pins.homeSwitch = level;
-            return;
-        case Input::Analog:
-            m_pins.analog = static_cast<std::uint8_t>(value.value_or(0.0));
-            return;
-        case Input::Index:
-        case Input::Load:
-        case Input::Inertia:
-        case Input::Friction:
-        case Input::TravelMin:
-        case Input::TravelMax:
-        case Input::Limits:
-            return;  // A servo's.
-    }
 }
 
 bool StepControl::driverFails() const {
@@ -221,6 +195,7 @@ std::uint8_t StepControl::inputsByte() const {
 StepSnapshot StepControl::snapshot() const {
     StepSnapshot s;
     s.position = m_motion.position();
+    s.shaft = m_machine.shaft();
     s.stepRate = m_motion.stepRate();
     s.speed = m_motion.speed();
     s.timerCount = m_motion.timerCount();
@@ -231,6 +206,8 @@ StepSnapshot StepControl::snapshot() const {
     s.homing = m_homing.inProgress();
     s.home = m_home;
     s.inputs = m_pins;
+    s.limitsAutomatic = m_machine.limitsAutomatic();
+    s.homeSwitchAutomatic = m_machine.homeSwitchAutomatic();
     s.outputs = m_outputs;
     s.currentLimit = m_current.limit();
     return s;

@@ -8,6 +8,7 @@
 #include "sim/homing.h"
 #include "sim/snapshot.h"
 #include "sim/stepcurrent.h"
+#include "sim/stepmachine.h"
 #include "sim/stepmotion.h"
 #include "sim/steptransition.h"
 
@@ -29,10 +30,10 @@ struct StepParameters {
 };
 
 /// The stepper chip behind its commands: step generator, pins, and what the pins do to the motion (DS-S 4).
-/// Pins are looked at once per tick.
+/// Pins are looked at once per tick, or not at all while nothing can change them.
 class StepControl {
 public:
-    /// Power-up. The levels of the pins are not the chip's.
+    /// Power-up. The machine that the chip is wired to stays as it is.
     void reset();
     void run(Duration time);
     void set(Input input, std::optional<double> value);
@@ -74,7 +75,8 @@ private:
     [[nodiscard]] bool limitActs(bool reverse) const;
     [[nodiscard]] HomeInputs homePins() const;
 
-    StepPins m_pins;
+    StepMachine m_machine;
+    StepPins m_pins;             ///< the machine's, as the chip sees them
     bool m_pinsChanged = false;  ///< or what they mean
     StepMotion m_motion;
     StepTrajectory m_loaded;

@@ -137,9 +137,10 @@ std::int64_t StepMotion::phaseToSlowDown(std::int64_t speed) const {
 
 void StepMotion::makeSteps(std::int64_t nanoseconds) {
     const std::int64_t phase = m_phase + nanoseconds * m_rate.weight;
-    const auto steps = static_cast<std::uint32_t>(phase / m_rate.perStep);
+    const std::int64_t steps = m_reverse ? -(phase / m_rate.perStep) : phase / m_rate.perStep;
     m_phase = phase % m_rate.perStep;
-    m_position = m_reverse ? m_position - steps : m_position + steps;
+    m_position += static_cast<std::uint32_t>(steps);
+    m_stepsMade += steps;
 }
 
 void StepMotion::changeSpeed() {

@@ -37,6 +37,8 @@ public:
     [[nodiscard]] StepMode mode() const { return m_mode; }
     [[nodiscard]] bool isReverse() const { return m_reverse; }
     [[nodiscard]] std::int32_t position() const { return static_cast<std::int32_t>(m_position); }
+    /// All steps since power-up, forward ones less reverse ones: Reset Position does not change it.
+    [[nodiscard]] std::int64_t stepsMade() const { return m_stepsMade; }
     [[nodiscard]] bool atCommandedSpeed() const;
     /// The initial count in the step timer; what was last there when it stands still.
     [[nodiscard]] std::uint16_t timerCount() const { return m_count; }
@@ -70,6 +72,7 @@ private:
     StepMode m_mode = StepMode::Stopped;
     bool m_reverse = false;
     std::uint32_t m_position = 0;  ///< wraps
+    std::int64_t m_stepsMade = 0;
     std::uint32_t m_goal = 0;
     StepRate m_rate;
     std::int64_t m_phase = 0;  ///< since the last step

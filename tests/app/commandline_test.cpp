@@ -45,6 +45,11 @@ TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
               QStringLiteral("simulator=servo,servo@1"));
 }
 
+TEST(CommandLine, FaultsAreOnlyForThoseWhoAskForThem) {
+    EXPECT_FALSE(started(QStringLiteral("--simulator")).enableFaults);
+    EXPECT_TRUE(started(QStringLiteral("--simulator --enable-faults")).enableFaults);
+}
+
 TEST(CommandLine, ListsPortsWithTheirDescriptions) {
     const Say say = said(QStringLiteral("--list-ports"));
     EXPECT_EQ(say.exitCode, 0);
@@ -54,7 +59,8 @@ TEST(CommandLine, ListsPortsWithTheirDescriptions) {
 TEST(CommandLine, ExplainsEveryOption) {
     const Say say = said(QStringLiteral("--help"));
     EXPECT_EQ(say.exitCode, 0);
-    for (const char* option : {"--port", "--baud", "--simulator", "--list-ports", "--help", "--version"})
+    for (const char* option :
+         {"--port", "--baud", "--simulator", "--enable-faults", "--list-ports", "--help", "--version"})
         EXPECT_TRUE(say.text.contains(QLatin1String(option))) << option;
     EXPECT_TRUE(said(QStringLiteral("--version")).text.startsWith(QStringLiteral("NMC Panel 0.")));
 }

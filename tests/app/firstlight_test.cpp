@@ -153,6 +153,25 @@ TEST(FirstLight, MovesAMotorOfTheBuiltInSimulator) {
     panel.expectHonestTraces();
 }
 
+TEST(FirstLight, TheSimulatorDockSetsTheBenchWhileItRuns) {
+    Panel panel;
+    panel.start(QStringLiteral("simulator=servo,servo"), 115'200);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
+    panel.selectModule(1);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("sim_servo_powerBox").isChecked(); }))
+        << "as shipped the motor has its power";
+    panel.click("sim_servo_limit1Box");
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).latest->servoStatus().limit1(); }));
+    EXPECT_TRUE(
+        panel.waitFor([&] { return panel.find<QLabel>("bit_limit1").text() == QLatin1String("on"); }));
+    EXPECT_FALSE(panel.module(0).latest->servoStatus().limit1());
+    panel.click("sim_servo_powerBox");
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::NoPower; }));
+    EXPECT_TRUE(panel.waitFor(
+        [&] { return panel.find<QLabel>("simAnswerHead").text() == QLatin1String("Done: set 2 power 0"); }));
+    EXPECT_NE(panel.module(0).activity(), Activity::NoPower);
+}
+
 class FirstLightOnATerminal : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {

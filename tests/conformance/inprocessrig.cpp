@@ -16,6 +16,10 @@ sim::ChainOptions chainOptions(const std::vector<std::string>& options) {
     for (const std::string& option : options) {
         if (option == "--unpaced")
             result.unpaced = true;
+        else if (option == "--enable-faults")
+            result.enableFaults = true;
+        else if (option == "--deaf-when-addr-in-rises")
+            result.deafWhenAddressInputRises = true;
         else
             throw std::invalid_argument(option);
     }

@@ -38,11 +38,14 @@ std::vector<std::string> Rig::violations() {
 Bytes packet(unsigned address, unsigned command, const Bytes& data) {
     Bytes bytes{0xAA, static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(command)};
     bytes.insert(bytes.end(), data.begin(), data.end());
+    return bytes + sumOf(Bytes(bytes.begin() + 1, bytes.end()));
+}
+
+Bytes sumOf(const Bytes& bytes) {
     unsigned sum = 0;
-    for (std::size_t i = 1; i < bytes.size(); ++i)
-        sum += bytes[i];
-    bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
-    return bytes;
+    for (const std::uint8_t byte : bytes)
+        sum += byte;
+    return {static_cast<std::uint8_t>(sum & 0xFFU)};
 }
 
 Bytes little(std::uint32_t value, int count) {

@@ -47,6 +47,8 @@ public:
 
 /// A packet with its sum, made without the program's code.
 [[nodiscard]] Bytes packet(unsigned address, unsigned command, const Bytes& data = {});
+/// The 8-bit sum of `bytes`, as the byte that follows them.
+[[nodiscard]] Bytes sumOf(const Bytes& bytes);
 /// `value` in `count` bytes, least significant first.
 [[nodiscard]] Bytes little(std::uint32_t value, int count);
 [[nodiscard]] Bytes operator+(Bytes left, const Bytes& right);

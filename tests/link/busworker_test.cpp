@@ -5,6 +5,7 @@
 
 #include "link/simulatortransport.h"
 #include "tests/link/connection.h"
+#include "tests/support/nmcsimprocess.h"
 
 namespace nmc {
 namespace {
@@ -75,6 +76,35 @@ TEST(BusWorker, CanBeOpenedAgainAndDestroyedWhileOpen) {
         ASSERT_TRUE(connection.waitFor<PortClosed>());
     }
     connection.open(simulator(1));
+}
+
+TEST(BusWorker, HasTheSimulatorAnswerControlLines) {
+    Connection connection;
+    connection.open(simulator(2));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    connection.worker().control("set 2 power 0");
+    ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
+    EXPECT_EQ(connection.news<SimulatorAnswered>()->line, "set 2 power 0");
+    EXPECT_EQ(connection.news<SimulatorAnswered>()->json, R"({"ok":true})");
+    EXPECT_TRUE(connection.waitUntil([&] { return connection.module(1).activity() == Activity::NoPower; }))
+        << "the wire says what the bench did";
+    connection.forgetNews();
+    connection.worker().control("set 9 power 0");
+    ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
+    EXPECT_NE(connection.news<SimulatorAnswered>()->json.find("error"), std::string::npos);
+}
+
+TEST(BusWorker, ARealPortNeitherHearsNorAnswersControlLines) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    Connection connection;
+    connection.openSerial(sim.terminal());
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    connection.worker().control("set 2 power 0");
+    // The line was in the queue before the gains, so it has had its turn.
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
+    EXPECT_EQ(connection.count<SimulatorAnswered>(), 0);
+    EXPECT_TRUE(sim.state(2)[QStringLiteral("power")].toBool());
+    EXPECT_TRUE(sim.violations().isEmpty());
 }
 
 TEST(BusWorker, RestartFindsTheChainAnew) {

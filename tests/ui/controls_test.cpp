@@ -3,7 +3,9 @@
 #include <QAction>
 #include <QComboBox>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QSet>
+#include <QSlider>
 
 #include "windowtest.h"
 
@@ -12,6 +14,12 @@ namespace {
 
 class Controls : public WindowTest {
 protected:
+    /// With the simulator's dock, which has controls of its own.
+    void showSimulatedServo() {
+        LinkState link = connectedTo({Servo{}.state()});
+        link.simulated = true;
+        window->showLink(link);
+    }
     /// What a user can operate; not the parts that Qt builds its widgets of.
     QList<QWidget*> controls() {
         QList<QWidget*> found;
@@ -19,6 +27,8 @@ protected:
             const bool operates = qobject_cast<QAbstractButton*>(widget) != nullptr ||
                                   qobject_cast<QLineEdit*>(widget) != nullptr ||
                                   qobject_cast<QComboBox*>(widget) != nullptr ||
+                                  qobject_cast<QSlider*>(widget) != nullptr ||
+                                  qobject_cast<QPlainTextEdit*>(widget) != nullptr ||
                                   qobject_cast<QAbstractItemView*>(widget) != nullptr;
             bool ours = !widget->objectName().startsWith(u"qt_"_s);
             for (const QWidget* p = widget->parentWidget(); p != nullptr; p = p->parentWidget())
@@ -32,7 +42,7 @@ protected:
 };
 
 TEST_F(Controls, EachHasAnObjectNameAndAnAccessibleName) {
-    showServo();
+    showSimulatedServo();
     window->showMessage(texts::portProblem({PortProblem::InUse, u"/dev/ttyUSB0"_s, {}, {}, {}, 0}));
     ASSERT_GT(controls().size(), 30);
     for (const QWidget* widget : controls()) {
@@ -42,7 +52,7 @@ TEST_F(Controls, EachHasAnObjectNameAndAnAccessibleName) {
 }
 
 TEST_F(Controls, ObjectNamesAreUnique) {
-    showServo();
+    showSimulatedServo();
     QSet<QString> seen;
     for (const QWidget* widget : controls()) {
         if (widget->objectName().startsWith(u"listAction_"_s))
@@ -53,7 +63,7 @@ TEST_F(Controls, ObjectNamesAreUnique) {
 }
 
 TEST_F(Controls, EachIsReachedByTab) {
-    showServo();
+    showSimulatedServo();
     QSet<const QWidget*> reached;
     QWidget* widget = window.get();
     do {
@@ -69,7 +79,7 @@ TEST_F(Controls, EachIsReachedByTab) {
 }
 
 TEST_F(Controls, MnemonicsDoNotCollide) {
-    showServo();
+    showSimulatedServo();
     QHash<QString, QString> owners;
     const auto check = [&owners](const QString& text, const QString& owner) {
         const QKeySequence mnemonic = QKeySequence::mnemonic(text);

@@ -380,6 +380,18 @@ Message safety() {
             .actions = {{action::kUnderstood, Texts::tr("Understood")}}};
 }
 
+QString simulatorDid(const QString& line) {
+    return Texts::tr("Done: %1").arg(line);
+}
+
+QString simulatorRefused(const QString& line) {
+    return Texts::tr("Not done: %1").arg(line);
+}
+
+QString simulatorTold(const QString& line) {
+    return Texts::tr("Answer to: %1").arg(line);
+}
+
 namespace key {
 QString port() {
     return u"port"_s;

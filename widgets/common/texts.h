@@ -77,6 +77,12 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] QString stoppingBeforeClose();
 [[nodiscard]] Message safety();
 
+// ---- the built-in simulator ----
+/// What became of a control line, over its answer.
+[[nodiscard]] QString simulatorDid(const QString& line);
+[[nodiscard]] QString simulatorRefused(const QString& line);
+[[nodiscard]] QString simulatorTold(const QString& line);
+
 // ---- the command line ----
 [[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);
 [[nodiscard]] QString badBaud(const QString& text);

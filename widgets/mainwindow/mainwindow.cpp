@@ -25,6 +25,7 @@
 #include "widgets/panels/modulepanel.h"
 #include "widgets/panels/servopanel.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
 
@@ -38,6 +39,7 @@ const QString kGeometry = u"window/geometry"_s;
 const QString kState = u"window/state"_s;
 const QString kLastPort = u"connection/port"_s;
 const QString kLastBaud = u"connection/baud"_s;
+const QString kSimulatorOpen = u"simulator/open"_s;
 const QString kSafetyRead = u"safety/understood"_s;
 }  // namespace
 
@@ -125,6 +127,28 @@ void MainWindow::buildDocks() {
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
     resizeDocks({scope}, {em * 28}, Qt::Vertical);
+    addSimulatorDock();
+}
+
+void MainWindow::addSimulatorDock() {
+    // Below the list of modules, whose lower half is empty with most chains: nothing else gives way to it.
+    m_simulator = new SimulatorDock(this);
+    m_simulator->setWanted(m_settings.value(kSimulatorOpen, true).toBool());
+    addDockWidget(Qt::LeftDockWidgetArea, m_simulator);
+    m_docks.append(m_simulator);
+    // Queued: until then the layout does not know that it is there again.
+    connect(m_simulator, &SimulatorDock::shown, this, &MainWindow::makeRoomForSimulator,
+            Qt::QueuedConnection);
+}
+
+void MainWindow::makeRoomForSimulator() {
+    // The list of modules has taken all the room meanwhile, and would keep more of it than it needs.
+    QDockWidget* chain = m_docks.front();
+    if (dockWidgetArea(chain) != dockWidgetArea(m_simulator) || !chain->isVisible())
+        return;
+    const int both = chain->height() + m_simulator->height();
+    const int wanted = qMin(m_simulator->wantedHeight(), both * 3 / 4);
+    resizeDocks({chain, m_simulator}, {both - wanted, wanted}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {
@@ -146,6 +170,9 @@ void MainWindow::connectParts() {
     connect(servo, &ServoPanel::intentRequested, this, &MainWindow::intentRequested);
     connect(servo, &ServoPanel::holdRequested, this, &MainWindow::holdRequested);
     connect(servo, &ServoPanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
+    connect(m_simulator, &SimulatorDock::wantedChanged, this,
+            [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
@@ -173,6 +200,7 @@ void MainWindow::showLink(const LinkState& state) {
     m_bar->showLink(state);
     m_linkBar->showLink(state);
     m_chain->showLink(state);
+    m_simulator->showLink(state);
     showSelected();
 }
 
@@ -224,6 +252,7 @@ void MainWindow::showSelected() {
         m_panel->showModule(*module, m_link.phase == LinkPhase::Connected, ageOf(*module));
     else
         m_panel->showNothing(nothingText());
+    m_simulator->showSelected(selectedModule());
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -298,6 +327,10 @@ void MainWindow::showStopResult(const bus::StopFinished& finished) {
     }
 }
 
+void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {
+    m_simulator->showAnswer(line, json);
+}
+
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->servoPanel()->setHoldInterval(milliseconds);
 }
@@ -361,6 +394,7 @@ void MainWindow::restoreLayout() {
     resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
     restoreGeometry(m_settings.value(kGeometry).toByteArray());
     restoreState(m_settings.value(kState).toByteArray());
+    m_simulator->showLink(m_link);
     const QString port = m_settings.value(kLastPort).toString();
     if (!port.isEmpty())
         m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());
@@ -375,6 +409,7 @@ void MainWindow::resetLayout() {
     restoreState(m_firstState);
     for (QDockWidget* dock : m_docks)
         dock->show();
+    m_simulator->setWanted(true);
 }
 
 }  // namespace nmc

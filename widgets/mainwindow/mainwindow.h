@@ -25,6 +25,7 @@ class LinkBar;
 class MessageList;
 class ModulePanel;
 class ScopePanel;
+class SimulatorDock;
 
 /// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
 /// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
@@ -51,6 +52,8 @@ public:
     /// The cause is gone.
     void endMessage(const QString& key);
     void showStopResult(const bus::StopFinished& finished);
+    /// The built-in simulator's answer, in JSON, to a line of simulatorLineEntered().
+    void showSimulatorAnswer(const QString& line, const QByteArray& json);
     /// How often a held button says so; 100 ms.
     void setHoldInterval(int milliseconds);
 
@@ -70,6 +73,8 @@ signals:
     /// On press and every 100 ms while held.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
+    /// A control line for the built-in simulator; only while attached to it.
+    void simulatorLineEntered(const QString& line);
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
@@ -92,6 +97,8 @@ private:
     void connectParts();
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
+    void addSimulatorDock();
+    void makeRoomForSimulator();
     void restoreLayout();
     void saveLayout();
     void showSafetyOnce();
@@ -115,6 +122,7 @@ private:
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
     MessageList* m_messages = nullptr;
+    SimulatorDock* m_simulator = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// What goes wrong with a chain on purpose (simulator.md, Faults).
+#include <algorithm>
+
+#include "sim/chainprivate.h"
+
+namespace nmc::sim {
+
+// ---- Things that happen at a time ----
+
+void Chain::Private::carryOutFaults() {
+    for (const FaultInjector::Act& act : faults.takeDue(now))
+        carryOut(act);
+}
+
+void Chain::Private::carryOut(const FaultInjector::Act& act) {
+    const auto allModulesHear = [this](std::uint8_t value, bool error) {
+        for (std::size_t i = 0; i < modules.size(); ++i)
+            moduleHears(i, value, line.baud(), error);
+    };
+    if (const auto* cycle = std::get_if<FaultInjector::PowerCycle>(&act)) {
+        powerUp(cycle->module);
+    } else if (const auto* give = std::get_if<FaultInjector::GiveAddress>(&act)) {
+        modules[give->to]->takeAddress(modules[give->from]->address());
+    } else if (const auto* define = std::get_if<FaultInjector::DefineItems>(&act)) {
+        modules[define->module]->defineItems(define->mask);
+    } else if (const auto* noise = std::get_if<FaultInjector::NoiseByte>(&act)) {
+        if (noise->sides.command)
+            allModulesHear(noise->value, false);
+        if (noise->sides.status)
+            hostHears(noise->value, now);
+    } else if (const auto* foreign = std::get_if<FaultInjector::ForeignPacket>(&act)) {
+        Payload payload{foreign->code, {}};
+        if (foreign->code != CommandCode::Nop)
+            payload.data.push_back(foreign->items);
+        line.send(toPacket({BusAddress(modules[foreign->module]->address()), payload}), now, true);
+    } else if (const auto* begins = std::get_if<FaultInjector::BreakBegins>(&act)) {
+        if (begins->sides.command)
+            allModulesHear(0, true);
+        if (begins->sides.status)
+            hostHears(0, now);
+    } else {
+        updateHolds();
+    }
+}
+
+void Chain::Private::updateHolds() {
+    for (const auto& module : modules) {
+        module->advanceTo(now);
+        module->holdShaft(faults.isOn(FaultKind::Stall, module->index(), now));
+        module->reverseEncoder(faults.isOn(FaultKind::Reverse, module->index(), now));
+    }
+}
+
+void Chain::Private::clearFaults() {
+    faults.clear();
+    std::ranges::fill(m_heldUp, Duration{});
+    updateHolds();
+}
+
+// ---- Commands and replies ----
+
+bool Chain::Private::faultsLetExecute(Module& module) {
+    const CommandCode code = module.pendingPacket().code();
+    if (faults.ignores(module.index(), code, now)) {
+        module.forgetPending();
+        return false;
+    }
+    if (faults.refuses(module.index(), code, now))
+        module.damagePending();
+    return true;
+}
+
+void Chain::Private::strikeReply(Module& module) {
+    if (!module.isReplying())
+        return;
+    std::vector<std::uint8_t> bytes(module.reply().begin(), module.reply().end());
+    const auto fate = faults.strikeReply(module.index(), module.answeredCode(), bytes, now);
+    if (!fate.sent)
+        bytes.clear();
+    module.replaceReply(bytes, fate.begunLater);
+    m_heldUp[module.index()] = fate.heldUp;
+}
+
+// ---- Bytes from the host ----
+
+void Chain::Private::deliverWithFaults(const LineByte& byte) {
+    const bool insidePacket = m_monitor.inPacket();
+    if (!byte.foreign) {
+        ++statistics.bytesIn;
+        watchForHaste(byte);
+        followPacket(byte, insidePacket);
+    }
+    const bool broken = faults.breaksCommands(now);
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        if (faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now))
+            continue;
+        const FrameEdit::Byte fate = byte.foreign ? FrameEdit::Byte{} : fateOfByte(i);
+        const auto value = static_cast<std::uint8_t>(broken ? 0U : unsigned{byte.value} ^ fate.flips);
+        for (unsigned copy = 0; copy < fate.copies; ++copy)
+            moduleHears(i, value, byte.baud, broken || fate.error);
+    }
+    if (!byte.foreign && faults.isOn(FaultKind::Echo, 0, now))
+        hostHears(byte.value, now);
+}
+
+/// A packet is struck when its header leaves, if the host has handed it over whole; from a host that sends
+/// byte by byte when its command byte leaves, because what it is and how long is not known before.
+void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
+    constexpr std::size_t kCommandByte = 2;
+    if (!insidePacket) {
+        m_underway.bytes.clear();
+        m_underway.decided = byte.value != kHeader;
+        m_underway.busEdit.reset();
+        std::ranges::fill(m_underway.moduleEdits, std::nullopt);
+        if (m_underway.decided)
+            return;
+    }
+    m_underway.bytes.push_back(byte.value);
+    if (m_underway.decided)
+        return;
+    if (!insidePacket) {
+        const PacketBytes whole = line.packetBehind(byte.value);
+        if (whole.size() > kCommandByte && whole.size() == packetLength(whole[kCommandByte]))
+            strikePacket(whole, 0);
+    } else if (m_underway.bytes.size() > kCommandByte) {
+        strikePacket(m_underway.bytes, kCommandByte);
+    }
+}
+
+void Chain::Private::strikePacket(const PacketBytes& known, std::size_t first) {
+    const auto code = static_cast<CommandCode>(known[2] & 0x0FU);
+    const FrameInSight packet{known, packetLength(known[2]), first, true};
+    m_underway.decided = true;
+    m_underway.busEdit = faults.strikePacket(std::nullopt, code, packet, now);
+    for (const auto& module : modules)
+        if (module->isAwake(now) && module->isAddressedBy(known[1]))
+            m_underway.moduleEdits[module->index()] = faults.strikePacket(module->index(), code, packet, now);
+}
+
+FrameEdit::Byte Chain::Private::fateOfByte(std::size_t module) const {
+    if (m_underway.bytes.empty())
+        return {};
+    const std::size_t at = m_underway.bytes.size() - 1;
+    if (const auto& edit = m_underway.moduleEdits[module])
+        return edit->at[at];
+    return m_underway.busEdit ? m_underway.busEdit->at[at] : FrameEdit::Byte{};
+}
+
+}  // namespace nmc::sim

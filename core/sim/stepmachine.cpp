@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "sim/stepmachine.h"
+
+#include <algorithm>
+
+namespace nmc::sim {
+
+void StepMachine::set(Input input, std::optional<double> value) {
+    const bool level = value.value_or(0.0) != 0.0;
+    const auto steps = static_cast<std::int64_t>(value.value_or(0.0));
+    switch (input) {
+        case Input::Limit1:
+            m_set.limit1 = level;
+            return;
+        case Input::Limit2:
+            m_set.limit2 = level;
+            return;
+        case Input::Power:
+            m_set.power = level;
+            return;
+        case Input::Estop:
+            m_set.estop = level;
+            return;
+        case Input::In1:
+            m_set.in1 = level;
+            return;
+        case Input::In2:
+            m_set.in2 = level;
+            return;
+        case Input::HomeSwitch:
+            m_set.homeSwitch = level;
+            return;
+        case Input::Analog:
+            m_set.analog = static_cast<std::uint8_t>(steps);
+            return;
+        case Input::TravelMin:
+            m_travelMin = value ? steps : kNoMin;
+            return;
+        case Input::TravelMax:
+            m_travelMax = value ? steps : kNoMax;
+            return;
+        case Input::Limits:
+            m_limitsAutomatic = level;
+            return;
+        case Input::HomeSwitchAt:
+            m_homeSwitchAt.reset();
+            if (value)
+                m_homeSwitchAt = steps;
+            return;
+        case Input::Index:
+        case Input::Load:
+        case Input::Inertia:
+        case Input::Friction:
+        case Input::ServoOverrun:
+            return;  // A servo's.
+    }
+}
+
+void StepMachine::turn(std::int64_t steps) {
+    m_shaft = std::clamp(m_shaft + steps, m_travelMin, m_travelMax);
+}
+
+StepPins StepMachine::pins() const {
+    StepPins pins = m_set;
+    if (m_limitsAutomatic) {
+        pins.limit1 = m_shaft >= m_travelMax;
+        pins.limit2 = m_shaft <= m_travelMin;
+    }
+    if (m_homeSwitchAt)
+        pins.homeSwitch = m_shaft >= *m_homeSwitchAt;
+    return pins;
+}
+
+bool StepMachine::shaftMovesPins() const {
+    const bool hasStops = m_travelMin != kNoMin || m_travelMax != kNoMax;
+    return (m_limitsAutomatic && hasStops) || m_homeSwitchAt;
+}
+
+}  // namespace nmc::sim

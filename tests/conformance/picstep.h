@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/conformance/conformance.h"
+#include "tests/conformance/stepcommands.h"
+
+namespace nmc::conformance {
+
+using namespace stepchip;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// 1x, 1000 steps per second: 65 536 - 625 000 / 1000 + 2; the nearest integer speed is 1000 / 25.
+inline constexpr std::uint16_t kCount = 64'913;
+inline constexpr std::uint8_t kNearest = 40;
+
+/// A whole number of ticks that is a whole number of seconds: no tick's worth of doubt.
+inline constexpr Duration kEightSeconds = kTick * 15'625;
+/// 64 ms.
+inline constexpr Duration k125Ticks = kTick * 125;
+
+using Kinds = std::vector<std::string>;
+
+/// The statements of DS-S (statements-step.md): a stepper at address 1, its amplifier enabled.
+class PicStep : public Statement {
+protected:
+    PicStep() { fresh(); }
+
+    /// Off and on again, with nothing logged: a stepper at address 1, its amplifier enabled.
+    void fresh(const std::string& chain = "step", const std::vector<std::string>& options = {});
+    /// The same, with modules that nobody has addressed.
+    void powerUp(const std::string& chain = "step") { make(chain); }
+
+    /// To module 1.
+    Bytes command(unsigned byte, const Bytes& data = {}) { return rig->command(1, byte, data); }
+    void parameters(unsigned mode, unsigned minimum = 1, unsigned run = 200, unsigned hold = 80,
+                    unsigned thermal = 0);
+    void load(const Load& l);
+    void stop(unsigned control) { EXPECT_EQ(command(0x17, {static_cast<std::uint8_t>(control)}).size(), 2U); }
+    /// kCount, without a stop.
+    void run(bool reverse = false) { load({.count = kCount, .nearest = kNearest, .reverse = reverse}); }
+    void moveTo(std::int32_t goal);
+
+    unsigned status() { return byteAt(command(0x0E), 0); }
+    StepReport report();
+    void set(const std::string& nameAndValue) { rig->must("set 1 " + nameAndValue); }
+
+    template <typename T>
+    T truth(const char* key) {
+        return rig->state().at(key).get<T>();
+    }
+    bool moving() { return truth<bool>("moving"); }
+    std::int64_t position() { return truth<std::int64_t>("position"); }
+    unsigned speed() { return truth<unsigned>("speed"); }
+    bool amplifier() { return (status() & 0x04U) != 0; }
+    /// Steps made in so long.
+    double stepsIn(Duration time);
+    /// Runs until it stands still; how long that took, in seconds, to the tick.
+    double secondsToStop();
+    /// The same, until a profile has reached an integer speed.
+    double secondsToSpeed(unsigned wanted);
+
+    /// Executed once as `name`; one data byte more is the wrong length.
+    void expectForm(const char* name, unsigned byte, const Bytes& data, unsigned address = 1);
+    /// A pin that is one bit of the inputs byte, high and low again.
+    void expectInput(const std::string& pin, unsigned bit);
+    void expectViolations(const Kinds& kinds) { EXPECT_EQ(rig->violations(), kinds); }
+    void expectNoViolations() { expectViolations({}); }
+};
+
+}  // namespace nmc::conformance

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/simulator/controllinebox.h"
+
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QShortcut>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// As nmcsim: a line that never ends must not fill the memory.
+constexpr int kMaxLine = 4'096;
+constexpr int kShownLines = 3;
+}  // namespace
+
+ControlLineBox::ControlLineBox(QWidget* parent)
+    : QWidget(parent),
+      m_edit(new QLineEdit(this)),
+      m_sign(new GlyphLabel(this)),
+      m_head(new QLabel(this)),
+      m_answer(new QPlainTextEdit(this)) {
+    const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    auto* label = new QLabel(tr("Control line"), this);
+    label->setBuddy(m_edit);
+    look::name(m_edit, u"simLineEdit"_s, tr("Control line"));
+    m_edit->setFont(fixed);
+    m_edit->setMaxLength(kMaxLine);
+    m_edit->setPlaceholderText(u"state 1"_s);
+    m_edit->setToolTip(
+        tr("A line as nmcsim takes it, then Enter: state, set, power-cycle, break, mend, stats, "
+           "time, fault. Ctrl+L comes here."));
+    look::name(m_answer, u"simAnswer"_s, tr("The simulator's answer"));
+    m_answer->setReadOnly(true);
+    m_answer->setFont(fixed);
+    m_answer->setTabChangesFocus(true);
+    m_answer->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    m_answer->setFixedHeight(m_answer->fontMetrics().lineSpacing() * kShownLines + look::gridUnit(this));
+    m_head->setObjectName(u"simAnswerHead"_s);
+    m_head->setTextFormat(Qt::PlainText);
+    m_head->setWordWrap(true);
+    m_head->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    const int unit = look::gridUnit(this);
+    auto* entry = new QHBoxLayout;
+    entry->addWidget(label);
+    entry->addWidget(m_edit, 1);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_sign, 0, Qt::AlignTop);
+    head->addWidget(m_head, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, 0, unit, unit / 2);
+    layout->setSpacing(unit / 3);
+    layout->addLayout(entry);
+    layout->addLayout(head);
+    layout->addWidget(m_answer);
+    forget();
+
+    connect(m_edit, &QLineEdit::returnPressed, this, [this] {
+        const QString line = m_edit->text().trimmed();
+        m_edit->selectAll();
+        if (!line.isEmpty())
+            emit lineEntered(line);
+    });
+    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_L), this), &QShortcut::activated, m_edit,
+            [this] { m_edit->setFocus(Qt::ShortcutFocusReason); });
+}
+
+void ControlLineBox::showAnswer(const QString& line, const QByteArray& json) {
+    const QJsonObject answer = QJsonDocument::fromJson(json).object();
+    const QJsonValue error = answer["error"_L1];
+    const bool refused = !error.isUndefined();
+    const bool done = answer.size() == 1 && answer["ok"_L1].toBool();
+    m_sign->showSeverity(refused ? Severity::Fault : Severity::Normal);
+    m_sign->show();
+    QFont font = this->font();
+    font.setBold(refused);
+    m_head->setFont(font);
+    look::setText(m_head, refused ? texts::simulatorRefused(line)
+                          : done  ? texts::simulatorDid(line)
+                                  : texts::simulatorTold(line));
+    m_answer->setPlainText(error.isString() ? error.toString()
+                                            : QString::fromUtf8(json).replace(u",\""_s, u",\n\""_s));
+}
+
+void ControlLineBox::forget() {
+    m_sign->hide();
+    m_head->clear();
+    m_answer->clear();
+}
+
+}  // namespace nmc

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/simulator/modulebench.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QPushButton>
+#include <cmath>
+
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kMaxCounts = 2'000'000'000;
+/// Of a hard stop from the shaft, when the user asks for one: five turns.
+constexpr double kTravel = 10'000;
+
+/// A stepper's pins stand in an object of their own.
+QJsonValue valueOf(const QJsonObject& state, const QString& name) {
+    return state.contains(name) ? state[name] : state["inputs"_L1].toObject()[name];
+}
+
+QGridLayout* newPage(QTabWidget& tabs, const QString& title) {
+    auto* page = new QWidget(&tabs);
+    const int unit = look::gridUnit(&tabs);
+    auto* grid = new QGridLayout(page);
+    grid->setContentsMargins(unit, unit / 2, unit, 0);
+    grid->setHorizontalSpacing(unit / 2);
+    grid->setVerticalSpacing(unit / 3);
+    tabs.addTab(page, title);
+    return grid;
+}
+
+}  // namespace
+
+ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
+    : QTabWidget(parent),
+      m_type(type),
+      m_prefix(type == ModuleType::Step ? u"sim_step_"_s : u"sim_servo_"_s) {
+    look::name(this, m_prefix + u"bench"_s, tr("What can be done to the simulated module"));
+    setDocumentMode(true);
+    tabBar()->setObjectName(m_prefix + u"pages"_s);
+    tabBar()->setAccessibleName(tr("Pages of the simulated module"));
+    buildSwitches();
+    buildMechanics();
+}
+
+QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, const QString& text,
+                                        const QString& meaning) {
+    auto* box = new QCheckBox(text, grid.parentWidget());
+    look::name(box, m_prefix + name + u"Box"_s, text);
+    box->setToolTip(meaning);
+    grid.addWidget(box, grid.rowCount(), 0, 1, 3);
+    connect(box, &QAbstractButton::clicked, this, [this, name](bool on) { set(name, on ? u"1"_s : u"0"_s); });
+    m_switches.append({name, box, meaning});
+    return box;
+}
+
+QAbstractButton* ModuleBench::addButton(QGridLayout& grid, int column, const QString& objectName,
+                                        const QString& text, const QString& meaning) {
+    auto* button = new QPushButton(text, grid.parentWidget());
+    look::name(button, m_prefix + objectName, meaning);
+    button->setToolTip(meaning);
+    grid.addWidget(button, column == 0 ? grid.rowCount() : grid.rowCount() - 1, column);
+    return button;
+}
+
+void ModuleBench::buildSwitches() {
+    QGridLayout& grid = *newPage(*this, tr("Switches"));
+    const QString pin = tr("Closed while checked.");
+    addSwitch(grid, u"power"_s, tr("Motor power"), tr("The supply of the motor, not of the module."));
+    if (m_type == ModuleType::Step) {
+        addSwitch(grid, u"limit1"_s, tr("Limit switch 1, forward"), pin);
+        addSwitch(grid, u"limit2"_s, tr("Limit switch 2, reverse"), pin);
+        addSwitch(grid, u"home_switch"_s, tr("Home switch"), pin);
+        addSwitch(grid, u"estop"_s, tr("E-stop input"), pin);
+        addSwitch(grid, u"in1"_s, tr("Input 1"), pin);
+        addSwitch(grid, u"in2"_s, tr("Input 2"), pin);
+        addRow(grid, {.name = u"analog"_s,
+                      .label = tr("A/D input"),
+                      .unit = tr("of 255"),
+                      .meaning = tr("What the converter reads at the temperature sensor."),
+                      .max = 255,
+                      .step = 1,
+                      .sliderMax = 255});
+    } else {
+        addSwitch(grid, u"limit1"_s, tr("Limit switch 1"), pin);
+        addSwitch(grid, u"limit2"_s, tr("Limit switch 2"), pin);
+        addSwitch(grid, u"index"_s, tr("Encoder index"), tr("Lasts until the shaft moves on."));
+        addRow(grid, {.name = u"analog"_s,
+                      .label = tr("A/D input by hand"),
+                      .unit = tr("of 255"),
+                      .meaning = tr("Unchecked, the converter reads the motor's current."),
+                      .max = 255,
+                      .none = u"auto"_s});
+    }
+    buildCable(grid);
+    grid.setRowStretch(grid.rowCount(), 1);
+    grid.setColumnStretch(0, 1);
+}
+
+void ModuleBench::buildCable(QGridLayout& grid) {
+    m_addressBroken = new QCheckBox(tr("ADDR line broken towards the host"), grid.parentWidget());
+    look::name(m_addressBroken, m_prefix + u"addressBrokenBox"_s,
+               tr("Broken between this module and the next towards the host"));
+    m_addressBroken->setToolTip(
+        tr("Broken between this module and the next towards the host: that one does not get an address."));
+    grid.addWidget(m_addressBroken, grid.rowCount(), 0, 1, 3);
+    connect(m_addressBroken, &QAbstractButton::clicked, this,
+            [this](bool broken) { say(broken ? u"break"_s : u"mend"_s); });
+
+    auto* buttons = new QGridLayout;
+    grid.addLayout(buttons, grid.rowCount(), 0, 1, 3);
+    connect(addButton(*buttons, 0, u"powerCycleButton"_s, tr("Power-cycle"),
+                      tr("Switches this module off and on: it forgets its address and its gains.")),
+            &QAbstractButton::clicked, this, [this] { say(u"power-cycle"_s); });
+    connect(addButton(*buttons, 1, u"powerCycleAllButton"_s, tr("Power-cycle all"),
+                      tr("Switches all modules off and on: they forget their addresses and gains.")),
+            &QAbstractButton::clicked, this, [this] { emit lineEntered(u"power-cycle all"_s); });
+    if (m_type == ModuleType::Step)
+        return;
+    connect(addButton(*buttons, 0, u"overrunButton"_s, tr("Late tick"),
+                      tr("Lets one servo tick take too long: servo_overrun.")),
+            &QAbstractButton::clicked, this, [this] { set(u"servo_overrun"_s, u"1"_s); });
+}
+
+void ModuleBench::buildMechanics() {
+    QGridLayout& grid = *newPage(*this, tr("Mechanics"));
+    if (m_type != ModuleType::Step) {
+        // The default motor stalls at 0.8 N·m and has 0.004 N·m of friction: the sliders have the range in
+        // which tuning is a matter of taste, the fields have the rest.
+        addRow(grid, {.name = u"load"_s,
+                      .label = tr("Load torque"),
+                      .unit = tr("N·m"),
+                      .meaning = tr("External torque; positive pulls the shaft backwards."),
+                      .decimals = 4,
+                      .min = -100,
+                      .max = 100,
+                      .step = 0.005,
+                      .sliderMin = -0.3,
+                      .sliderMax = 0.3});
+        addRow(grid, {.name = u"inertia"_s,
+                      .label = tr("Inertia"),
+                      .unit = tr("10⁻⁶ kg·m²"),
+                      .meaning = tr("Moment of inertia of rotor and load."),
+                      .decimals = 2,
+                      .scale = 1e-6,
+                      .min = 1,
+                      .max = 100'000'000,
+                      .step = 1,
+                      .sliderMin = 1,
+                      .sliderMax = 200});
+        addRow(grid, {.name = u"friction"_s,
+                      .label = tr("Friction"),
+                      .unit = tr("N·m"),
+                      .meaning = tr("Dry friction, which also holds the shaft at rest."),
+                      .decimals = 4,
+                      .max = 100,
+                      .step = 0.001,
+                      .sliderMax = 0.1});
+    }
+    addRow(grid, {.name = u"travel_min"_s,
+                  .label = tr("Stop, reverse"),
+                  .unit = texts::unitCounts(),
+                  .meaning = tr("A hard stop at the reverse end of the travel. It cannot be put beyond the "
+                                "place where the shaft is."),
+                  .min = -kMaxCounts,
+                  .max = kMaxCounts,
+                  .step = 1'000,
+                  .none = u"none"_s});
+    addRow(grid, {.name = u"travel_max"_s,
+                  .label = tr("Stop, forward"),
+                  .unit = texts::unitCounts(),
+                  .meaning = tr("A hard stop at the forward end of the travel. It cannot be put beyond the "
+                                "place where the shaft is."),
+                  .min = -kMaxCounts,
+                  .max = kMaxCounts,
+                  .step = 1'000,
+                  .none = u"none"_s});
+    m_limitsAutomatic = new QCheckBox(tr("Limit switches at the stops"), grid.parentWidget());
+    look::name(m_limitsAutomatic, m_prefix + u"limitsBox"_s, tr("Limit switches at the travel's ends"));
+    m_limitsAutomatic->setToolTip(
+        tr("The limit switches close at the travel's ends; they cannot be set by hand then."));
+    grid.addWidget(m_limitsAutomatic, grid.rowCount(), 0, 1, 3);
+    connect(m_limitsAutomatic, &QAbstractButton::clicked, this,
+            [this](bool on) { set(u"limits"_s, on ? u"auto"_s : u"manual"_s); });
+    if (m_type == ModuleType::Step)
+        addRow(grid, {.name = u"home_switch_at"_s,
+                      .label = tr("Home switch at"),
+                      .unit = texts::unitCounts(),
+                      .meaning = tr("Where the home switch stands. Unchecked, it is set by hand."),
+                      .min = -kMaxCounts,
+                      .max = kMaxCounts,
+                      .step = 1'000,
+                      .none = u"none"_s});
+    grid.setRowStretch(grid.rowCount(), 1);
+    grid.setColumnStretch(0, 1);
+}
+
+void ModuleBench::addRow(QGridLayout& grid, BenchQuantity quantity) {
+    auto* row = new BenchRow(std::move(quantity), m_prefix, grid.parentWidget());
+    row->addTo(grid);
+    connect(row, &BenchRow::entered, this, &ModuleBench::set);
+    m_rows.append(row);
+}
+
+void ModuleBench::set(const QString& name, const QString& value) {
+    emit lineEntered(u"set %1 %2 %3"_s.arg(m_number).arg(name, value));
+}
+
+void ModuleBench::say(const QString& verb) {
+    emit lineEntered(u"%1 %2"_s.arg(verb).arg(m_number));
+}
+
+void ModuleBench::setModule(int number) {
+    if (m_number == number)
+        return;
+    m_number = number;
+    for (BenchRow* row : m_rows)
+        row->forget();
+}
+
+void ModuleBench::showState(const QJsonObject& state) {
+    const bool limitsAutomatic = state["limits"_L1].toString() == "auto"_L1;
+    const bool homeAutomatic = state["home_switch_at"_L1].isDouble();
+    m_limitsAutomatic->setChecked(limitsAutomatic);
+    m_addressBroken->setChecked(state["addr_broken"_L1].toBool());
+    for (const Switch& one : m_switches) {
+        one.box->setChecked(valueOf(state, one.name).toBool());
+        const bool follows = (limitsAutomatic && one.name.startsWith("limit"_L1)) ||
+                             (homeAutomatic && one.name == "home_switch"_L1);
+        look::setPossible(one.box, follows ? tr("Follows the motor's position: see Mechanics.") : QString(),
+                          one.meaning);
+    }
+    const double shaft =
+        std::round(valueOf(state, state.contains("shaft"_L1) ? u"shaft"_s : u"position"_s).toDouble());
+    for (BenchRow* row : m_rows) {
+        if (row->name() == "travel_min"_L1)
+            row->setProposal(shaft - kTravel);
+        else if (row->name() == "travel_max"_L1)
+            row->setProposal(shaft + kTravel);
+        else if (row->name() == "home_switch_at"_L1)
+            row->setProposal(shaft);
+        else if (row->name() == "analog"_L1)
+            row->setProposal(state["analog"_L1].toDouble());
+        // A servo's converter reads the motor unless told otherwise.
+        const QString key =
+            row->name() == "analog"_L1 && m_type != ModuleType::Step ? u"analog_input"_s : row->name();
+        row->showValue(state[key]);
+    }
+}
+
+}  // namespace nmc

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonObject>
+#include <QList>
+#include <QTabWidget>
+
+#include "protocol/moduletype.h"
+#include "widgets/simulator/benchrow.h"
+
+class QAbstractButton;
+class QGridLayout;
+
+namespace nmc {
+
+/// What can be done to one simulated module by hand: its switches, its power and its cable on one page, its
+/// load and its travel on the other. Shows the simulator's `state`, and asks for changes as control lines.
+class ModuleBench : public QTabWidget {
+    Q_OBJECT
+
+public:
+    /// Servo or stepper; the control names of the two differ.
+    explicit ModuleBench(ModuleType type, QWidget* parent = nullptr);
+
+    /// Module `number`, counting from 1, is the one to change; what was typed for another is forgotten.
+    void setModule(int number);
+    /// The answer to `state N`. Emits nothing.
+    void showState(const QJsonObject& state);
+
+signals:
+    void lineEntered(const QString& line);
+
+private:
+    struct Switch {
+        QString name;
+        QAbstractButton* box = nullptr;
+        QString meaning;
+    };
+
+    void buildSwitches();
+    void buildCable(QGridLayout& grid);
+    void buildMechanics();
+    QAbstractButton* addSwitch(QGridLayout& grid, const QString& name, const QString& text,
+                               const QString& meaning);
+    QAbstractButton* addButton(QGridLayout& grid, int column, const QString& objectName, const QString& text,
+                               const QString& meaning);
+    void addRow(QGridLayout& grid, BenchQuantity quantity);
+    void set(const QString& name, const QString& value);
+    void say(const QString& verb);
+
+    ModuleType m_type;
+    QString m_prefix;  ///< of the object names
+    int m_number = 1;
+    QList<Switch> m_switches;
+    QList<BenchRow*> m_rows;
+    QAbstractButton* m_limitsAutomatic = nullptr;
+    QAbstractButton* m_addressBroken = nullptr;
+};
+
+}  // namespace nmc
