@@ -22,6 +22,7 @@ constexpr std::size_t kMaxLine = 4'096;
 constexpr Duration kAtLeastEvery = std::chrono::milliseconds(50);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
+constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
 
 }  // namespace
 
@@ -47,6 +48,8 @@ void SimServer::run(int stopFd) {
         catchUp();
         if (fds[1].revents != 0)
             serveHost();
+        else
+            followRate();
         if (fds[2].revents != 0 && !serveControl())
             return;
     }
@@ -89,6 +92,16 @@ void SimServer::catchUp() {
 }
 
 // ---- The host ----
+
+/// A new rate that nothing was written after. What was written before it may still be on its way through the
+/// kernel.
+void SimServer::followRate() {
+    if (m_terminal.hostBaud().value_or(m_hostBaud) == m_hostBaud)
+        return;
+    std::array<pollfd, 1> readable{{{m_terminal.fd(), POLLIN, 0}}};
+    pollUntil(readable, monotonicNow() + kThroughTheKernel);
+    serveHost();
+}
 
 void SimServer::serveHost() {
     const std::vector<std::uint8_t> bytes = m_terminal.read();

@@ -37,6 +37,7 @@ private:
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
     void catchUp();
     void reportLag();
+    void followRate();
     void serveHost();
     /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
     std::size_t endOfLastSetBaud(ByteSpan bytes);
