@@ -192,6 +192,7 @@ std::string SimServer::advance(const std::string& line) {
     if (!(words >> verb >> seconds) || verb != "advance" || !(words >> std::ws).eof() ||
         !(seconds >= 0.0 && seconds <= kLongest))
         return R"({"error":"allowed is advance SECONDS, from 0 to 100000"})";
+    serveHost();
     m_now += fromSeconds(seconds);
     m_chain.advanceTo(m_now);
     deliver();

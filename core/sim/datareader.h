@@ -22,4 +22,12 @@ private:
     std::size_t m_at = 0;
 };
 
+/// Positions reach from -7FFFFFFF to 7FFFFFFF, and a goal is no farther than that from where the motor is
+/// (DS-V 5.2, DS-S 5.1: Load Trajectory).
+[[nodiscard]] constexpr bool isGoal(std::int32_t goal, std::int32_t position) {
+    constexpr std::int64_t kFarthest = 0x7FFF'FFFF;
+    const std::int64_t distance = std::int64_t{goal} - position;
+    return goal >= -kFarthest && distance >= -kFarthest && distance <= kFarthest;
+}
+
 }  // namespace nmc::sim

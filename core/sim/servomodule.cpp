@@ -68,7 +68,8 @@ void ServoModule::loadTrajectory(const Packet& packet) {
         t.pwm = reader.next<std::uint8_t>();
     if (packet.length() > 0 && packet.length() != reader.taken())
         violates(ViolationKind::WrongLength);
-    if (t.velocity > kMaxMotion || t.acceleration > kMaxMotion)
+    const bool goalIsFar = t.has(0x01) && !isGoal(t.position, m_loop.position());
+    if (t.velocity > kMaxMotion || t.acceleration > kMaxMotion || goalIsFar)
         violates(ViolationKind::OutOfRange);
     t.velocity &= kMaxMotion;
     t.acceleration &= kMaxMotion;

@@ -69,6 +69,8 @@ void StepModule::loadTrajectory(const Packet& packet) {
         t.timerCount = inRange(reader.next<std::uint16_t>(), kMinTimerCount, kMaxTimerCount);
         t.nearestSpeed = inRange<std::uint8_t>(reader.next<std::uint8_t>(), 0, kMaxStepSpeed);
     }
+    if (t.has(StepTrajectory::kPosition) && !isGoal(t.position, m_control.motion().position()))
+        violates(ViolationKind::OutOfRange);
     if (packet.length() > 0 && packet.length() != reader.taken())
         violates(ViolationKind::WrongLength);
     m_control.load(t);

@@ -45,7 +45,7 @@ double PicStep::stepsIn(Duration time) {
 }
 
 double PicStep::secondsToStop() {
-    constexpr int kPatience = 20'000;
+    constexpr int kPatience = 60'000;
     int ticks = 0;
     for (; moving() && ticks < kPatience; ++ticks)
         rig->wait(kTick);

@@ -15,8 +15,7 @@ const Bytes kIdle{0x19, 0x19};
 class PicServoNetwork : public PicServo {
 protected:
     Bytes setAddress(unsigned at, unsigned address, unsigned group) {
-        return rig->command(at, 0x21,
-                            {static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(group)});
+        return rig->command(at, 0x21, {static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(group)});
     }
     Bytes nop(unsigned at) { return rig->command(at, 0x0E); }
     bool listens(int module) { return rig->state(module)["listening"]; }
@@ -209,6 +208,9 @@ TEST_P(PicServoNetwork, SetBaudRate1_TheDivisorsOfTheSheetGiveItsRates) {
 }
 
 TEST_P(PicServoNetwork, SetBaudRate2_OtherDivisorsGiveTheClockOver16OverTheDivisorPlus1) {
+    setBaud(31, 38'400);
+    EXPECT_EQ(truth("baud"), 39'063) << "20 MHz / 16 / 32";
+    EXPECT_EQ(nop(1), kIdle);
     setBaud(21, 57'600);
     EXPECT_EQ(truth("baud"), 56'818) << "20 MHz / 16 / 22";
     EXPECT_EQ(nop(1), kIdle);

@@ -96,8 +96,13 @@ TEST_P(PicServo, Protocol9_AnotherCommunicationErrorIsAnsweredButNotExecutedEith
     // 9 600 Bd against 9 259 is 3.7 % off: some bytes are heard wrong. Nulls after each command let the
     // module find the next header.
     constexpr int kCommands = 400;
+    const auto answers = [this] {
+        return statistics("replies").get<int>() + statistics("replies_dropped").get<int>();
+    };
+    command(0x21, {1, 0x7F});  // a leader: it answers what a wrong address makes a group's, too
     rig->command(0xFF, 0x1A, {134});
     rig->setBaud(9'600);
+    const int before = answers();
     for (int i = 0; i < kCommands; ++i) {
         command(0x12, {0x00});
         rig->exchange(Bytes(16, 0x00));
@@ -106,8 +111,7 @@ TEST_P(PicServo, Protocol9_AnotherCommunicationErrorIsAnsweredButNotExecutedEith
     const int errors = statistics("checksum_errors");
     EXPECT_GT(errors, 0);
     EXPECT_LT(executed, kCommands);
-    const int answered = statistics("replies").get<int>() + statistics("replies_dropped").get<int>();
-    EXPECT_EQ(answered, 1 + executed + errors) << "Set Address, and these";
+    EXPECT_EQ(answers() - before, executed + errors);
 }
 
 TEST_P(PicServo, Protocol10_ACommandIsExecutedAndAnsweredAtTheEndOfTheTick) {

@@ -242,7 +242,7 @@ TEST_P(PicServo, IoControl5_BothAreInputsByDefault) {
     EXPECT_EQ(status().byte & (kLimit1 | kLimit2), kLimit1 | kLimit2);
 }
 
-TEST_P(PicServo, SaveAsHome1_SavesThePositionAsTheHomePosition) {
+TEST_P(PicServo, SaveCurrentPositionAsHome1_SavesThePositionAsTheHomePosition) {
     turnAway();
     EXPECT_EQ(status().home, 0);
     command(0x0C);
@@ -250,7 +250,7 @@ TEST_P(PicServo, SaveAsHome1_SavesThePositionAsTheHomePosition) {
     expectNoViolation();
 }
 
-TEST_P(PicServo, SaveAsHome2_ToAGroupSavesAllPositionsAtOnce) {
+TEST_P(PicServo, SaveCurrentPositionAsHome2_ToAGroupSavesAllPositionsAtOnce) {
     start("servo,servo", 2);
     for (const unsigned at : {1U, 2U}) {
         servoOn(kGoodGains, at);

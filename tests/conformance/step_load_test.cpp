@@ -24,7 +24,7 @@ TEST_P(PicStepLoad, LoadTrajectory1_IsCommand4With1To10BytesAsTheControlByteAnno
     EXPECT_EQ(command(0xA4, {0x0F, 1, 0, 0, 0, 2, 3, 0x91, 0xFD, kNearest}).size(), 2U);
     EXPECT_EQ(rig->control("stats")["modules"][0]["executed"]["load_trajectory"], 2);
     expectNoViolations();
-    command(0x34, {0x02, 30, 0});
+    command(0x34, {0x02, 30, 4});
     expectViolations({"wrong_length"});
     command(0x24, {0x06, 30});
     expectViolations({"wrong_length", "wrong_length"});

@@ -165,10 +165,10 @@ TEST_P(PicStepNetwork, HardReset2_ReturnsTheModuleToItsPowerUpState) {
     rig->address(1);
     parameters(k1x, 1, 200, 80);
     stop(0x01);
-    command(0x12, {0x3F});
     command(0x18, {0x03});
     command(0x19, {0x08});
     run();
+    command(0x12, {0x3F});
     rig->wait(seconds(1));
     command(0x0F);
     rig->waitTicks(20);

@@ -54,7 +54,7 @@ QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, 
     auto* box = new QCheckBox(text, grid.parentWidget());
     look::name(box, m_prefix + name + u"Box"_s, text);
     box->setToolTip(meaning);
-    grid.addWidget(box, grid.rowCount(), 0, 1, 3);
+    grid.addWidget(box, grid.rowCount(), 0, 1, 3, Qt::AlignLeft);
     connect(box, &QAbstractButton::clicked, this, [this, name](bool on) { set(name, on ? u"1"_s : u"0"_s); });
     m_switches.append({name, box, meaning});
     return box;
