@@ -73,7 +73,13 @@ void printHelp() {
         "\n"
         "Examples:\n"
         "  nmcsim --chain servo,servo@1,step --link /tmp/nmc\n"
-        "  nmcpanel --port /tmp/nmc --baud 115200\n",
+        "      three modules; programs open /tmp/nmc as their serial port, at 19200 Bd to begin with\n"
+        "  nmcpanel --port /tmp/nmc --baud 115200\n"
+        "      the panel on it, meanwhile\n"
+        "  (sleep 5; echo set 1 limit1 1; sleep 1; echo state 1; echo quit) | nmcsim --chain servo\n"
+        "      after 5 s limit switch 1 closes; the truth about the module a second later; the end\n"
+        "  nmcsim --stepped --chain servo --link /tmp/nmc\n"
+        "      for tests: what a program has written leaves, and time passes, at: advance 0.02\n",
         std::string(nmc::sim::kDefaultChain).c_str());
 }
 

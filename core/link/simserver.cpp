@@ -22,6 +22,7 @@ constexpr std::size_t kMaxLine = 4'096;
 constexpr Duration kAtLeastEvery = std::chrono::milliseconds(50);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
+constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
 
 }  // namespace
 
@@ -48,7 +49,7 @@ void SimServer::run(int stopFd) {
         if (fds[1].revents != 0)
             serveHost();
         else
-            followHostBaud();
+            followRate();
         if (fds[2].revents != 0 && !serveControl())
             return;
     }
@@ -92,13 +93,14 @@ void SimServer::catchUp() {
 
 // ---- The host ----
 
-/// A rate that is changed without anything being written counts from now on, for replies too.
-void SimServer::followHostBaud() {
-    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
-    if (baud == m_hostBaud)
+/// A new rate that nothing was written after. What was written before it may still be on its way through the
+/// kernel.
+void SimServer::followRate() {
+    if (m_terminal.hostBaud().value_or(m_hostBaud) == m_hostBaud)
         return;
-    m_hostBaud = baud;
-    m_chain.setHostBaud(baud);
+    std::array<pollfd, 1> readable{{{m_terminal.fd(), POLLIN, 0}}};
+    pollUntil(readable, monotonicNow() + kThroughTheKernel);
+    serveHost();
 }
 
 void SimServer::serveHost() {
@@ -113,7 +115,8 @@ void SimServer::serveHost() {
     // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
     // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
     m_chain.hostSends(ByteSpan(bytes).first(before), m_now);
-    followHostBaud();
+    m_hostBaud = baud;
+    m_chain.setHostBaud(baud);
     m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now);
 }
 

@@ -36,8 +36,7 @@ private:
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
     void catchUp();
-    void reportLag();
-    void followHostBaud();
+    void followRate();
     void serveHost();
     /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
     std::size_t endOfLastSetBaud(ByteSpan bytes);

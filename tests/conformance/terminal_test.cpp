@@ -89,6 +89,22 @@ TEST(Terminal, AHostThatChooses38400IsTakenAtItsWord) {
     EXPECT_EQ(sim.state(1)["baud"], 37'879) << "1 250 000 / 33";
 }
 
+TEST(Terminal, ANewRateIsNoticedWithoutABytesHelp) {
+    SimProcess sim("servo");
+    Port port(sim.terminal());
+    ASSERT_TRUE(answers(port, kSetAddress));
+    // Nothing but Set Baud at 115 200 Bd, and back at once.
+    port.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    port.setRate(B115200);
+    pause(200);
+    EXPECT_EQ(sim.state(1)["baud"], 113'636);
+    port.write({0xAA, 0xFF, 0x1A, 63, 0x58});
+    port.setRate(B19200);
+    pause(50);
+    EXPECT_TRUE(answers(port, kNop));
+    EXPECT_EQ(sim.control("stats")["modules"][0]["bytes_garbled"], 0);
+}
+
 TEST(Terminal, AHostMayCloseItAndComeBack) {
     SimProcess sim("servo");
     {

@@ -52,6 +52,8 @@ void TerminalRig::setBaud(unsigned baud) {
     ::cfsetspeed(&settings, kSpeeds.at(baud));
     if (::tcsetattr(m_port, TCSANOW, &settings) != 0)
         fail("tcsetattr");
+    // The simulator looks at the rate before it answers, so that what is sent next is sent at the new one.
+    control("time");
 }
 
 void TerminalRig::send(const Bytes& bytes) {

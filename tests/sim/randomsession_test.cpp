@@ -120,7 +120,7 @@ public:
         }
         m_books[2].set = {{"estop", 0},  {"in1", 0},    {"in2", 0},   {"home_switch", 0},
                           {"limit1", 0}, {"limit2", 0}, {"power", 1}, {"analog", 255}};
-        for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{3}})
+        for (const std::size_t i : {0U, 1U, 3U})
             m_books[i].set = {{"limit1", 0}, {"limit2", 0}, {"power", 1}};
     }
 
@@ -186,6 +186,10 @@ private:
 
     // ---- Commands ----
 
+    /// Without an address it wakes when its neighbour away from the host has one.
+    [[nodiscard]] bool isAwake(const Book& book) const {
+        return book.address != 0 || &book == m_books.data() || (&book)[-1].address != 0;
+    }
     static bool isFor(const Book& book, unsigned address, unsigned command, bool good) {
         const bool resetsAll = good && book.isStep && address == kEveryone && (command & 0x0FU) == 0x0F;
         return address == book.address || address == book.group || resetsAll;
@@ -202,16 +206,18 @@ private:
     }
 
     std::optional<Reply> finish(unsigned address, unsigned command, const Bytes& data, bool good) {
+        std::vector<Book*> hearers;
+        for (Book& book : m_books)
+            if (isAwake(book) && isFor(book, address, command, good))
+                hearers.push_back(&book);
         Book* answering = nullptr;
-        for (Book& book : m_books) {
-            if (!isFor(book, address, command, good))
-                continue;
-            if (address == book.address || (address == book.group && book.leader))
-                answering = &book;
+        for (Book* book : hearers) {
+            if (address == book->address || (address == book->group && book->leader))
+                answering = book;
             if (good)
-                execute(book, command & 0x0FU, data);
+                execute(*book, command & 0x0FU, data);
             else
-                ++book.wrongSums;
+                ++book->wrongSums;
         }
         const bool isReset = good && (command & 0x0FU) == 0x0F;
         const Bytes bytes = hear();
@@ -339,11 +345,10 @@ private:
         return {static_cast<std::uint8_t>(address), static_cast<std::uint8_t>(group & ~leads)};
     }
 
-    void changeRate() {
+    void changeRate(const Rate& rate) {
         for (Book& book : m_books)
             if (book.group != kEveryone)
                 command(book.address, 0x21, {static_cast<std::uint8_t>(book.address), kEveryone});
-        const Rate rate = kRates[below(kRates.size())];
         // A leader's answer comes at the new rate.
         send(packet(kEveryone, 0x1A, {rate.code}));
         m_chain.setHostBaud(rate.baud);
@@ -357,6 +362,8 @@ private:
         if (m_rate.baud == kPowerUp.baud && below(3) > 0) {
             powerCycleOr([&] { command(one.address, 0x0F); }, one);
         } else {
+            if (m_rate.baud < kPowerUp.baud)
+                changeRate(kPowerUp);  // or the first would hear again before the last is told
             const bool reachesAll = std::all_of(m_books.begin(), m_books.end(), [](const Book& b) {
                 return b.group == kEveryone || b.isStep;
             });
@@ -430,7 +437,7 @@ private:
     void doSomething() {
         const unsigned what = below(1'000);
         if (what < 4)
-            changeRate();
+            changeRate(kRates[m_random.below(kRates.size())]);
         else if (what < 8)
             reset();
         else if (what < 40)
