@@ -179,7 +179,9 @@ bool SimServer::answer(const std::string& line) {
 std::string SimServer::answerTo(const std::string& line) {
     if (line.rfind("advance", 0) == 0)
         return advance(line);
-    return sim::handleControlLine(m_chain, line, m_now, takePace());
+    // Only `time` reports the pace, so only `time` begins to measure it anew.
+    const bool asksForIt = line.rfind("time", 0) == 0;
+    return sim::handleControlLine(m_chain, line, m_now, asksForIt ? takePace() : sim::Pace{});
 }
 
 std::string SimServer::advance(const std::string& line) {
