@@ -43,6 +43,10 @@
         <source>Show the version.</source>
         <translation>Die Version anzeigen.</translation>
     </message>
+    <message>
+        <source>Let control lines inject faults into the built-in simulator.</source>
+        <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einstreuen.</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -804,6 +808,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>%1 counts/s²</source>
         <translation>%1 Ink./s²</translation>
     </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Erledigt: %1</translation>
+    </message>
+    <message>
+        <source>Not done: %1</source>
+        <translation>Nicht ausgeführt: %1</translation>
+    </message>
+    <message>
+        <source>Answer to: %1</source>
+        <translation>Antwort auf: %1</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
 </context>
 <context>
     <name>nmc::Banner</name>
@@ -818,6 +838,97 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Hide this message</source>
         <translation>Diese Meldung ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::BenchTruth</name>
+    <message>
+        <source>What the simulator knows of the module</source>
+        <translation>Was der Simulator vom Modul weiß</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>Where the shaft really is, since the simulation began.</source>
+        <translation>Wo die Welle wirklich steht, seit Beginn der Simulation.</translation>
+    </message>
+    <message>
+        <source>Position counter</source>
+        <translation>Positionszähler</translation>
+    </message>
+    <message>
+        <source>What the module believes.</source>
+        <translation>Was das Modul glaubt.</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>True, not calculated.</source>
+        <translation>Wahr, nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Of the shaft.</source>
+        <translation>Der Welle.</translation>
+    </message>
+    <message>
+        <source>Step rate</source>
+        <translation>Schrittrate</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>Schritte/s</translation>
+    </message>
+    <message>
+        <source>Negative in reverse.</source>
+        <translation>Rückwärts negativ.</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>von 255</translation>
+    </message>
+    <message>
+        <source>The sign is the direction.</source>
+        <translation>Das Vorzeichen ist die Richtung.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Motorstrom</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>255 is full current.</source>
+        <translation>255 ist der volle Strom.</translation>
+    </message>
+    <message>
+        <source>A/D reads</source>
+        <translation>A/D liest</translation>
+    </message>
+    <message>
+        <source>Violations</source>
+        <translation>Verstöße</translation>
+    </message>
+    <message>
+        <source>What a real module would not have forgiven.</source>
+        <translation>Was ein echtes Modul nicht verziehen hätte.</translation>
+    </message>
+    <message>
+        <source>%1 s, module %2: %3, %4</source>
+        <translation>%1 s, Modul %2: %3, %4</translation>
     </message>
 </context>
 <context>
@@ -946,6 +1057,21 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ControlLineBox</name>
+    <message>
+        <source>Control line</source>
+        <translation>Steuerzeile</translation>
+    </message>
+    <message>
+        <source>A line as nmcsim takes it, then Enter: state, set, power-cycle, break, mend, stats, time, fault. Ctrl+L comes here.</source>
+        <translation>Eine Zeile, wie nmcsim sie versteht, dann Eingabe: state, set, power-cycle, break, mend, stats, time, fault. Strg+L führt hierher.</translation>
+    </message>
+    <message>
+        <source>The simulator&apos;s answer</source>
+        <translation>Antwort des Simulators</translation>
     </message>
 </context>
 <context>
@@ -1328,6 +1454,205 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::ModuleBench</name>
+    <message>
+        <source>What can be done to the simulated module</source>
+        <translation>Was sich am simulierten Modul einstellen lässt</translation>
+    </message>
+    <message>
+        <source>Pages of the simulated module</source>
+        <translation>Seiten des simulierten Moduls</translation>
+    </message>
+    <message>
+        <source>Switches</source>
+        <translation>Schalter</translation>
+    </message>
+    <message>
+        <source>Closed while checked.</source>
+        <translation>Mit Haken geschlossen.</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>Motorversorgung</translation>
+    </message>
+    <message>
+        <source>The supply of the motor, not of the module.</source>
+        <translation>Die Versorgung des Motors, nicht die des Moduls.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1, forward</source>
+        <translation>Endschalter 1, vorwärts</translation>
+    </message>
+    <message>
+        <source>Limit switch 2, reverse</source>
+        <translation>Endschalter 2, rückwärts</translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation>E-Stop-Eingang</translation>
+    </message>
+    <message>
+        <source>Input 1</source>
+        <translation>Eingang 1</translation>
+    </message>
+    <message>
+        <source>Input 2</source>
+        <translation>Eingang 2</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>A/D-Eingang</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>von 255</translation>
+    </message>
+    <message>
+        <source>What the converter reads at the temperature sensor.</source>
+        <translation>Was der Wandler am Temperatursensor liest.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1</source>
+        <translation>Endschalter 1</translation>
+    </message>
+    <message>
+        <source>Limit switch 2</source>
+        <translation>Endschalter 2</translation>
+    </message>
+    <message>
+        <source>Encoder index</source>
+        <translation>Geberindex</translation>
+    </message>
+    <message>
+        <source>Lasts until the shaft moves on.</source>
+        <translation>Gilt, bis sich die Welle weiterbewegt.</translation>
+    </message>
+    <message>
+        <source>A/D input by hand</source>
+        <translation>A/D von Hand</translation>
+    </message>
+    <message>
+        <source>Unchecked, the converter reads the motor&apos;s current.</source>
+        <translation>Ohne Haken liest der Wandler den Motorstrom.</translation>
+    </message>
+    <message>
+        <source>ADDR line broken towards the host</source>
+        <translation>ADDR zum Rechner unterbrochen</translation>
+    </message>
+    <message>
+        <source>Broken between this module and the next towards the host</source>
+        <translation>Zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen</translation>
+    </message>
+    <message>
+        <source>Broken between this module and the next towards the host: that one does not get an address.</source>
+        <translation>Zwischen diesem Modul und dem nächsten zum Rechner hin unterbrochen: jenes bekommt keine Adresse.</translation>
+    </message>
+    <message>
+        <source>Power-cycle</source>
+        <translation>Aus und ein</translation>
+    </message>
+    <message>
+        <source>Switches this module off and on: it forgets its address and its gains.</source>
+        <translation>Schaltet dieses Modul aus und ein: es vergisst Adresse und Reglerwerte.</translation>
+    </message>
+    <message>
+        <source>Power-cycle all</source>
+        <translation>Alle aus und ein</translation>
+    </message>
+    <message>
+        <source>Switches all modules off and on: they forget their addresses and gains.</source>
+        <translation>Schaltet alle Module aus und ein: sie vergessen Adressen und Reglerwerte.</translation>
+    </message>
+    <message>
+        <source>Late tick</source>
+        <translation>Später Takt</translation>
+    </message>
+    <message>
+        <source>Lets one servo tick take too long: servo_overrun.</source>
+        <translation>Lässt einen Servotakt zu lange dauern: servo_overrun.</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Mechanik</translation>
+    </message>
+    <message>
+        <source>Load torque</source>
+        <translation>Lastmoment</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>N·m</translation>
+    </message>
+    <message>
+        <source>External torque; positive pulls the shaft backwards.</source>
+        <translation>Äußeres Moment; positiv zieht die Welle rückwärts.</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>10⁻⁶ kg·m²</source>
+        <translation>10⁻⁶ kg·m²</translation>
+    </message>
+    <message>
+        <source>Moment of inertia of rotor and load.</source>
+        <translation>Trägheitsmoment von Läufer und Last.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Dry friction, which also holds the shaft at rest.</source>
+        <translation>Trockene Reibung, die die Welle auch im Stillstand hält.</translation>
+    </message>
+    <message>
+        <source>Stop, reverse</source>
+        <translation>Anschlag rückw.</translation>
+    </message>
+    <message>
+        <source>A hard stop at the reverse end of the travel. It cannot be put beyond the place where the shaft is.</source>
+        <translation>Ein fester Anschlag am rückwärtigen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
+    </message>
+    <message>
+        <source>Stop, forward</source>
+        <translation>Anschlag vorw.</translation>
+    </message>
+    <message>
+        <source>A hard stop at the forward end of the travel. It cannot be put beyond the place where the shaft is.</source>
+        <translation>Ein fester Anschlag am vorderen Ende des Wegs. Er kann nicht jenseits der Welle liegen.</translation>
+    </message>
+    <message>
+        <source>Limit switches at the stops</source>
+        <translation>Endschalter an den Anschlägen</translation>
+    </message>
+    <message>
+        <source>Limit switches at the travel&apos;s ends</source>
+        <translation>Endschalter an den Enden des Wegs</translation>
+    </message>
+    <message>
+        <source>The limit switches close at the travel&apos;s ends; they cannot be set by hand then.</source>
+        <translation>Die Endschalter schließen an den Enden des Wegs; von Hand sind sie dann nicht stellbar.</translation>
+    </message>
+    <message>
+        <source>Home switch at</source>
+        <translation>Ref.-Schalter bei</translation>
+    </message>
+    <message>
+        <source>Follows the motor&apos;s position: see Mechanics.</source>
+        <translation>Folgt der Position des Motors: siehe Mechanik.</translation>
+    </message>
+    <message>
+        <source>The home switch is closed from there on, forward. Unchecked, it is set by hand.</source>
+        <translation>Der Referenzschalter ist von dort an vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ModulePanel</name>
     <message>
         <source>Selected module</source>
@@ -1678,6 +2003,21 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Pages of the module</source>
         <translation>Seiten des Moduls</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SimulatorDock</name>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulator</translation>
+    </message>
+    <message>
+        <source>Simulated module</source>
+        <translation>Simuliertes Modul</translation>
+    </message>
+    <message>
+        <source>Follows the list of modules. Has those too that the panel does not find.</source>
+        <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
     </message>
 </context>
 <context>

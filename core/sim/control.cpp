@@ -126,6 +126,10 @@ Json stepJson(const StepSnapshot& step) {
             {"homing", step.homing},
             {"home", step.home},
             {"inputs", pinsJson(step.inputs)},
+            {"travel_min", orNull(step.travelMin)},
+            {"travel_max", orNull(step.travelMax)},
+            {"limits", step.limitsAutomatic ? "auto" : "manual"},
+            {"home_switch_at", orNull(step.homeSwitchAt)},
             {"outputs", step.outputs},
             {"current_limit", step.currentLimit}};
 }
@@ -240,7 +244,8 @@ struct Surroundings {
 
 Surroundings surroundings(const ModuleSnapshot& s) {
     if (s.step)
-        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic, s.step->homeSwitchAutomatic};
+        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic,
+                s.step->homeSwitchAt.has_value()};
     return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
 }
 

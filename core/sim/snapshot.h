@@ -78,10 +78,12 @@ struct StepSnapshot {
     bool homing = false;
     std::int32_t home = 0;
     StepPins inputs;
-    bool limitsAutomatic = false;      ///< the limit pins follow the travel
-    bool homeSwitchAutomatic = false;  ///< the home switch follows the shaft
-    std::uint8_t outputs = 0;          ///< bits 0 to 4: OUT1 to OUT5
-    std::uint8_t currentLimit = 0;     ///< CUR_LIM, 255 is full current
+    bool limitsAutomatic = false;           ///< the limit pins follow the travel
+    std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
+    std::optional<std::int64_t> travelMax;
+    std::optional<std::int64_t> homeSwitchAt;  ///< where the shaft works the home switch
+    std::uint8_t outputs = 0;                  ///< bits 0 to 4: OUT1 to OUT5
+    std::uint8_t currentLimit = 0;             ///< CUR_LIM, 255 is full current
 };
 
 /// Ground truth about a module.

@@ -207,7 +207,9 @@ StepSnapshot StepControl::snapshot() const {
     s.home = m_home;
     s.inputs = m_pins;
     s.limitsAutomatic = m_machine.limitsAutomatic();
-    s.homeSwitchAutomatic = m_machine.homeSwitchAutomatic();
+    s.travelMin = m_machine.travelMin();
+    s.travelMax = m_machine.travelMax();
+    s.homeSwitchAt = m_machine.homeSwitchAt();
     s.outputs = m_outputs;
     s.currentLimit = m_current.limit();
     return s;

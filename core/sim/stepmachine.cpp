@@ -71,9 +71,16 @@ StepPins StepMachine::pins() const {
     return pins;
 }
 
+std::optional<std::int64_t> StepMachine::travelMin() const {
+    return m_travelMin == kNoMin ? std::nullopt : std::optional(m_travelMin);
+}
+
+std::optional<std::int64_t> StepMachine::travelMax() const {
+    return m_travelMax == kNoMax ? std::nullopt : std::optional(m_travelMax);
+}
+
 bool StepMachine::shaftMovesPins() const {
-    const bool hasStops = m_travelMin != kNoMin || m_travelMax != kNoMax;
-    return (m_limitsAutomatic && hasStops) || m_homeSwitchAt;
+    return (m_limitsAutomatic && (travelMin() || travelMax())) || m_homeSwitchAt;
 }
 
 }  // namespace nmc::sim

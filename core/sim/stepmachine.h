@@ -25,7 +25,9 @@ public:
     /// Turning the shaft may change a pin.
     [[nodiscard]] bool shaftMovesPins() const;
     [[nodiscard]] bool limitsAutomatic() const { return m_limitsAutomatic; }
-    [[nodiscard]] bool homeSwitchAutomatic() const { return m_homeSwitchAt.has_value(); }
+    [[nodiscard]] std::optional<std::int64_t> travelMin() const;
+    [[nodiscard]] std::optional<std::int64_t> travelMax() const;
+    [[nodiscard]] std::optional<std::int64_t> homeSwitchAt() const { return m_homeSwitchAt; }
 
 private:
     static constexpr std::int64_t kNoMin = std::numeric_limits<std::int64_t>::min();

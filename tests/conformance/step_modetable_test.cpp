@@ -127,6 +127,7 @@ TEST_P(PicStepModeTable, ModeTable6_TrapezoidalFromStoppedNeedsAPositionAndTakes
 }
 TEST_P(PicStepModeTable, ModeTable7_TrapezoidalFromTrapezoidalIsNotAllowed) {
     expectForbidden(Trapezoidal, {kPosition, kPosition + kProfile});
+    rig->wait(seconds(18));  // 1500 steps per second
     expectEnd(kFar);
 }
 TEST_P(PicStepModeTable, ModeTable8_TrapezoidalFromVelocityProfileIsNotAllowed) {
@@ -174,7 +175,6 @@ TEST_P(PicStepModeTable, ModeTable16_UnprofiledWithStopFromStoppedNeedsPositionA
 TEST_P(PicStepModeTable, ModeTable17_UnprofiledWithStopFromTrapezoidalNeedsATimerCountOnly) {
     expectAllowed(Trapezoidal, "unprofiled", {kTimer});
     EXPECT_EQ(truth<double>("step_rate"), 1'250);
-    // 20 s for the first 25 000 steps.
     rig->wait(seconds(20));
     expectEnd(kFar);
     expectForbidden(Trapezoidal, {kPositionTimer});

@@ -118,9 +118,7 @@ TEST_P(PicStepNetwork, SetBaudRate6_TheDivisorIsProgrammedAsItIs) {
 }
 
 TEST_P(PicStepNetwork, SetBaudRate7_IsOnlyForAGroupOfAllControllers) {
-    rig->command(0xFF, 0x1A, {10});
-    rig->setBaud(115'200);
-    expectNoViolations();
+    expectRate(10, 115'200);
     command(0x1A, {10});
     expectViolations({"set_baud_single"});
 }

@@ -10,6 +10,7 @@
 
 #include "protocol/baud.h"
 #include "sim/chain.h"
+#include "sim/chainspec.h"
 #include "sim/control.h"
 
 namespace {
@@ -110,10 +111,7 @@ private:
     }
     void say(const std::string& line) { m_seen += handleControlLine(m_chain, line, m_now); }
 
-    nmc::sim::Chain m_chain{{{nmc::ModuleType::Servo, 4},
-                             {nmc::ModuleType::Step, 1},
-                             {nmc::ModuleType::Servo, 1},
-                             {nmc::ModuleType::Servo, 3}}};
+    nmc::sim::Chain m_chain{nmc::sim::parseChain("servo,step,servo@1,servo@3").value()};
     nmc::TimePoint m_now;
     std::string m_seen;
 };

@@ -116,6 +116,23 @@ TEST_F(Control, StateTellsWhatWasSet) {
     EXPECT_EQ(say("state 2")["load"], 0.0) << "module 2 is another one";
 }
 
+TEST_F(Control, StateTellsWhatASteppersShaftWorks) {
+    wire = HostWire("step");
+    auto s = say("state 1");
+    for (const char* key : {"travel_min", "travel_max", "home_switch_at"})
+        EXPECT_TRUE(s[key].is_null()) << key;
+    EXPECT_EQ(s["limits"], "manual");
+    EXPECT_EQ(s["addr_broken"], false);
+    for (const char* line :
+         {"set 1 travel_min -100", "set 1 travel_max 200", "set 1 limits auto", "set 1 home_switch_at 50"})
+        say(line);
+    s = say("state 1");
+    EXPECT_EQ(s["travel_min"], -100);
+    EXPECT_EQ(s["travel_max"], 200);
+    EXPECT_EQ(s["limits"], "auto");
+    EXPECT_EQ(s["home_switch_at"], 50);
+}
+
 TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     const auto before = say("state 1");
     EXPECT_THAT(errorOf("set 1 limit1 2"), HasSubstr("0 or 1"));

@@ -123,6 +123,21 @@ TEST(StepCommands, ValuesOutsideTheirRangeAreViolations) {
     EXPECT_EQ(wire.violations().back(), ViolationKind::WrongLength);
 }
 
+TEST(StepCommands, AGoalIsNoFartherThan7FFFFFFFFromZeroNorFromWhereTheMotorStands) {
+    StepWire wire;
+    wire.parameters(k8x, 250);
+    wire.load({.position = -0x7FFFFFFF, .start = false});
+    EXPECT_EQ(wire.violations(), Kinds{});
+    wire.load({.position = -0x7FFFFFFF - 1, .start = false});
+    EXPECT_EQ(wire.violations(), Kinds{ViolationKind::OutOfRange});
+    wire.load({.position = -1, .speed = std::uint8_t{250}, .acceleration = std::uint8_t{1}});
+    static_cast<void>(wire.timeToStop());
+    wire.load({.position = 0x7FFFFFFE, .start = false});
+    EXPECT_EQ(wire.violations().size(), 1U);
+    wire.load({.position = 0x7FFFFFFF, .start = false});
+    EXPECT_EQ(wire.violations(), Kinds(2, ViolationKind::OutOfRange));
+}
+
 TEST(StepCommands, StartMotionExecutesTheLatestLoadInAGroupAtOnce) {
     StepWire wire("step,step");
     wire.command(1, 0x21, {1, 0x01});

@@ -44,6 +44,7 @@ QJsonObject stepState() {
             {u"type"_s, u"step"_s},
             {u"version"_s, 1},
             {u"position"_s, 700},
+            {u"shaft"_s, 700},
             {u"step_rate"_s, -400},
             {u"power"_s, true},
             {u"analog"_s, 255},
@@ -71,8 +72,8 @@ protected:
 
     /// Waits until the dock asks, then answers.
     void answer(const QString& line, const QJsonObject& json) {
-        lines.clear();
         ASSERT_TRUE(QTest::qWaitFor([&] { return asked(line); })) << line.toStdString();
+        lines.clear();
         window->showSimulatorAnswer(line, QJsonDocument(json).toJson(QJsonDocument::Compact));
     }
     bool asked(const QString& line) {
@@ -88,6 +89,11 @@ protected:
     }
     void toPage(const QString& bench, int page) { find<QTabWidget>(bench)->setCurrentIndex(page); }
     void press(const QString& objectName) { button(objectName)->click(); }
+    /// On the mark itself: a check box as wide as its row is not one all over.
+    void tick(const QString& objectName) {
+        QAbstractButton* box = button(objectName);
+        QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+    }
 
     QSignalSpy lines{window.get(), &MainWindow::simulatorLineEntered};
 };
@@ -163,13 +169,13 @@ TEST_F(Simulator, ShowsTheStateItIsTold) {
 TEST_F(Simulator, AClickIsTheControlLineOfNmcsim) {
     attach();
     answer(u"state 1"_s, servoState());
-    click(u"sim_servo_limit2Box"_s);
+    tick(u"sim_servo_limit2Box"_s);
     EXPECT_EQ(lastLine(), u"set 1 limit2 1"_s);
-    click(u"sim_servo_powerBox"_s);
+    tick(u"sim_servo_powerBox"_s);
     EXPECT_EQ(lastLine(), u"set 1 power 0"_s);
-    click(u"sim_servo_addressBrokenBox"_s);
+    tick(u"sim_servo_addressBrokenBox"_s);
     EXPECT_EQ(lastLine(), u"mend 1"_s);
-    click(u"sim_servo_addressBrokenBox"_s);
+    tick(u"sim_servo_addressBrokenBox"_s);
     EXPECT_EQ(lastLine(), u"break 1"_s);
     press(u"sim_servo_powerCycleButton"_s);
     EXPECT_EQ(lastLine(), u"power-cycle 1"_s);
@@ -222,11 +228,11 @@ TEST_F(Simulator, WhatIsBeingTypedIsLeftAlone) {
 TEST_F(Simulator, AnAnswerFromBeforeTheClickDoesNotUndoIt) {
     attach();
     answer(u"state 1"_s, servoState());
-    lines.clear();
     ASSERT_TRUE(QTest::qWaitFor([&] { return asked(u"state 1"_s); }));
-    click(u"sim_servo_powerBox"_s);
+    tick(u"sim_servo_powerBox"_s);
     window->showSimulatorAnswer(u"state 1"_s, QJsonDocument(servoState()).toJson());
     EXPECT_FALSE(button(u"sim_servo_powerBox"_s)->isChecked());
+    lines.clear();
     answer(u"state 1"_s, servoState());
     EXPECT_TRUE(button(u"sim_servo_powerBox"_s)->isChecked()) << "the simulator has the last word";
 }
@@ -248,7 +254,7 @@ TEST_F(Simulator, AStepperHasItsOwnControls) {
     EXPECT_EQ(field(u"sim_step_travel_maxField"_s)->value(), 9000);
     EXPECT_EQ(text(u"simTruth_step_rate"_s), u"\u2212400"_s);
     EXPECT_FALSE(find(u"simTruth_pwm"_s)->isVisible());
-    click(u"sim_step_in1Box"_s);
+    tick(u"sim_step_in1Box"_s);
     EXPECT_EQ(lastLine(), u"set 2 in1 1"_s);
     toPage(u"sim_step_bench"_s, 1);
     press(u"sim_step_home_switch_atBox"_s);
@@ -260,7 +266,7 @@ TEST_F(Simulator, FollowsTheListOfModules) {
     auto* chain = find<QAbstractItemView>(u"chainList"_s);
     chain->setCurrentIndex(chain->model()->index(1, 0));
     EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->currentIndex(), 1);
-    click(u"sim_servo_limit1Box"_s);
+    tick(u"sim_servo_limit1Box"_s);
     EXPECT_EQ(lastLine(), u"set 2 limit1 1"_s);
     find<QComboBox>(u"simModuleBox"_s)->setCurrentIndex(0);
     attach();
@@ -297,7 +303,7 @@ TEST_F(Simulator, ATypedLineGetsItsAnswerWhole) {
 
 TEST_F(Simulator, ARefusalIsShownWhole) {
     attach();
-    click(u"sim_servo_limit1Box"_s);
+    tick(u"sim_servo_limit1Box"_s);
     window->showSimulatorAnswer(u"set 1 limit1 1"_s, R"({"error":"the limits follow the travel"})");
     EXPECT_EQ(text(u"simAnswerHead"_s), u"Not done: set 1 limit1 1"_s);
     EXPECT_EQ(find<QPlainTextEdit>(u"simAnswer"_s)->toPlainText(), u"the limits follow the travel"_s);

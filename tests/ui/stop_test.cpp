@@ -80,7 +80,7 @@ TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
 TEST_F(StopAll, NeverCallsItselfAnEmergencyStop) {
     for (const QWidget* widget : window->findChildren<QWidget*>()) {
         if (widget->objectName() == u"sim_step_estopBox"_s)
-            continue;  // the chip's own input of that name
+            continue;  // the stepper's input is called so
         for (const QString& words : {widget->accessibleName(), widget->toolTip()}) {
             EXPECT_FALSE(words.contains(u"emergency"_s, Qt::CaseInsensitive)) << words.toStdString();
             EXPECT_FALSE(words.contains(u"e-stop"_s, Qt::CaseInsensitive)) << words.toStdString();

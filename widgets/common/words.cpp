@@ -233,6 +233,10 @@ QString unitCounts() {
     return Texts::tr("counts");
 }
 
+QString unitSteps() {
+    return Texts::tr("steps");
+}
+
 QString unitVelocity() {
     return Texts::tr("counts/tick");
 }

@@ -38,6 +38,7 @@ namespace nmc::texts {
 
 // ---- units, never without ----
 [[nodiscard]] QString unitCounts();
+[[nodiscard]] QString unitSteps();
 [[nodiscard]] QString unitVelocity();
 [[nodiscard]] QString unitAcceleration();
 /// "1 953 counts/s", from 16.16 counts per tick; the servo rate divisor stretches the tick.

@@ -67,6 +67,9 @@ void BenchTruth::addRow(QGridLayout& grid, const QString& key, const QString& la
 }
 
 void BenchTruth::showState(const QJsonObject& state) {
+    const bool step = state["type"_L1].toString() == "step"_L1;
+    for (const QString& key : {u"shaft"_s, u"position"_s})
+        look::setText(m_rows[key].unit, step ? texts::unitSteps() : texts::unitCounts());
     for (auto row = m_rows.cbegin(); row != m_rows.cend(); ++row) {
         const bool known = state.contains(row.key());
         for (QWidget* part : {row->label, row->value, row->unit})

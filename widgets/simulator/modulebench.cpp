@@ -130,6 +130,7 @@ void ModuleBench::buildCable(QGridLayout& grid) {
 
 void ModuleBench::buildMechanics() {
     QGridLayout& grid = *newPage(*this, tr("Mechanics"));
+    const QString unit = m_type == ModuleType::Step ? texts::unitSteps() : texts::unitCounts();
     if (m_type != ModuleType::Step) {
         // The default motor stalls at 0.8 N·m and has 0.004 N·m of friction: the sliders have the range in
         // which tuning is a matter of taste, the fields have the rest.
@@ -165,7 +166,7 @@ void ModuleBench::buildMechanics() {
     }
     addRow(grid, {.name = u"travel_min"_s,
                   .label = tr("Stop, reverse"),
-                  .unit = texts::unitCounts(),
+                  .unit = unit,
                   .meaning = tr("A hard stop at the reverse end of the travel. It cannot be put beyond the "
                                 "place where the shaft is."),
                   .min = -kMaxCounts,
@@ -174,7 +175,7 @@ void ModuleBench::buildMechanics() {
                   .none = u"none"_s});
     addRow(grid, {.name = u"travel_max"_s,
                   .label = tr("Stop, forward"),
-                  .unit = texts::unitCounts(),
+                  .unit = unit,
                   .meaning = tr("A hard stop at the forward end of the travel. It cannot be put beyond the "
                                 "place where the shaft is."),
                   .min = -kMaxCounts,
@@ -189,14 +190,16 @@ void ModuleBench::buildMechanics() {
     connect(m_limitsAutomatic, &QAbstractButton::clicked, this,
             [this](bool on) { set(u"limits"_s, on ? u"auto"_s : u"manual"_s); });
     if (m_type == ModuleType::Step)
-        addRow(grid, {.name = u"home_switch_at"_s,
-                      .label = tr("Home switch at"),
-                      .unit = texts::unitCounts(),
-                      .meaning = tr("Where the home switch stands. Unchecked, it is set by hand."),
-                      .min = -kMaxCounts,
-                      .max = kMaxCounts,
-                      .step = 1'000,
-                      .none = u"none"_s});
+        addRow(
+            grid,
+            {.name = u"home_switch_at"_s,
+             .label = tr("Home switch at"),
+             .unit = unit,
+             .meaning = tr("The home switch is closed from there on, forward. Unchecked, it is set by hand."),
+             .min = -kMaxCounts,
+             .max = kMaxCounts,
+             .step = 1'000,
+             .none = u"none"_s});
     grid.setRowStretch(grid.rowCount(), 1);
     grid.setColumnStretch(0, 1);
 }
