@@ -153,7 +153,8 @@ void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, boo
     }
     if (faults.isOn(FaultKind::MuteRx, sender.index(), now))
         return;
-    hostHears(faults.breaksReplies(now) ? std::uint8_t{0} : value, now + m_heldUp[sender.index()]);
+    hostHears(faults.breaks(&FaultSides::status, now) ? std::uint8_t{0} : value,
+              now + m_heldUp[sender.index()]);
 }
 
 void Chain::Private::hostHears(std::uint8_t value, TimePoint due) {

@@ -91,7 +91,7 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
         watchForHaste(byte);
         followPacket(byte, insidePacket);
     }
-    const bool broken = faults.breaksCommands(now);
+    const bool broken = faults.breaks(&FaultSides::command, now);
     for (std::size_t i = 0; i < modules.size(); ++i) {
         if (faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now))
             continue;
@@ -107,7 +107,6 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
 /// A packet is struck when its header leaves, if the host has handed it over whole; from a host that sends
 /// byte by byte when its command byte leaves, because what it is and how long is not known before.
 void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
-    constexpr std::size_t kCommandByte = 2;
     if (!insidePacket) {
         m_underway.bytes.clear();
         m_underway.decided = byte.value != kHeader;
@@ -121,16 +120,16 @@ void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
         return;
     if (!insidePacket) {
         const PacketBytes whole = line.packetBehind(byte.value);
-        if (whole.size() > kCommandByte && whole.size() == packetLength(whole[kCommandByte]))
+        if (whole.size() > kCommandByteAt && whole.size() == packetLength(whole[kCommandByteAt]))
             strikePacket(whole, 0);
-    } else if (m_underway.bytes.size() > kCommandByte) {
-        strikePacket(m_underway.bytes, kCommandByte);
+    } else if (m_underway.bytes.size() > kCommandByteAt) {
+        strikePacket(m_underway.bytes, kCommandByteAt);
     }
 }
 
 void Chain::Private::strikePacket(const PacketBytes& known, std::size_t first) {
-    const auto code = static_cast<CommandCode>(known[2] & 0x0FU);
-    const FrameInSight packet{known, packetLength(known[2]), first, true};
+    const auto code = static_cast<CommandCode>(known[kCommandByteAt] & 0x0FU);
+    const FrameInSight packet{known, packetLength(known[kCommandByteAt]), first, true};
     m_underway.decided = true;
     m_underway.busEdit = faults.strikePacket(std::nullopt, code, packet, now);
     for (const auto& module : modules)

@@ -2,7 +2,6 @@
 #include "sim/control.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -12,6 +11,7 @@
 
 #include "protocol/baud.h"
 #include "protocol/commandtable.h"
+#include "sim/controlwords.h"
 #include "sim/faultspec.h"
 
 namespace nmc::sim {
@@ -32,10 +32,6 @@ Json ok() {
     return {{"ok", true}};
 }
 
-std::string quoted(std::string_view word) {
-    return "'" + std::string(word) + "'";
-}
-
 Words split(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r\n";
     Words words;
@@ -45,15 +41,6 @@ Words split(std::string_view line) {
         at = end;
     }
     return words;
-}
-
-template <typename T>
-std::optional<T> number(std::string_view word) {
-    T value{};
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failure != std::errc{} || end != word.data() + word.size())
-        return std::nullopt;
-    return value;
 }
 
 tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::string_view word) {

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/module.h"
+
 namespace nmc::sim {
 
 namespace {
 
-constexpr TimePoint kNever = TimePoint::max();
 constexpr std::uint8_t kAllItems = 0x3F;
 
 bool damagesFrames(FaultKind kind) {
@@ -161,15 +162,9 @@ bool FaultInjector::isOn(FaultKind kind, std::uint8_t module, TimePoint now) con
         m_faults, [&](const Fault& f) { return f.spec.kind == kind && f.hits(module) && f.isActive(now); });
 }
 
-bool FaultInjector::breaksCommands(TimePoint now) const {
-    return std::ranges::any_of(m_faults, [now](const Fault& f) {
-        return f.spec.kind == FaultKind::Break && f.spec.sides.command && f.isActive(now);
-    });
-}
-
-bool FaultInjector::breaksReplies(TimePoint now) const {
-    return std::ranges::any_of(m_faults, [now](const Fault& f) {
-        return f.spec.kind == FaultKind::Break && f.spec.sides.status && f.isActive(now);
+bool FaultInjector::breaks(bool FaultSides::*side, TimePoint now) const {
+    return std::ranges::any_of(m_faults, [&](const Fault& f) {
+        return f.spec.kind == FaultKind::Break && f.spec.sides.*side && f.isActive(now);
     });
 }
 

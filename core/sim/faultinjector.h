@@ -79,8 +79,7 @@ public:
     // The line and the module.
     /// Whether a fault that lasts is on: a mute, an echo, a stall, a reversal.
     [[nodiscard]] bool isOn(FaultKind kind, std::uint8_t module, TimePoint now) const;
-    [[nodiscard]] bool breaksCommands(TimePoint now) const;
-    [[nodiscard]] bool breaksReplies(TimePoint now) const;
+    [[nodiscard]] bool breaks(bool FaultSides::*side, TimePoint now) const;
 
     // Time.
     [[nodiscard]] TimePoint nextEvent() const;

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 #include "protocol/commandtable.h"
 #include "protocol/frame.h"
+#include "sim/controlwords.h"
 
 namespace nmc::sim {
 
@@ -59,24 +59,11 @@ constexpr std::array kRows{
 /// What another host may be heard to send: nothing that could move a motor.
 constexpr std::array kForeignCommands{CommandCode::Nop, CommandCode::ReadStatus, CommandCode::DefineStatus};
 
-std::string quoted(std::string_view word) {
-    return "'" + std::string(word) + "'";
-}
-
 std::string kindNames() {
     std::string names;
     for (const Row& row : kRows)
         names += (names.empty() ? "" : " ") + std::string(row.name);
     return names;
-}
-
-template <typename T>
-std::optional<T> number(std::string_view word) {
-    T value{};
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failure != std::errc{} || end != word.data() + word.size())
-        return std::nullopt;
-    return value;
 }
 
 /// Up to a day, in seconds or with a unit.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/frameedit.h"
 
+#include "sim/line.h"
+
 namespace nmc::sim {
 
 namespace {
 
 constexpr unsigned kBits = 8;
-constexpr std::size_t kCommandByte = 2;
 
 std::uint8_t mask(unsigned bit) {
     return static_cast<std::uint8_t>(1U << bit);
@@ -23,7 +24,7 @@ std::optional<FrameEdit> collision(const FrameInSight& frame, Random& random) {
         return std::nullopt;
     std::vector<Pair> pairs;
     const auto isLength = [&](std::size_t i, unsigned bit) {
-        return frame.isPacket && i == kCommandByte && bit >= 4;
+        return frame.isPacket && i == kCommandByteAt && bit >= 4;
     };
     const std::size_t last = frame.length - 1;
     for (std::size_t i = std::max<std::size_t>(frame.first, frame.isPacket ? 1 : 0); i < last; ++i)

@@ -31,10 +31,9 @@ LineByte HostLine::take() {
 }
 
 PacketBytes HostLine::packetBehind(std::uint8_t header) const {
-    constexpr std::size_t kCommandByte = 2;
     PacketBytes packet{header};
     for (const LineByte& byte : m_bytes) {
-        if (packet.size() > kCommandByte && packet.size() == packetLength(packet[kCommandByte]))
+        if (packet.size() > kCommandByteAt && packet.size() == packetLength(packet[kCommandByteAt]))
             break;
         packet.push_back(byte.value);
     }

@@ -21,6 +21,9 @@ struct LineByte {
     bool foreign = false;  ///< another host's
 };
 
+/// Where a command packet has its command byte.
+inline constexpr std::size_t kCommandByteAt = 2;
+
 /// Of a command packet, by its command byte.
 [[nodiscard]] constexpr std::size_t packetLength(std::uint8_t commandByte) {
     return 4U + (commandByte >> 4U);
