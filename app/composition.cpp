@@ -245,6 +245,28 @@ void Composition::told(const bus::HoldExpired& expired) {
     m_window.showMessage(texts::holdExpired(expired.module));
 }
 
+void Composition::told(const bus::HealthChanged& changed) {
+    const int wrong = static_cast<int>(changed.wrong);
+    const int of = static_cast<int>(changed.of);
+    switch (changed.health) {
+        case bus::LinkHealth::Good:
+            return m_window.endMessage(texts::key::badLink());
+        case bus::LinkHealth::Doubtful:
+            return m_window.showMessage(texts::doubtfulLink(wrong, of));
+        case bus::LinkHealth::Lost:
+            return m_window.showMessage(texts::badLink(wrong, of));
+    }
+}
+
+void Composition::told(const bus::ModuleRestarted& restarted) {
+    m_window.endMessage(texts::key::silent(restarted.module));
+    m_window.showMessage(texts::restarted(restarted.module, static_cast<int>(m_store.link().modules.size())));
+}
+
+void Composition::told(const bus::MotionSuspect& suspect) {
+    m_window.showMessage(texts::motionSuspect(suspect));
+}
+
 void Composition::told(const PortClosed& closed) {
     m_frameTimer.stop();
     m_figuresTimer.stop();

@@ -63,6 +63,9 @@ private:
     void told(const bus::CommandRefused& refused);
     void told(const bus::LinkLost& lost);
     void told(const bus::HoldExpired& expired);
+    void told(const bus::HealthChanged& changed);
+    void told(const bus::ModuleRestarted& restarted);
+    void told(const bus::MotionSuspect& suspect);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);

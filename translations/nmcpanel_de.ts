@@ -824,6 +824,62 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>steps</source>
         <translation>Schritte</translation>
     </message>
+    <message>
+        <source>Two modules answer at the same address on %1, so the modules cannot be used.</source>
+        <translation>Zwei Module antworten an %1 unter derselben Adresse; die Module sind so nicht benutzbar.</translation>
+    </message>
+    <message>
+        <source>Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module farthest from the PC may be.</source>
+        <translation>Es wurde nichts bewegt. Meist liegen zwei ADDR_IN-Eingänge auf Masse: Nur der des vom PC am weitesten entfernten Moduls darf es.</translation>
+    </message>
+    <message>
+        <source>The line at %1 is held low: nothing but zero bytes comes in.</source>
+        <translation>Die Leitung an %1 wird auf Low gehalten: Es kommen nur Nullbytes an.</translation>
+    </message>
+    <message>
+        <source>Usually a short circuit, swapped wires of a pair, or a module without power. Motor state unknown; commands may not arrive either.</source>
+        <translation>Meist ein Kurzschluss, vertauschte Adern eines Paars oder ein Modul ohne Spannung. Zustand der Motoren unbekannt; auch Befehle kommen vielleicht nicht an.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 returns what is sent to it.</source>
+        <translation>Der Adapter an %1 gibt zurück, was ihm geschickt wird.</translation>
+    </message>
+    <message>
+        <source>That is how a 2-wire adapter works; these modules need a full-duplex (4-wire) one, or its echo switched off.</source>
+        <translation>So arbeitet ein Zweidraht-Adapter; diese Module brauchen einen Vollduplex-Adapter (4 Drähte) oder ein abgeschaltetes Echo.</translation>
+    </message>
+    <message>
+        <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
+        <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
+    </message>
+    <message>
+        <source>Nothing was lost; wrong answers are recognised and asked for again. Motors are stopped if it gets worse. Usually noise on the cable.</source>
+        <translation>Nichts ging verloren; falsche Antworten werden erkannt und neu erfragt. Wird es schlimmer, werden die Motoren gestoppt. Meist Störungen auf dem Kabel.</translation>
+    </message>
+    <message>
+        <source>Module %1 was switched off: it moved the wrong way, to %2 counts.</source>
+        <translation>Modul %1 wurde abgeschaltet: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Usually encoder or motor wires are swapped. Check them before the next move.</source>
+        <translation>Meist sind Encoder- oder Motoradern vertauscht. Vor der nächsten Fahrt prüfen.</translation>
+    </message>
+    <message>
+        <source>Module %1 was stopped: it went past its goal, to %2 counts.</source>
+        <translation>Modul %1 wurde gestoppt: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Either the command was damaged on its way, or the gains let it overshoot by far. Read the position before the next move.</source>
+        <translation>Entweder wurde der Befehl unterwegs beschädigt, oder die Reglerwerte lassen es weit überschwingen. Vor der nächsten Fahrt die Position ablesen.</translation>
+    </message>
+    <message>
+        <source>Module %1 says that it moves, but reports %2 counts again and again.</source>
+        <translation>Modul %1 meldet Bewegung, aber immer wieder dieselbe Position %2.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
+        <translation>Zustand des Motors unbekannt. Sehen Sie nach dem Motor; im Zweifel alles stoppen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::Banner</name>

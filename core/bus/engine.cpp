@@ -49,6 +49,17 @@ const LinkStatistics& Engine::statistics() const {
 std::size_t Engine::stopReach() const {
     return d->stopReach();
 }
+std::vector<std::uint8_t> Engine::stopBurst() const {
+    return d->stopBurst();
+}
+void Engine::setRecording(bool on) {
+    d->recording = on;
+    if (!on)
+        d->records.clear();
+}
+std::vector<ExchangeRecord> Engine::takeRecords() {
+    return std::exchange(d->records, {});
+}
 
 Engine::Private::Private(EngineConfig c)
     : config(c), line(c.adapterLatency, c.margin), m_hold(c.holdTimeout) {}

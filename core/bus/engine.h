@@ -8,6 +8,7 @@
 
 #include "base/bytes.h"
 #include "base/time.h"
+#include "bus/exchangerecord.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -66,6 +67,13 @@ public:
     [[nodiscard]] const LinkStatistics& statistics() const;
     /// Modules a stop would reach now: those that answer.
     [[nodiscard]] std::size_t stopReach() const;
+    /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
+    /// 2.6); empty when nothing is on. Changes only with a command or a status.
+    [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+
+    /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.
+    void setRecording(bool on);
+    [[nodiscard]] std::vector<ExchangeRecord> takeRecords();
 
 private:
     class Private;

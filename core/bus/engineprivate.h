@@ -33,10 +33,13 @@ public:
     void onDeadline(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
     [[nodiscard]] std::size_t stopReach() const;
+    [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
 
     EngineConfig config;
     Line line;
     std::vector<Event> events;
+    bool recording = false;
+    std::vector<ExchangeRecord> records;
 
 private:
     enum class Phase : std::uint8_t { Off, Discovering, Running };

@@ -74,6 +74,23 @@ void Engine::Private::finishStop(TimePoint now) {
     events.emplace_back(std::move(event));
 }
 
+std::vector<std::uint8_t> Engine::Private::stopBurst() const {
+    std::vector<std::uint8_t> burst;
+    for (const Belief& module : m_beliefs) {
+        const auto stop = stopFor(module);
+        if (!stop)
+            continue;
+        if (burst.empty())
+            burst.assign(kNullCount, 0);
+        const PacketBytes packet = toPacket({module.info().address, payloadOf(*stop)});
+        burst.insert(burst.end(), packet.begin(), packet.end());
+        // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
+        // it was carried out takes its place (DS-V 4.1).
+        burst.insert(burst.end(), static_cast<std::size_t>(kTurnaround / line.timing().byteTime) + 1, 0);
+    }
+    return burst;
+}
+
 void Engine::Private::stopForHold(TimePoint now) {
     const Step stop = *m_hold.stop();
     // Off by itself, a tripped servo say: the stop must not switch it on again.

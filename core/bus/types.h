@@ -8,6 +8,7 @@
 
 #include "base/strong.h"
 #include "base/time.h"
+#include "bus/rejection.h"
 #include "protocol/commands.h"
 
 /// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
@@ -84,12 +85,20 @@ struct ConnectProgress {
 struct ChainFound {
     std::vector<ModuleInfo> modules;
     std::uint32_t baud = 0;
+    /// The chain had its addresses already and was left as it was: positions, gains and motions are what they
+    /// were, and what cannot be read back is unknown. Otherwise it has just been given addresses.
+    bool attached = false;
+    /// With `attached`: a module without an address answers too, so one has restarted or is new.
+    bool unaddressed = false;
 };
 
 enum class ConnectFailure : std::uint8_t {
     NobodyAnswers,
     RateChange,  ///< some module did not answer at the new rate
     Garbled,     ///< answers came but could not be read
+    Collision,   ///< two modules answer at one address
+    HeldLow,     ///< nothing but zero bytes: the line is held low
+    Echo,        ///< the adapter returns what is sent
 };
 
 struct ConnectFailed {
@@ -127,14 +136,42 @@ struct CommandRefused {
 /// Every module is silent.
 struct LinkLost {};
 
+/// How far the link is to be trusted (link.md 2.5).
+enum class LinkHealth : std::uint8_t { Good, Doubtful, Lost };
+
+/// Of the whole bus. Lost is final: motors were stopped, polling ended; another connect() is needed.
+struct HealthChanged {
+    LinkHealth health;
+    unsigned wrong = 0;  ///< of the last `of` exchanges
+    unsigned of = 0;
+};
+
+/// A module that stopped answering has restarted: it answers without an address (faults.md F-15, F-16). Its
+/// position, gains and limits are lost and its motor is off; it is left alone until the network is restarted.
+struct ModuleRestarted {
+    ModuleIndex module;
+};
+
+/// Something about a motion is not as commanded; its module has been told to stop.
+struct MotionSuspect {
+    enum class Reason : std::uint8_t {
+        WrongWay,  ///< away from its goal, or against its direction
+        Overshot,  ///< past its goal by more than an overshoot can be
+        Frozen,    ///< says that it moves, and reports the same position again and again
+    };
+    ModuleIndex module;
+    Reason reason = Reason::WrongWay;
+    std::int32_t position = 0;
+};
+
 /// Held motion ended without the operator's release: the evidence stopped coming.
 struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event =
-    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired>;
+using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
+                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
+                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {
@@ -156,6 +193,10 @@ struct LinkStatistics {
     std::uint64_t refused = 0;  ///< communication-error bit
     std::uint64_t badChecksum = 0;
     std::uint64_t surplusBytes = 0;  ///< bytes nobody asked for
+    std::uint64_t staleBytes = 0;    ///< of them: discarded while waiting for a quarantine to pass
+    std::uint64_t rejected = 0;      ///< replies with a right sum that were not believed
+    RejectionCounts rejections{};    ///< the same by rule
+    std::uint64_t resyncs = 0;
     Duration roundTripSum{};
     Duration roundTripMax{};
     Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included

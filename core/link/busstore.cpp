@@ -117,6 +117,14 @@ void BusStore::take(const bus::Event& event) {
         emit happened(*refused);
     } else if (const auto* expired = std::get_if<bus::HoldExpired>(&event)) {
         emit happened(*expired);
+    } else if (const auto* health = std::get_if<bus::HealthChanged>(&event)) {
+        if (health->health == bus::LinkHealth::Lost)
+            m_link.phase = LinkPhase::Lost;
+        emit happened(*health);
+    } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
+        emit happened(*restarted);
+    } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
+        emit happened(*suspect);
     }
 }
 

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line's part of the table of texts.
-#include <QCoreApplication>
-
 #include "protocol/baud.h"
-#include "widgets/common/texts.h"
+#include "widgets/common/textparts.h"
 
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-class Texts {
-    Q_DECLARE_TR_FUNCTIONS(Texts)
-};
-}  // namespace
 
 QString unknownPort(const QString& name, const QStringList& known) {
     return known.isEmpty()

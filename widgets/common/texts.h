@@ -53,6 +53,7 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message disconnected(const QString& port);
 [[nodiscard]] Message linkLost(const QString& port, int movingMotors);
 [[nodiscard]] Message badLink(int wrong, int of);
+[[nodiscard]] Message doubtfulLink(int wrong, int of);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
 
 // ---- one module ----
@@ -60,6 +61,7 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message restarted(ModuleIndex module, int modulesInChain);
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
+[[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);
 [[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);

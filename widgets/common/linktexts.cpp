@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The link's and the chain's part of the table of texts.
+#include <cmath>
+
+#include "widgets/common/textparts.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
+    Message m{.key = key::port(), .severity = Severity::Attention, .actions = {scanAgain(), useSimulator()}};
+    switch (failed.reason) {
+        case bus::ConnectFailure::NobodyAnswers:
+            m.headline =
+                Texts::tr("The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried).");
+            m.body = Texts::tr(
+                "Check, in this order: module power; every cable in the chain, one loose cable hides all "
+                "modules; the "
+                "ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex "
+                "(4-wire) "
+                "adapter.");
+            break;
+        case bus::ConnectFailure::RateChange:
+            m.headline =
+                failed.modules.empty()
+                    ? Texts::tr("Not every module answered at %1 Bd, so the modules cannot be used yet.")
+                          .arg(rate(failed.baud))
+                    : Texts::tr("Module %1 did not answer at %2 Bd, so the modules cannot be used yet.")
+                          .arg(listOfModules(failed.modules), rate(failed.baud));
+            m.body =
+                Texts::tr(
+                    "Usually the cable is too long for this rate, or termination is missing. Choose a lower "
+                    "rate for %1 and scan again.")
+                    .arg(portName(port));
+            break;
+        case bus::ConnectFailure::Garbled:
+            m.headline =
+                Texts::tr("Modules answered at %1, but their answers could not be read.").arg(portName(port));
+            m.body = Texts::tr(
+                "Usually noise on the cable, or two modules answer at once. Check the cable, its "
+                "termination and the ADDR_IN jumpers.");
+            break;
+        case bus::ConnectFailure::Collision:
+            m.headline =
+                Texts::tr("Two modules answer at the same address on %1, so the modules cannot be used.")
+                    .arg(portName(port));
+            m.body = Texts::tr(
+                "Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module "
+                "farthest from the PC may be.");
+            break;
+        case bus::ConnectFailure::HeldLow:
+            m.headline =
+                Texts::tr("The line at %1 is held low: nothing but zero bytes comes in.").arg(portName(port));
+            m.body = Texts::tr(
+                "Usually a short circuit, swapped wires of a pair, or a module without power. Motor state "
+                "unknown; commands may not arrive either.");
+            break;
+        case bus::ConnectFailure::Echo:
+            m.headline = Texts::tr("The adapter at %1 returns what is sent to it.").arg(portName(port));
+            m.body = Texts::tr(
+                "That is how a 2-wire adapter works; these modules need a full-duplex (4-wire) one, or its "
+                "echo switched off.");
+            break;
+    }
+    m.details = Texts::tr("Port %1, %2 Bd").arg(port).arg(failed.baud);
+    return m;
+}
+
+Message fewerThanExpected(int found, int expected, const QString& lastName) {
+    Message m{.key = key::port(), .severity = Severity::Attention};
+    m.headline = Texts::tr("%1 of %2 modules answered.").arg(found).arg(expected);
+    const QString last = lastName.isEmpty() ? Texts::tr("module %1").arg(found)
+                                            : Texts::tr("module %1 \"%2\"").arg(found).arg(lastName);
+    m.body =
+        Texts::tr(
+            "Numbering starts at the far end, so look at the next module towards the PC after %1: its power "
+            "first, then the plug between the two.")
+            .arg(last);
+    m.actions = {scanAgain(), {action::kWorkWith, Texts::tr("Work with %1").arg(found)}};
+    return m;
+}
+
+Message connected(const QString& port, quint32 baud, int modules) {
+    return {.key = u"connected"_s,
+            .headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
+                            .arg(portName(port), countOfModules(modules), rate(baud)),
+            .body = Texts::tr("Nothing moves until you ask for it. Gains are unknown until you apply them.")};
+}
+
+Message disconnected(const QString& port) {
+    return {.key = u"connected"_s, .headline = Texts::tr("Disconnected from %1.").arg(portName(port))};
+}
+
+Message linkLost(const QString& port, int movingMotors) {
+    return {.key = key::link(),
+            .severity = Severity::Fault,
+            .headline = Texts::tr("No module answers on %1 any more. %2")
+                            .arg(portName(port), movingSentence(movingMotors)),
+            .body = Texts::tr(
+                "Use the hardware stop if needed. Then check the power of the modules and the cable at "
+                "the PC."),
+            .actions = {scanAgain()}};
+}
+
+Message badLink(int wrong, int of) {
+    return {
+        .key = key::badLink(),
+        .severity = Severity::Fault,
+        .headline =
+            Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.").arg(wrong).arg(of),
+        .body = Texts::tr(
+            "Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.")};
+}
+
+Message doubtfulLink(int wrong, int of) {
+    return {
+        .key = key::badLink(),
+        .severity = Severity::Attention,
+        .headline =
+            Texts::tr("The link is doubtful: %1 of the last %2 exchanges went wrong.").arg(wrong).arg(of),
+        .body = Texts::tr(
+            "Nothing was lost; wrong answers are recognised and asked for again. Motors are stopped if it "
+            "gets worse. Usually noise on the cable.")};
+}
+
+Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
+    const QString since = readout(std::round(secondsSinceAnswer * 10) / 10, 2);
+    return {.key = key::silent(module),
+            .severity = Severity::Fault,
+            .headline =
+                wasMoving
+                    ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
+                          .arg(module.value() + 1)
+                          .arg(since)
+                    : Texts::tr("Module %1 has not answered for %2 s. Motor state unknown; it was stopped "
+                                "at the last word.")
+                          .arg(module.value() + 1)
+                          .arg(since),
+            .body = Texts::tr(
+                "Use the hardware stop if needed. Usually its power or the plug next to it; it is asked "
+                "again all the time.")};
+}
+
+Message restarted(ModuleIndex module, int modulesInChain) {
+    const int number = module.value() + 1;
+    QString body;
+    if (number < modulesInChain)
+        body = Texts::tr("Module %1 may not answer until module %2 has its address again.")
+                   .arg(number + 1)
+                   .arg(number);
+    return {.key = key::restarted(module),
+            .severity = Severity::Fault,
+            .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
+            .body = body,
+            .actions = {{action::kRestartNetwork, Texts::tr("Restart the network…")}}};
+}
+
+Message refused(const bus::CommandRefused& refused) {
+    return {.key = key::refused(refused.module),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Module %1 did not understand the last command, so it was not carried out.")
+                            .arg(refused.module.value() + 1),
+            .body = Texts::tr("Sent again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)};
+}
+
+Message garbled(ModuleIndex module) {
+    return {
+        .key = key::garbled(module),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("The answer from module %1 was garbled.").arg(module.value() + 1),
+        .body = Texts::tr("The command may or may not have been carried out; position is being read again.")};
+}
+
+Message motionSuspect(const bus::MotionSuspect& suspect) {
+    const int number = suspect.module.value() + 1;
+    const QString position = grouped(suspect.position);
+    Message m{.key = ofModule(u"suspect"_s, suspect.module), .severity = Severity::Fault};
+    switch (suspect.reason) {
+        case bus::MotionSuspect::Reason::WrongWay:
+            m.headline = Texts::tr("Module %1 was switched off: it moved the wrong way, to %2 counts.")
+                             .arg(number)
+                             .arg(position);
+            m.body =
+                Texts::tr("Usually encoder or motor wires are swapped. Check them before the next move.");
+            break;
+        case bus::MotionSuspect::Reason::Overshot:
+            m.headline = Texts::tr("Module %1 was stopped: it went past its goal, to %2 counts.")
+                             .arg(number)
+                             .arg(position);
+            m.body = Texts::tr(
+                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the "
+                "position before the next move.");
+            break;
+        case bus::MotionSuspect::Reason::Frozen:
+            m.headline = Texts::tr("Module %1 says that it moves, but reports %2 counts again and again.")
+                             .arg(number)
+                             .arg(position);
+            m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
+            break;
+    }
+    return m;
+}
+
+}  // namespace nmc::texts

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the parts of the table of texts share; for widgets/common/*texts.cpp only.
+
+#include <QCoreApplication>
+
+#include "widgets/common/texts.h"
+
+namespace nmc::texts {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(Texts)
+};
+
+[[nodiscard]] Message::Action retry();
+[[nodiscard]] Message::Action scanAgain();
+[[nodiscard]] Message::Action useSimulator();
+[[nodiscard]] Message::Action choosePort();
+/// A rate in running text, with plain spaces as in interface.md.
+[[nodiscard]] QString rate(quint32 baud);
+/// The key of a message about one module.
+[[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
+/// What is known of the motors when the link is not.
+[[nodiscard]] QString movingSentence(int moving);
+
+}  // namespace nmc::texts
