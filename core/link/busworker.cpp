@@ -28,6 +28,7 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     (void)m_requests.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
+    m_restartWhenStopped = false;
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
     m_thread->start(QThread::TimeCriticalPriority);
@@ -36,6 +37,14 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 void BusWorker::close() {
     m_closeRequested = true;
     m_wakeup.wake();
+}
+
+void BusWorker::connectAgain() {
+    ask(ConnectAgain{});
+}
+
+void BusWorker::watch(std::vector<ModuleIndex> modules) {
+    ask(Watch{std::move(modules)});
 }
 
 void BusWorker::restart() {
@@ -104,6 +113,8 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             return;
         }
         const bool stopped = publish(engine);
+        if (stopped && std::exchange(m_restartWhenStopped, false))
+            engine.restart(now);
         if (closeBy && (stopped || now >= *closeBy)) {
             post(PortClosed{});
             return;
@@ -135,9 +146,22 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
             engine.release(now);
         else if (auto* line = std::get_if<ControlLine>(&request))
             answer(transport, *line);
-        else
+        else if (const auto* watched = std::get_if<Watch>(&request))
+            engine.watch(watched->modules);
+        else if (std::holds_alternative<ConnectAgain>(request))
             engine.connect(now);
+        else
+            restartNetwork(engine, now);
     }
+}
+
+void BusWorker::restartNetwork(bus::Engine& engine, TimePoint now) {
+    if (!engine.anythingMoves()) {
+        engine.restart(now);
+        return;
+    }
+    m_restartWhenStopped = true;
+    engine.stopAll(now);
 }
 
 void BusWorker::answer(Transport& transport, ControlLine& line) {

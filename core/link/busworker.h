@@ -59,7 +59,11 @@ public:
     [[nodiscard]] bool isOpen() const { return m_thread != nullptr; }
 
     /// Finds the chain anew, as after open().
+    void connectAgain();
+    /// Restarts the network: positions and gains are lost. Motors are stopped first.
     void restart();
+    /// Modules that somebody looks at are polled more often (Engine::watch).
+    void watch(std::vector<ModuleIndex> modules);
     void submit(bus::Operation operation);
     void hold(const bus::HoldToMove& hold);
     void release();
@@ -78,15 +82,21 @@ signals:
 
 private:
     struct Release {};
+    struct ConnectAgain {};
     struct Restart {};
+    struct Watch {
+        std::vector<ModuleIndex> modules;
+    };
     struct ControlLine {
         std::string text;
     };
-    using Request = std::variant<bus::Operation, bus::HoldToMove, Release, Restart, ControlLine>;
+    using Request =
+        std::variant<bus::Operation, bus::HoldToMove, Release, ConnectAgain, Restart, Watch, ControlLine>;
 
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
     void converse(Transport& transport, bus::Engine& engine);
     void takeRequests(Transport& transport, bus::Engine& engine, TimePoint now);
+    void restartNetwork(bus::Engine& engine, TimePoint now);
     void answer(Transport& transport, ControlLine& line);
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
@@ -99,6 +109,7 @@ private:
     Wakeup m_wakeup;
     std::atomic<bool> m_stopRequested{false};
     std::atomic<bool> m_closeRequested{false};
+    bool m_restartWhenStopped = false;  ///< bus thread
     BoundedQueue<Request> m_requests;
     BoundedQueue<WorkerEvent> m_events;
     mutable std::mutex m_statisticsMutex;
