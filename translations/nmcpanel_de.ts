@@ -210,7 +210,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Über NMC Panel</translation>
     </message>
     <message>
-        <source>Net&amp;work</source>
+        <source>Networ&amp;k</source>
         <translation>Netz&amp;werk</translation>
     </message>
     <message>
@@ -882,7 +882,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
-        <translation type="unfinished">Der Port ist offen, aber kein Modul hat geantwortet (19 200, 57 600 und 115 200 Bd versucht). {9600, 19 200, 57 600 ?} {115 200 ?}</translation>
+        <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
     </message>
     <message>
         <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can be restarted.</source>

@@ -63,7 +63,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
 
-    QMenu* network = bar.addMenu(Menus::tr("Net&work"));
+    QMenu* network = bar.addMenu(Menus::tr("Networ&k"));
     look::name(network, u"networkMenu"_s, Menus::tr("Network"));
     QObject::connect(add(network, Menus::tr("&Restart the network: positions and gains are lost…"),
                          u"restartNetworkAction"_s),
