@@ -2215,7 +2215,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation>Anhalten</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Stops recording; what is shown stays (%1).</source>
@@ -2291,6 +2291,14 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Packets, the newest last</source>
         <translation>Pakete, die neuesten zuletzt</translation>
+    </message>
+    <message>
+        <source>No packets. Every exchange is recorded while this can be seen.</source>
+        <translation>Keine Pakete. Jede Übertragung wird aufgezeichnet, solange dies zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>No packet of this module and kind has been recorded.</source>
+        <translation>Kein Paket dieses Moduls und dieser Art wurde aufgezeichnet.</translation>
     </message>
 </context>
 <context>

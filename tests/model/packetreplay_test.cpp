@@ -50,12 +50,8 @@ private:
     std::uint64_t m_number = 0;
 };
 
-TEST(PacketReplay, ASavedSessionGetsTheSameRepliesFromAFreshChain) {
-    const auto modules = test::servos(3);
-    bus::EngineConfig config;
-    config.baud = 115'200;
-    VirtualBus bus(modules, config);
-    Tap tap(bus);
+/// A session with something of everything: finding the chain, gains, a move, polls, a stop.
+void runSession(VirtualBus& bus) {
     ASSERT_TRUE(bus.connect());
     servo::LoadTrajectory load;
     load.position = Counts(2'000);
@@ -71,6 +67,16 @@ TEST(PacketReplay, ASavedSessionGetsTheSameRepliesFromAFreshChain) {
         bus::Outcome::Done);
     bus.runFor(std::chrono::seconds(2));
     ASSERT_NEAR(bus.servo(1).position, 2'000, 5);
+    ASSERT_TRUE(bus.stopAll().has_value());
+}
+
+TEST(PacketReplay, ASavedSessionGetsTheSameRepliesFromAFreshChain) {
+    const auto modules = test::servos(3);
+    bus::EngineConfig config;
+    config.baud = 115'200;
+    VirtualBus bus(modules, config);
+    Tap tap(bus);
+    ASSERT_NO_FATAL_FAILURE(runSession(bus));
 
     const auto file = parsePacketFile(writePacketFile(tap.log()));
     ASSERT_TRUE(file.has_value()) << file.error();
@@ -84,7 +90,38 @@ TEST(PacketReplay, ASavedSessionGetsTheSameRepliesFromAFreshChain) {
         answered += replies[i].empty() ? 0U : 1U;
     }
     EXPECT_GT(answered, 500U);
-    EXPECT_NEAR(fresh.snapshot(one, bus.now).servo.position, 2'000, 5);
+    EXPECT_NEAR(fresh.snapshot(ModuleIndex(1), bus.now).servo.position, 2'000, 5);
+}
+
+// Enable this when the engine fills its records.
+TEST(PacketReplay, DISABLED_WhatTheEngineRecordsIsEverythingAndCanBeReplayed) {
+    const auto modules = test::servos(3);
+    bus::EngineConfig config;
+    config.baud = 115'200;
+    VirtualBus bus(modules, config);
+    bus.engine.setRecording(true);
+    ASSERT_NO_FATAL_FAILURE(runSession(bus));
+    PacketLog log;
+    log.begin({"test", "2025-06-01T12:00:00.000Z", "simulator", true, TimePoint{}});
+    std::string recorded;
+    for (bus::ExchangeRecord& record : bus.engine.takeRecords()) {
+        recorded += toHex(record.command) + ' ';
+        log.append(std::move(record));
+    }
+    std::string sent;
+    for (const VirtualBus::Sent& send : bus.sent)
+        sent += send.hex() + ' ';
+    // The last one may still be under way.
+    EXPECT_EQ(recorded, sent.substr(0, recorded.size())) << "every byte that was sent is in one record";
+    EXPECT_LT(sent.size() - recorded.size(), 3 * kMaxPacket);
+    const auto file = parsePacketFile(writePacketFile(log));
+    ASSERT_TRUE(file.has_value()) << file.error();
+    sim::Chain fresh(modules);
+    const auto replies = test::replay(*file, fresh);
+    for (std::size_t i = 0; i < replies.size(); ++i) {
+        EXPECT_FALSE(file->entries[i].afterGap);
+        EXPECT_EQ(toHex(replies[i]), toHex(file->entries[i].record.reply)) << "exchange " << i + 1;
+    }
 }
 
 }  // namespace

@@ -114,9 +114,7 @@ void PacketMonitor::buildContent() {
          {static_cast<QWidget*>(m_module), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_pause),
           static_cast<QWidget*>(m_clear), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_save)})
         controls->addWidget(widget);
-    controls->addWidget(m_summary, 1);
-    // The summary gives way first.
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    controls->addStretch(1);
     auto* packets = new QWidget(this);
     auto* layout = new QVBoxLayout(packets);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -130,6 +128,8 @@ void PacketMonitor::buildContent() {
     tabs->setDocumentMode(true);
     tabs->addTab(packets, tr("Packets"));
     tabs->addTab(m_counters, tr("Counters"));
+    m_summary->setMargin(unit / 3);
+    tabs->setCornerWidget(m_summary);
     setWidget(tabs);
 }
 

@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QScrollBar>
 
 #include "widgets/common/look.h"
@@ -29,6 +30,7 @@ PacketView::PacketView(PacketModel& model, QWidget* parent) : QTableView(parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setStretchLastSection(true);
     horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionsMovable(true);
     fitRows();
     fitColumns();
 }
@@ -49,8 +51,8 @@ void PacketView::fitColumns() {
     setColumnWidth(PacketModel::Target, letter * 12 + room);
     setColumnWidth(PacketModel::Purpose, letter * 12 + room);
     setColumnWidth(PacketModel::Command, digit * 20 + room);
-    setColumnWidth(PacketModel::Meaning, letter * 40 + room);
-    setColumnWidth(PacketModel::Reply, digit * 32 + room);
+    setColumnWidth(PacketModel::Meaning, letter * 30 + room);
+    setColumnWidth(PacketModel::Reply, digit * 28 + room);
     setColumnWidth(PacketModel::ReplyMeaning, letter * 50 + room);
     setColumnWidth(PacketModel::Verdict, letter * 24 + room);
 }
@@ -94,6 +96,20 @@ void PacketView::changeEvent(QEvent* event) {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange)
         fitRows();
+}
+
+void PacketView::paintEvent(QPaintEvent* event) {
+    QTableView::paintEvent(event);
+    if (m_model.rowCount() > 0)
+        return;
+    QPainter painter(viewport());
+    painter.setPen(look::mutedText(palette()));
+    const int margin = look::gridUnit(this);
+    painter.drawText(viewport()->rect().adjusted(margin, margin, -margin, -margin),
+                     Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     m_model.log().empty()
+                         ? tr("No packets. Every exchange is recorded while this can be seen.")
+                         : tr("No packet of this module and kind has been recorded."));
 }
 
 }  // namespace nmc
