@@ -2207,7 +2207,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Connecting and link</source>
-        <translation>Verbindungsaufbau und Verbindung</translation>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>Errors only</source>

@@ -235,6 +235,8 @@ TEST_F(Monitor, AsksForAFileWithoutBlockingTheWindow) {
     auto* dialog = find<QFileDialog>(u"packetSaveDialog"_s);
     EXPECT_FALSE(dialog->isModal());
     EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog));
+    click(u"packetSave"_s);
+    EXPECT_EQ(window->findChildren<QFileDialog*>().size(), 1);
 }
 
 TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {

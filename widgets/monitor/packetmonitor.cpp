@@ -3,6 +3,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -27,6 +28,7 @@ using namespace Qt::StringLiterals;
 namespace {
 /// What the kind box means by "errors"; the others are PacketKind.
 constexpr int kErrorsOnly = 100;
+const QString kSaveDialog = u"packetSaveDialog"_s;
 }  // namespace
 
 PacketMonitor::PacketMonitor(QWidget* parent)
@@ -199,14 +201,20 @@ void PacketMonitor::copy() {
 }
 
 void PacketMonitor::chooseFile() {
+    if (auto* open = findChild<QFileDialog*>(kSaveDialog)) {
+        open->activateWindow();
+        return;
+    }
     auto* dialog = new QFileDialog(this, tr("Save packets"));
-    look::name(dialog, u"packetSaveDialog"_s, dialog->windowTitle());
+    look::name(dialog, kSaveDialog, dialog->windowTitle());
     dialog->setOption(QFileDialog::DontUseNativeDialog);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const QString text = tr("Text (*.txt)");
     const QString log = tr("Replayable log (*%1)").arg(kPacketLogSuffix);
     dialog->setNameFilters({text, log});
     dialog->setDefaultSuffix(u"txt"_s);
+    dialog->setDirectory(QDir::homePath());
+    dialog->selectFile(u"packets"_s);
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, log](const QString& filter) {
         dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
     });
