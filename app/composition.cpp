@@ -2,6 +2,7 @@
 #include "app/composition.h"
 
 #include <QApplication>
+#include <QDateTime>
 #include <QWindow>
 
 #include "link/clock.h"
@@ -28,6 +29,17 @@ std::vector<ModuleIdentity> simulatedChain(const QString& port) {
     const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
     // The command line has checked what a user typed; the window offers only the default.
     return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
+}
+
+/// A session that begins now.
+PacketSession packetSession(const QString& port) {
+    PacketSession session;
+    session.program = "NMC Panel " + QCoreApplication::applicationVersion().toStdString();
+    session.startedAt = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+    session.port = port.toStdString();
+    session.simulated = isSimulator(port);
+    session.zero = monotonicNow();
+    return session;
 }
 
 /// Where the settings remember how long the chain at a port was.
@@ -99,6 +111,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
+    connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
 }
@@ -135,6 +148,7 @@ void Composition::openNow(const Target& target) {
     m_window.endMessage(texts::key::port());
     m_window.endMessage(texts::key::link());
     m_store.begin(port, isSimulator(port), target.baud);
+    m_window.beginPackets(packetSession(port));
     m_worker.open(std::move(factory), config);
     m_frameTimer.start();
     m_figuresTimer.start();
@@ -184,6 +198,7 @@ void Composition::clearTrip(const QString& key) {
 }
 
 void Composition::showFrame() {
+    m_window.showPackets(m_worker.takeRecords());
     const auto selected = m_window.selectedModule();
     if (!selected)
         return;
@@ -270,6 +285,7 @@ void Composition::told(const bus::MotionSuspect& suspect) {
 }
 
 void Composition::told(const PortClosed& closed) {
+    m_window.showPackets(m_worker.takeRecords());
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "link/busworker.h"
 
+#include <utility>
+
 #include "link/clock.h"
 
 namespace nmc {
@@ -10,13 +12,15 @@ namespace {
 /// What the GUI may fall behind before the oldest samples are dropped: a minute at the wire's limit.
 constexpr std::size_t kEventCapacity = 1U << 17U;
 constexpr std::size_t kRequestCapacity = 1'024;
+/// Half a minute of exchanges at the wire's limit.
+constexpr std::size_t kRecordCapacity = 1U << 14U;
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
 
 }  // namespace
 
 BusWorker::BusWorker(QObject* parent)
-    : QObject(parent), m_requests(kRequestCapacity), m_events(kEventCapacity) {}
+    : QObject(parent), m_requests(kRequestCapacity), m_events(kEventCapacity), m_records(kRecordCapacity) {}
 
 BusWorker::~BusWorker() {
     close();
@@ -26,6 +30,7 @@ BusWorker::~BusWorker() {
 void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     joinThread();
     (void)m_requests.takeAll();
+    (void)m_records.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
     m_restartWhenStopped = false;
@@ -72,6 +77,10 @@ void BusWorker::control(std::string line) {
     ask(ControlLine{std::move(line)});
 }
 
+void BusWorker::setRecording(bool on) {
+    m_recording = on;
+}
+
 std::vector<WorkerEvent> BusWorker::takeEvents() {
     std::vector<WorkerEvent> events = m_events.takeAll();
     for (const WorkerEvent& event : events)
@@ -93,6 +102,8 @@ void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& co
     }
     post(PortOpened{});
     bus::Engine engine(config);
+    m_engineRecords = false;
+    record(engine);
     engine.connect(monotonicNow());
     converse(*transport, engine);
 }
@@ -115,6 +126,7 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         const bool stopped = publish(engine);
         if (stopped && std::exchange(m_restartWhenStopped, false))
             engine.restart(now);
+        record(engine);
         if (closeBy && (stopped || now >= *closeBy)) {
             post(PortClosed{});
             return;
@@ -194,6 +206,15 @@ bool BusWorker::publish(bus::Engine& engine) {
     const std::scoped_lock lock(m_statisticsMutex);
     m_statistics = engine.statistics();
     return stopped;
+}
+
+void BusWorker::record(bus::Engine& engine) {
+    if (m_engineRecords)
+        for (bus::ExchangeRecord& exchange : engine.takeRecords())
+            m_records.push(std::move(exchange));
+    const bool wanted = m_recording.load(std::memory_order_relaxed);
+    if (wanted != std::exchange(m_engineRecords, wanted))
+        engine.setRecording(wanted);
 }
 
 void BusWorker::post(WorkerEvent event) {

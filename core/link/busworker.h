@@ -71,10 +71,16 @@ public:
     /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
     /// neither hears nor answers it.
     void control(std::string line);
+    /// Records every exchange from now on, of this connection and the next ones, for takeRecords(); off at
+    /// first.
+    void setRecording(bool on);
 
     /// Everything since the last call, oldest first.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
     [[nodiscard]] bus::LinkStatistics statistics() const;
+    /// The exchanges recorded since the last call, oldest first; when too many wait, the oldest are gone,
+    /// which shows in their numbers. Nothing announces them: whoever shows them asks at his own pace.
+    [[nodiscard]] std::vector<bus::ExchangeRecord> takeRecords() { return m_records.takeAll(); }
 
 signals:
     /// There is something to take; emitted from the bus thread, without data.
@@ -101,6 +107,7 @@ private:
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
+    void record(bus::Engine& engine);
     void post(WorkerEvent event);
     void ask(Request request);
     void joinThread();
@@ -112,6 +119,9 @@ private:
     bool m_restartWhenStopped = false;  ///< bus thread
     BoundedQueue<Request> m_requests;
     BoundedQueue<WorkerEvent> m_events;
+    std::atomic<bool> m_recording{false};
+    bool m_engineRecords = false;  ///< bus thread: what the engine has been told
+    BoundedQueue<bus::ExchangeRecord> m_records;
     mutable std::mutex m_statisticsMutex;
     bus::LinkStatistics m_statistics;
 };

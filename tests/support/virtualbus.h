@@ -40,6 +40,7 @@ public:
     TimePoint now{};
     std::vector<bus::Event> events;
     std::vector<Sent> sent;
+    std::uint32_t hostBaud = 19'200;  ///< what the engine has set the port to
     /// Bytes reach the host this much later: the latency of a serial adapter.
     Duration adapterDelay{};
     /// Changes what goes to the chain; emptied means lost.
@@ -211,6 +212,7 @@ private:
 
     void carryOut(bus::Output& output) {
         if (const auto* rate = std::get_if<bus::SetHostBaud>(&output)) {
+            hostBaud = rate->baud;
             chain.setHostBaud(rate->baud);
         } else if (auto* send = std::get_if<bus::Send>(&output)) {
             sent.push_back({now, send->bytes});

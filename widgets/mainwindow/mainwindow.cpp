@@ -20,8 +20,10 @@
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
+#include "widgets/mainwindow/monitorplace.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
+#include "widgets/monitor/packetmonitor.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/panels/servopanel.h"
 #include "widgets/scope/scopepanel.h"
@@ -128,6 +130,9 @@ void MainWindow::buildDocks() {
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
     resizeDocks({scope}, {em * 28}, Qt::Vertical);
     addSimulatorDock();
+    m_monitor = new PacketMonitor(this);
+    placeMonitor(*this, *m_monitor, *messages, *scope);
+    m_docks.append(m_monitor);
 }
 
 void MainWindow::addSimulatorDock() {
@@ -173,6 +178,7 @@ void MainWindow::connectParts() {
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
+    connect(m_monitor, &PacketMonitor::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
@@ -201,6 +207,7 @@ void MainWindow::showLink(const LinkState& state) {
     m_linkBar->showLink(state);
     m_chain->showLink(state);
     m_simulator->showLink(state);
+    m_monitor->showLink(state);
     showSelected();
 }
 
@@ -261,6 +268,15 @@ std::optional<ModuleIndex> MainWindow::selectedModule() const {
 
 void MainWindow::showFigures(const LinkFigures& figures) {
     m_linkBar->showFigures(figures);
+    m_monitor->showFigures(figures);
+}
+
+void MainWindow::beginPackets(const PacketSession& session) {
+    m_monitor->begin(session);
+}
+
+void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
+    m_monitor->showPackets(std::move(records));
 }
 
 void MainWindow::showHistory(const ModuleHistory& history, TimePoint now) {
@@ -419,7 +435,7 @@ void MainWindow::saveLayout() {
 void MainWindow::resetLayout() {
     restoreState(m_firstState);
     for (QDockWidget* dock : m_docks)
-        dock->show();
+        dock->setVisible(dock != m_monitor);  // which is closed at first
     m_simulator->setWanted(true);
 }
 
