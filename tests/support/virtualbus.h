@@ -48,6 +48,10 @@ public:
     std::function<bool(ByteSpan command)> losesReply;
     /// Asked for each byte to the host: true loses it.
     std::function<bool(std::uint8_t byte)> losesByte;
+    /// Changes a byte on its way to the host.
+    std::function<void(std::uint8_t& byte)> onHostByte;
+    /// Called whenever time has passed, before the engine hears of it.
+    std::function<void()> onTime;
 
     void runFor(Duration time) { run(now + time); }
 
@@ -176,9 +180,14 @@ private:
         }
         now = std::max(now, next);
         chain.advanceTo(now);
-        for (const sim::HostByte& byte : chain.takeHostBytes())
+        if (onTime)
+            onTime();
+        for (sim::HostByte& byte : chain.takeHostBytes()) {
+            if (onHostByte)
+                onHostByte(byte.value);
             if (!m_losesReply && (!losesByte || !losesByte(byte.value)))
                 m_arriving.push_back({byte.due + adapterDelay, byte.value});
+        }
         std::vector<std::uint8_t> bytes;
         for (; !m_arriving.empty() && m_arriving.front().due <= now; m_arriving.pop_front())
             bytes.push_back(m_arriving.front().value);
