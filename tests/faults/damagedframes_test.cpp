@@ -250,12 +250,13 @@ TEST(F09_StatusBitOneWrong, NeverStartsTwiceWhenTheSumFits) {
     bool struck = false;
     bus.onHostByte = [&](std::uint8_t& byte) {
         if (struck || codeOf(bus.sent.back().bytes) != CommandCode::StartMotion)
-            return;
+            return 1U;
         if (at == 0)
             byte = static_cast<std::uint8_t>(byte | 0x02U);
         if (at == last)
             byte = static_cast<std::uint8_t>(byte + 0x02U);
         struck = at++ == last;
+        return 1U;
     };
     ASSERT_TRUE(bus.perform({start(0)}));
     EXPECT_TRUE(struck);

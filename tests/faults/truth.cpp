@@ -38,7 +38,7 @@ struct Truth::Around {
     }
 };
 
-Truth::Truth(VirtualBus& bus, bool forgets) : m_bus(bus), m_forgets(forgets) {
+Truth::Truth(VirtualBus& bus) : m_bus(bus) {
     m_history.resize(bus.chain.moduleCount());
     m_seen = bus.events.size();
     bus.onTime = [this] { remember(); };
@@ -55,7 +55,9 @@ std::int32_t Truth::placeOf(std::uint8_t module) {
 }
 
 bool Truth::spreadOut(VirtualBus& bus) {
-    for (std::uint8_t i = 1; i < bus.chain.moduleCount(); ++i) {
+    for (std::uint8_t i = 0; i < bus.chain.moduleCount(); ++i) {
+        if (std::abs(bus.servo(i).position - placeOf(i)) <= 2)
+            continue;
         servo::LoadTrajectory load;
         load.position = Counts(placeOf(i));
         load.velocity = CountsPerTick(40 * 65'536);
@@ -90,13 +92,12 @@ void Truth::look() {
     for (; m_seen < m_bus.events.size(); ++m_seen)
         if (const auto* sample = std::get_if<bus::Sample>(&m_bus.events[m_seen]))
             check(*sample);
-    if (!m_forgets)
-        return;
-    std::erase_if(m_bus.events, [](const bus::Event& e) {
-        return std::holds_alternative<bus::Sample>(e) || std::holds_alternative<bus::CommandRefused>(e) ||
-               std::holds_alternative<bus::CommandExecuted>(e);
-    });
-    m_seen = m_bus.events.size();
+}
+
+void Truth::lookAndForget() {
+    look();
+    m_bus.events.clear();
+    m_seen = 0;
 }
 
 Truth::Around Truth::around(std::uint8_t module, TimePoint time) const {

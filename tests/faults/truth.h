@@ -14,8 +14,7 @@ namespace nmc::test {
 /// they are: spreadOut() before. Looks at every Sample of the bus as it comes; takes the place of bus.onTime.
 class Truth {
 public:
-    /// With `forgets`, the bus does not keep events and packets: for millions of exchanges.
-    explicit Truth(VirtualBus& bus, bool forgets = false);
+    explicit Truth(VirtualBus& bus);
     Truth(const Truth&) = delete;
     Truth& operator=(const Truth&) = delete;
     ~Truth();
@@ -26,6 +25,8 @@ public:
 
     /// Checks the samples that have come since.
     void look();
+    /// The same, and then the bus forgets its events: for millions of exchanges.
+    void lookAndForget();
 
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     /// Samples that do not say where their module was at their time.
@@ -53,7 +54,6 @@ private:
     void complain(std::uint64_t& counter, const bus::Sample& sample, const std::string& what);
 
     VirtualBus& m_bus;
-    bool m_forgets;
     std::vector<std::deque<Moment>> m_history;
     std::size_t m_seen = 0;
     std::uint64_t m_samples = 0;

@@ -48,8 +48,8 @@ public:
     std::function<bool(ByteSpan command)> losesReply;
     /// Asked for each byte to the host: true loses it.
     std::function<bool(std::uint8_t byte)> losesByte;
-    /// Changes a byte on its way to the host.
-    std::function<void(std::uint8_t& byte)> onHostByte;
+    /// May change a byte on its way to the host, and says how often it arrives there.
+    std::function<unsigned(std::uint8_t& byte)> onHostByte;
     /// Called whenever time has passed, before the engine hears of it.
     std::function<void()> onTime;
 
@@ -183,9 +183,8 @@ private:
         if (onTime)
             onTime();
         for (sim::HostByte& byte : chain.takeHostBytes()) {
-            if (onHostByte)
-                onHostByte(byte.value);
-            if (!m_losesReply && (!losesByte || !losesByte(byte.value)))
+            const bool lost = m_losesReply || (losesByte && losesByte(byte.value));
+            for (unsigned n = lost ? 0 : onHostByte ? onHostByte(byte.value) : 1; n > 0; --n)
                 m_arriving.push_back({byte.due + adapterDelay, byte.value});
         }
         std::vector<std::uint8_t> bytes;
