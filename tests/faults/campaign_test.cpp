@@ -49,6 +49,7 @@ const std::set<ViolationKind> kTwoHosts{ViolationKind::CommandInFlight, Violatio
 /// Delays are 1.05 to 5 time-outs of a poll: 16.3 ms with this adapter's latency and this machine's margin.
 /// An exchange takes some 1.5 ms, so that what comes every 150 ms comes with one exchange in a hundred.
 const std::array kFaults{
+    Fault{"None", "bus drop p=0"},
     Fault{"DropCommand", "bus drop cmd p=.01", false, kDamagedPacket},
     Fault{"DropStatus", "bus drop status p=.01"},
     Fault{"DupCommand", "bus dup cmd p=.01", false, kDamagedPacket},
@@ -223,6 +224,7 @@ TEST_P(Campaign, HasNoWrongSampleNoWrongPermissionAndNoLostStop) {
         static_cast<unsigned long long>(truth.samples()), stops, unreached, lost);
     EXPECT_EQ(truth.wrong(), 0U) << "of " << truth.samples() << "; the first: " << truth.first();
     EXPECT_EQ(truth.wrongPermissions(), 0U) << truth.first();
+    EXPECT_GT(bus.executed(0, CommandCode::StartMotion), 50U) << "they really move";
     EXPECT_EQ(claims, 0U) << "said to have stopped, and moved";
     expectOnlySentCommands();
     expectNoViolationsOfOurs();

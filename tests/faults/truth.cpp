@@ -55,8 +55,12 @@ std::int32_t Truth::placeOf(std::uint8_t module) {
 }
 
 bool Truth::spreadOut(VirtualBus& bus) {
+    const auto isThere = [&](std::uint8_t i) {
+        return bus.chain.identity(ModuleIndex(i)).type != ModuleType::Servo ||
+               (std::abs(bus.servo(i).position - placeOf(i)) <= 5 && bus.servo(i).commandVelocity == 0);
+    };
     for (std::uint8_t i = 0; i < bus.chain.moduleCount(); ++i) {
-        if (std::abs(bus.servo(i).position - placeOf(i)) <= 2)
+        if (isThere(i))
             continue;
         servo::LoadTrajectory load;
         load.position = Counts(placeOf(i));
@@ -67,7 +71,7 @@ bool Truth::spreadOut(VirtualBus& bus) {
     }
     const auto there = [&] {
         for (std::uint8_t i = 0; i < bus.chain.moduleCount(); ++i)
-            if (std::abs(bus.servo(i).position - placeOf(i)) > 5 || bus.servo(i).commandVelocity != 0)
+            if (!isThere(i))
                 return false;
         return true;
     };
@@ -79,9 +83,14 @@ void Truth::remember() {
         auto& history = m_history[i];
         if (!history.empty() && m_bus.now - history.back().time < kApart)
             continue;
-        const sim::ServoSnapshot servo = m_bus.servo(i);
-        const double speed = std::min(std::abs(servo.commandVelocity), std::abs(servo.velocity));
-        history.push_back({m_bus.now, servo.position, speed, servo.limit1, servo.power});
+        const sim::ModuleSnapshot module = m_bus.chain.snapshot(ModuleIndex(i), m_bus.now);
+        const sim::ServoSnapshot& servo = module.servo;
+        if (module.step) {
+            history.push_back({m_bus.now, module.step->position, 0, false, true});
+        } else {
+            const double speed = std::min(std::abs(servo.commandVelocity), std::abs(servo.velocity));
+            history.push_back({m_bus.now, servo.position, speed, servo.limit1, servo.power});
+        }
         while (m_bus.now - history.front().time > kRemembered)
             history.pop_front();
     }
@@ -124,6 +133,8 @@ void Truth::check(const bus::Sample& sample) {
         complain(m_wrong, sample,
                  "position " + std::to_string(*said.position) + ", was " + std::to_string(truth.least) +
                      " to " + std::to_string(truth.most));
+    if (m_bus.chain.identity(sample.module).type != ModuleType::Servo)
+        return;
     const servo::StatusByte status = said.servoStatus();
     const bool saysStill = status.moveDone() && said.velocity && *said.velocity == 0;
     if (saysStill && truth.slowest > 1.5)
