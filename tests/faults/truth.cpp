@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tests/bus/steps.h"
 
@@ -25,7 +26,7 @@ constexpr int kCount = 1;
 struct Truth::Around {
     std::int32_t least = INT32_MAX;
     std::int32_t most = INT32_MIN;
-    double slowest = INFINITY;  ///< counts per tick
+    double slowest = std::numeric_limits<double>::infinity();  ///< counts per tick
     bool limitAlwaysClosed = true;
     bool neverPower = true;
 
