@@ -113,8 +113,11 @@ std::size_t FaultyBus::packets(std::size_t from) const {
 }
 
 bus::LinkHealth FaultyBus::health() const {
-    const auto event = last<bus::HealthChanged>();
-    return event ? event->health : bus::LinkHealth::Good;
+    bus::LinkHealth health = bus::LinkHealth::Good;
+    for (const auto& event : all<bus::HealthChanged>())
+        if (ofWholeBus(event) || event.health == bus::LinkHealth::Lost)
+            health = event.health;
+    return health;
 }
 
 std::size_t FaultyBus::motionSuspects(std::uint8_t module) const {

@@ -45,7 +45,7 @@ public:
 
     /// Packets from the given entry on: nulls do not count.
     [[nodiscard]] std::size_t packets(std::size_t from = 0) const;
-    /// The latest health that was told; Good before.
+    /// The latest health of the bus that was told, Good before; Lost also when only one module is the cause.
     [[nodiscard]] bus::LinkHealth health() const;
     [[nodiscard]] std::size_t motionSuspects(std::uint8_t module) const;
     /// Its command velocity is 0, and it moves by less than the velocity item can tell: one count per tick.
@@ -58,6 +58,15 @@ public:
 [[nodiscard]] std::optional<CommandCode> codeOf(ByteSpan packet);
 /// What changes a motor, its tuning or the chain, Stop Motor apart.
 [[nodiscard]] bool changesSomething(CommandCode code);
+
+/// Not the link to one module only, where the engine tells these apart.
+template <typename HealthChanged>
+[[nodiscard]] bool ofWholeBus(const HealthChanged& event) {
+    if constexpr (requires { event.module.has_value(); })
+        return !event.module.has_value();
+    else
+        return true;
+}
 
 /// The engine with restart(), and the one whose connect() is that.
 template <typename Engine>
