@@ -43,6 +43,8 @@ struct Fault {
 const std::set<ViolationKind> kDamagedPacket{ViolationKind::WrongLength, ViolationKind::UnknownCommand,
                                              ViolationKind::OutOfRange,  ViolationKind::StopBits,
                                              ViolationKind::Unsupported, ViolationKind::CommandInFlight};
+/// A byte too many in a reply is still coming when the next command leaves.
+const std::set<ViolationKind> kLongReply{ViolationKind::CommandInFlight};
 const std::set<ViolationKind> kTwoHosts{ViolationKind::CommandInFlight, ViolationKind::CommandOverwritten,
                                         ViolationKind::ReplyCollision};
 
@@ -53,7 +55,7 @@ const std::array kFaults{
     Fault{"DropCommand", "bus drop cmd p=.01", false, kDamagedPacket},
     Fault{"DropStatus", "bus drop status p=.01"},
     Fault{"DupCommand", "bus dup cmd p=.01", false, kDamagedPacket},
-    Fault{"DupStatus", "bus dup status p=.01"},
+    Fault{"DupStatus", "bus dup status p=.01", false, kLongReply},
     Fault{"FlipCommand", "bus flip cmd p=.01", false, kDamagedPacket},
     Fault{"FlipStatus", "bus flip status p=.01"},
     Fault{"TruncateCommand", "bus truncate cmd p=.01", false, kDamagedPacket},
@@ -62,10 +64,10 @@ const std::array kFaults{
     Fault{"Silent", "bus silent p=.01"},
     Fault{"Cksum", "bus cksum p=.01"},
     Fault{"Overrun", "bus overrun p=.01", false, kDamagedPacket},
-    Fault{"Noise", "bus noise status t=100ms..200ms"},
+    Fault{"Noise", "bus noise status t=100ms..200ms", false, kLongReply},
     Fault{"Foreign", "bus foreign on=nop t=100ms..200ms", false, kTwoHosts, true},
-    Fault{"Echo", "bus echo for=10ms", true},
-    Fault{"Break", "bus break status for=10ms", true},
+    Fault{"Echo", "bus echo for=10ms", true, kLongReply},
+    Fault{"Break", "bus break status for=10ms", true, kLongReply},
 };
 
 [[nodiscard]] std::uint64_t exchangesWanted() {
