@@ -85,24 +85,33 @@ struct Asked {
     };
     std::map<std::vector<std::uint8_t>, Count> packets;  ///< by their exact bytes
     std::uint64_t starts = 0;
-    std::uint64_t gains = 0;
     bool held = false;
     bool on = false;  ///< has been on, or was told to be
     std::uint64_t startsBefore = 0;
-    std::uint64_t gainsBefore = 0;
 };
 
 class Session {
 public:
-    explicit Session(Input& input)
-        : m_input(input),
-          m_bus(chain(input.next()), input.next() % 2 == 0 ? 19'200U : 115'200U, input.next()),
-          m_asked(m_bus.chain.moduleCount()) {
+    struct World {
+        explicit World(Input& input)
+            : chain(chainOf(input.next())),
+              baud(input.next() % 2 == 0 ? 19'200U : 115'200U),
+              seed(input.next()) {}
+        std::vector<ModuleIdentity> chain;
+        std::uint32_t baud;
+        std::uint64_t seed;
+    };
+
+    explicit Session(Input& input) : Session(input, World(input)) {}
+    Session(Input& input, const World& world)
+        : m_input(input), m_bus(world.chain, world.baud, world.seed), m_asked(world.chain.size()) {
         if (m_bus.connectAndEnable() && Truth::spreadOut(m_bus))
             m_truth = std::make_unique<Truth>(m_bus);
         // What was done to get here was asked for.
         newConnection();
         m_connecting = false;
+        if (const auto chain = m_bus.last<ChainFound>())
+            found(*chain);
         for (Asked& asked : m_asked)
             asked.on = true;
         forget();
@@ -122,7 +131,7 @@ public:
     }
 
 private:
-    static std::vector<ModuleIdentity> chain(std::uint8_t byte) {
+    static std::vector<ModuleIdentity> chainOf(std::uint8_t byte) {
         static const std::array<std::vector<ModuleIdentity>, 4> kChains{
             servos(1), servos(2), servos(2, 1), {{ModuleType::Servo, 4}, {ModuleType::Step, 1}}};
         return kChains[byte % kChains.size()];
@@ -130,6 +139,7 @@ private:
 
     void act();
     void submit(std::uint8_t module, std::vector<Step> steps);
+    void found(const ChainFound& chain);
     void stop() {
         m_bus.engine.stopAll(m_bus.now);
         m_stopPending = true;
@@ -138,7 +148,6 @@ private:
         for (std::uint8_t i = 0; i < m_asked.size(); ++i) {
             m_asked[i] = {};
             m_asked[i].startsBefore = m_bus.executed(i, CommandCode::StartMotion);
-            m_asked[i].gainsBefore = m_bus.executed(i, CommandCode::SetGain);
         }
         m_connecting = true;
     }
@@ -154,6 +163,7 @@ private:
     FaultyBus m_bus;
     std::unique_ptr<Truth> m_truth;
     std::vector<Asked> m_asked;
+    std::vector<std::uint8_t> m_places;  ///< in the chain, of the modules that the engine has found
     bool m_connecting = true;
     bool m_stopPending = false;
     bool m_commandsHarmed = false;
@@ -162,18 +172,34 @@ private:
     std::size_t m_submitted = 0;
 };
 
+/// A faulty line may hide some modules of a chain: the engine's first one is then another.
+void Session::found(const ChainFound& chain) {
+    m_places.clear();
+    for (const ModuleInfo& info : chain.modules) {
+        expect(info.address.value() >= 1 && info.address.value() <= m_asked.size(),
+               "a module that is not there");
+        m_places.push_back(static_cast<std::uint8_t>(info.address.value() - 1));
+        if (m_places.back() != info.index.value())
+            m_truth.reset();
+    }
+}
+
 void Session::submit(std::uint8_t module, std::vector<Step> steps) {
-    Asked& asked = m_asked[module];
+    ++m_submitted;
+    if (module >= m_places.size()) {
+        m_bus.submit(std::move(steps));
+        return;
+    }
+    Asked& asked = m_asked[m_places[module]];
     for (const Step& step : steps) {
         const Payload payload = std::visit([](const auto& c) { return encode(c); }, step.command);
-        const PacketBytes packet = toPacket({BusAddress(static_cast<std::uint8_t>(module + 1)), payload});
+        const PacketBytes packet =
+            toPacket({BusAddress(static_cast<std::uint8_t>(m_places[module] + 1)), payload});
         ++asked.packets[{packet.begin(), packet.end()}].asked;
         asked.starts += payload.code == CommandCode::StartMotion ? 1U : 0U;
-        asked.gains += payload.code == CommandCode::SetGain ? 1U : 0U;
         asked.on = asked.on || payload.code != CommandCode::SetGain;
     }
     m_bus.submit(std::move(steps));
-    ++m_submitted;
 }
 
 void Session::act() {
@@ -196,7 +222,8 @@ void Session::act() {
         case 4:
             return submit(module, {loadVelocity(module, value * 1'024U, true)});
         case 5:
-            m_asked[module].held = m_asked[module].on = true;
+            if (module < m_places.size())
+                m_asked[m_places[module]].held = m_asked[m_places[module]].on = true;
             return m_bus.engine.hold(forward(module, value * 1'024U), m_bus.now);
         case 6:
             return m_bus.engine.release(m_bus.now);
@@ -277,7 +304,7 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
            "N6: repeated more often than the table allows");
 }
 
-/// N6, from what the modules have done: nothing twice that was asked for once.
+/// N6, from what the modules have done: no start twice that was asked for once.
 void Session::checkCarriedOut() {
     if (m_commandsHarmed)
         return;
@@ -285,8 +312,6 @@ void Session::checkCarriedOut() {
         const Asked& asked = m_asked[i];
         expect(m_bus.executed(i, CommandCode::StartMotion) - asked.startsBefore <= asked.starts,
                "N6: a start carried out twice");
-        expect(m_bus.executed(i, CommandCode::SetGain) - asked.gainsBefore <= asked.gains,
-               "N6: gains carried out twice");
     }
     if (!m_anyFault)
         for (const sim::Violation& v : m_bus.chain.violations().entries()) {
@@ -318,6 +343,8 @@ void Session::checkEvents() {
             m_stopPending = false;
         if (std::holds_alternative<ChainFound>(event) || std::holds_alternative<ConnectFailed>(event))
             m_connecting = false;
+        if (const auto* chain = std::get_if<ChainFound>(&event))
+            found(*chain);
     }
     if (!m_truth)
         return;
