@@ -61,7 +61,12 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent) : QMainWindow(paren
     showSafetyOnce();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The field that has the focus loses it on the way out and tells what was typed into it. By then this is
+    // no main window any more.
+    for (QObject* child : findChildren<QObject*>())
+        child->disconnect(this);
+}
 
 void MainWindow::buildTop() {
     // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
