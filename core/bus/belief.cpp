@@ -16,9 +16,11 @@ struct Belief::Sent {
         b.mayStart(load);
     }
     void operator()(const step::LoadTrajectory& load) const {
-        b.m_stepLoaded = false;
-        if (load.startNow)
-            b.m_lastMotion = latched;
+        b.m_stepLoad.reset();
+        if (!load.startNow)
+            return;
+        b.m_lastMotion = latched;
+        b.mayStart(load);
     }
     void operator()(const StartMotion&) const {
         b.m_lastMotion = latched;
@@ -26,7 +28,9 @@ struct Belief::Sent {
         if (b.m_loaded)
             b.mayStart(*b.m_loaded);
         b.m_loaded.reset();
-        b.m_stepLoaded = false;
+        if (b.m_stepLoad)
+            b.mayStart(*b.m_stepLoad);
+        b.m_stepLoad.reset();
     }
     void operator()(const servo::StopMotor& stop) const {
         if (stop.manner == servo::StopManner::AmplifierOnly)
@@ -40,7 +44,7 @@ struct Belief::Sent {
         b.m_lastMotion = latched;
         b.m_mayEnable = b.m_mayEnable || stop.amplifierEnable;
         if (stop.manner != step::StopManner::AmplifierOnly)
-            b.m_stepLoaded = false;
+            b.m_stepLoad.reset();
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     template <typename Other>
@@ -56,7 +60,11 @@ struct Belief::Executed {
         else
             b.m_loaded = load;
     }
-    void operator()(const step::LoadTrajectory& load) const { b.m_stepLoaded = !load.startNow; }
+    void operator()(const step::LoadTrajectory& load) const {
+        if (!load.startNow)
+            b.m_stepLoad = load;
+    }
+    void operator()(const step::SetParameters&) const { b.m_parametersSet = true; }
     void operator()(const StartMotion&) const {
         if (b.m_starting)
             b.started(*b.m_starting);
@@ -119,7 +127,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
 
 void Belief::setRestarted() {
     m_restarted = true;
-    m_on = m_mayEnable = m_pwmMayRun = m_velocityGoal = m_homingStops = m_stepLoaded = false;
+    m_on = m_mayEnable = m_pwmMayRun = m_velocityGoal = m_homingStops = m_parametersSet = false;
+    m_stepLoad.reset();
     m_loaded.reset();
     m_starting.reset();
 }
@@ -157,6 +166,26 @@ bool Belief::mayMove() const {
 
 bool Belief::powered() const {
     return servo::StatusByte{m_status}.powerOn();  // the same bit on both chips
+}
+
+StepMode Belief::stepMode() const {
+    const step::StatusByte status{m_status};
+    if (!mayMove())
+        return StepMode::Stopped;
+    if (status.trapezoidalMode())
+        return StepMode::Trapezoidal;
+    if (status.velocityMode())
+        return StepMode::VelocityProfile;
+    return m_stepGoal.value_or(StepMode::Unknown);
+}
+
+void Belief::mayStart(const step::LoadTrajectory& load) {
+    const auto goal = goalMode(load);
+    // With a timer count alone, a motion that ends at a goal still does.
+    const bool keepsGoal = goal == StepMode::Unprofiled && stepMode() == StepMode::UnprofiledWithStop;
+    if (!keepsGoal)
+        m_stepGoal = goal;
+    m_stepReverse = load.reverse;
 }
 
 void Belief::mayStart(const servo::LoadTrajectory& load) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bus/exchange.h"
+#include "bus/stepgate.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -27,7 +28,7 @@ public:
     void forgetItems() { m_items.reset(); }
     /// Found as another host left it: what it was told is not known. It may run in velocity mode at any
     /// speed, until a stop is answered or its servo is seen off.
-    void attach() { m_velocityGoal = true; }
+    void attach() { m_velocityGoal = m_parametersSet = true; }
     /// It restarted by itself, is off, and has no address any more: nothing is sent to it.
     void setRestarted();
     [[nodiscard]] bool restarted() const { return m_restarted; }
@@ -63,14 +64,21 @@ public:
     [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
 
     /// A Load Trajectory that was answered and not used up by a start or a stop.
-    [[nodiscard]] bool loaded() const { return m_stepLoaded || m_loaded.has_value(); }
+    [[nodiscard]] bool loaded() const { return m_stepLoad || m_loaded; }
     [[nodiscard]] const std::optional<servo::LoadTrajectory>& servoLoad() const { return m_loaded; }
+    [[nodiscard]] const std::optional<step::LoadTrajectory>& stepLoad() const { return m_stepLoad; }
+    /// PIC-STEP: what it does, as far as status and commands tell, and in which direction.
+    [[nodiscard]] StepMode stepMode() const;
+    [[nodiscard]] bool runsReverse() const { return m_stepReverse; }
+    /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
+    [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
 
 private:
     struct Sent;
     struct Executed;
     void mayStart(const servo::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
+    void mayStart(const step::LoadTrajectory& load);
 
     ModuleInfo m_info;
     std::optional<StatusItems> m_items = StatusItems{};
@@ -88,7 +96,10 @@ private:
     bool m_pwmMayRun = false;
     bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
     bool m_homingStops = false;   ///< the chip itself stops when home is found
-    bool m_stepLoaded = false;
+    bool m_parametersSet = false;
+    bool m_stepReverse = false;
+    std::optional<StepMode> m_stepGoal;  ///< of what may run
+    std::optional<step::LoadTrajectory> m_stepLoad;
     bool m_restarted = false;
     std::optional<servo::LoadTrajectory> m_loaded;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs

@@ -13,10 +13,6 @@ constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 constexpr unsigned kLastAddress = 32;
 
-[[nodiscard]] bool beginsWith(const ReplyBytes& bytes, const PacketBytes& packet) {
-    return bytes.size() >= packet.size() && std::equal(packet.begin(), packet.end(), bytes.begin());
-}
-
 }  // namespace
 
 ChainLook::Next ChainLook::next() {
@@ -78,38 +74,58 @@ Line::Script ChainLook::changeTo(std::uint32_t rate) const {
 }
 
 void ChainLook::onReply(const ReplyEnd& end) {
-    const Probe probe = m_probes[m_at++];
+    const Probe probe = m_probes[m_at];
+    const bool again = std::exchange(m_again, false);
     const ByteSpan bytes(end.bytes.data(), end.bytes.size());
-    if (bytes.empty())
-        return;
-    const PacketBytes sent = toPacket({probe.address, Nop{}.encode()});
-    if (beginsWith(end.bytes, sent)) {
+    const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    if (echoes(end, toPacket({probe.address, Nop{}.encode()}))) {
         ++m_echoes;
+    } else if (bytes.empty()) {
     } else if (uniform(bytes)) {
         ++m_zeros;
-    } else if (end.result != ReplyResult::Accepted && end.result != ReplyResult::Refused) {
-        ++m_noise;
+    } else if (!right && !again) {
+        m_again = true;  // noise passes
+        return;
+    } else if (!right) {
+        // Twice where the chain is: two modules answer at once.
+        ++(m_rate == probe.rate || probe.address.value() != kUnaddressed ? m_collisions : m_noise);
     } else if (probe.address.value() == kUnaddressed) {
         m_unaddressed = true;
     } else {
-        if (!m_rate) {
-            // All of one chain: whatever answered, the rest of it is here.
-            m_rate = probe.rate;
-            const auto rest = m_probes.begin() + static_cast<std::ptrdiff_t>(m_at);
-            m_probes.erase(
-                std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
-                m_probes.end());
-        }
-        m_found.push_back(probe.address);
+        found(probe);
     }
+    ++m_at;
 }
 
-ConnectFailure ChainLook::heard() const {
+void ChainLook::found(const Probe& probe) {
+    if (!m_rate) {
+        // All of one chain: whatever answered, the rest of it is here.
+        m_rate = probe.rate;
+        const auto rest = m_probes.begin() + static_cast<std::ptrdiff_t>(m_at) + 1;
+        m_probes.erase(
+            std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
+            m_probes.end());
+    }
+    m_found.push_back(probe.address);
+}
+
+/// An adapter that returns what is sent: its first bytes come while the last ones leave.
+bool ChainLook::echoes(const ReplyEnd& end, const PacketBytes& sent) {
+    std::vector<std::uint8_t> all(end.early.begin(), end.early.end());
+    all.insert(all.end(), end.bytes.begin(), end.bytes.end());
+    return all.size() >= sent.size() && std::equal(sent.begin(), sent.end(), all.begin());
+}
+
+std::optional<ConnectFailure> ChainLook::trouble() const {
     if (m_echoes > 0)
         return ConnectFailure::Echo;
-    if (m_zeros > 1)
+    if (m_collisions > 0)
+        return ConnectFailure::Collision;
+    if (m_zeros > 0)
         return ConnectFailure::HeldLow;
-    return m_noise > 0 ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers;
+    if (!m_rate && !m_unaddressed)
+        return m_noise > 0 ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers;
+    return std::nullopt;
 }
 
 }  // namespace nmc::bus

@@ -34,8 +34,8 @@ public:
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
     /// A module without an address answers at the rate of power-up.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
-    /// What was heard instead of an answer, for a sentence: nothing, noise, zeros, or what was sent.
-    [[nodiscard]] ConnectFailure heard() const;
+    /// Why the chain cannot be used: nobody answers, or noise, zeros, what was sent, or two at once do.
+    [[nodiscard]] std::optional<ConnectFailure> trouble() const;
 
 private:
     enum class Stage : std::uint8_t { First, Rest, Everywhere, Over };
@@ -45,8 +45,11 @@ private:
     };
 
     void refill();
+    void found(const Probe& probe);
     void add(std::uint32_t rate, unsigned from, unsigned to);
     [[nodiscard]] Line::Script changeTo(std::uint32_t rate) const;
+
+    [[nodiscard]] static bool echoes(const ReplyEnd& end, const PacketBytes& sent);
 
     Duration m_latency;
     Stage m_stage = Stage::First;
@@ -57,7 +60,9 @@ private:
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
     bool m_unaddressed = false;
+    bool m_again = false;  ///< the present probe has been answered with noise before
     unsigned m_noise = 0;
+    unsigned m_collisions = 0;
     unsigned m_zeros = 0;
     unsigned m_echoes = 0;
 };

@@ -14,6 +14,7 @@ namespace {
 
 constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
+constexpr unsigned kFirstGroup = 0x80;
 constexpr StatusItems kIdentity{StatusItems::Identity};
 constexpr StatusItems kAll{StatusItems::All};
 /// How often an address is given before its module is taken for the end of the chain.
@@ -91,16 +92,17 @@ Discovery::Next Discovery::look() {
 
 /// The look is over: attach to what is there, or give addresses to a chain that has none.
 Discovery::Next Discovery::lookedUp() {
+    if (const auto trouble = m_look.trouble()) {
+        fail(*trouble);
+        return m_failure;
+    }
     if (m_look.rate()) {
         m_attached = true;
         for (const BusAddress address : m_look.addresses())
             m_modules.push_back({indexOf(m_modules.size()), address, {}});
         enter(Phase::Identify, ConnectStage::Identifying);
-    } else if (m_look.unaddressed()) {
-        enter(Phase::Set, ConnectStage::Addressing);
     } else {
-        fail(m_look.heard());
-        return m_failure;
+        enter(Phase::Set, ConnectStage::Addressing);
     }
     // The look ended at another rate, or with a module that heard half of something.
     const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
@@ -135,14 +137,14 @@ void Discovery::onReply(const ReplyEnd& end) {
             return enter(Phase::ChangeRate);
         case Phase::Define:
             if (!accepted)
-                return fail(ConnectFailure::Garbled, {indexOf(m_at)});
+                return failAnswer(end);
             m_heard.push_back({indexOf(m_at), end});
             return nextModule(Phase::Confirm);
         case Phase::Confirm:
             // Two modules at one address say different things sooner or later.
             if (!accepted || uniform({end.bytes.data(), end.bytes.size()}) ||
                 end.report.identity != m_modules[m_at].identity)
-                return fail(accepted ? ConnectFailure::Collision : ConnectFailure::Garbled, {indexOf(m_at)});
+                return failAnswer(end);
             m_heard.push_back({indexOf(m_at), end});
             return nextModule(Phase::Done);
         case Phase::Restart:
@@ -159,17 +161,24 @@ std::optional<ConnectProgress> Discovery::takeProgress() {
 }
 
 Line::Script Discovery::restartScript() const {
-    const PacketBytes reset = toPacket({kEverybody, HardReset{}.encode()});
-    // The port's rate must not change before its own buffer has run empty; the adapter may lag.
-    const Line::Pause leaves{kTurnaround + std::max(m_config.adapterLatency, kMinLatency)};
+    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
     Line::Script script{Line::Gap{}};
-    for (const std::uint32_t rate : kRestartRates)
-        script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls},
-                                     Line::Packet{reset}, leaves});
+    for (const std::uint32_t rate : kRestartRates) {
+        script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls}});
+        // A module that another host put into another group does not hear FF (DS-V 5.2, faults.md F-48). FF
+        // comes last, and the rate of power-up: everything is reset at once then, and only the farthest
+        // wakes.
+        for (unsigned group = kFirstGroup; group <= kEverybody.value(); ++group) {
+            const BusAddress address(static_cast<std::uint8_t>(group));
+            script.insert(script.end(),
+                          {Line::Packet{toPacket({address, HardReset{}.encode()})}, Line::Gap{}});
+        }
+        // The port's rate must not change before its own buffer has run empty; the adapter may lag.
+        script.emplace_back(Line::Pause{latency});
+    }
     // Nulls behind a stray AA are a Reset Position to address 0: harmless now, everything was just reset.
     script.insert(script.end(), {Line::Pause{m_config.resetWait}, DiscardInput{}, Line::Nulls{},
-                                 Line::Pause{kAfterNulls + std::max(m_config.adapterLatency, kMinLatency)},
-                                 DiscardInput{}});
+                                 Line::Pause{kAfterNulls + latency}, DiscardInput{}});
     return script;
 }
 
@@ -246,7 +255,7 @@ void Discovery::onIdentity(const ReplyEnd& end) {
     const bool heard = end.result == ReplyResult::Accepted && end.report.identity &&
                        !uniform({end.bytes.data(), end.bytes.size()});
     if (!heard)
-        return fail(ConnectFailure::Garbled, {indexOf(m_at)});
+        return failAnswer(end);
     m_modules[m_at].identity = *end.report.identity;
     nextModule(Phase::ChangeRate);
 }
@@ -306,6 +315,11 @@ void Discovery::enterModules(Phase phase) {
 void Discovery::skipUnknown() {
     while (m_at < m_modules.size() && !knownType(m_modules[m_at].identity.type))
         ++m_at;
+}
+
+/// A module that answered before does not, or what it says is wrong however often it is asked.
+void Discovery::failAnswer(const ReplyEnd& end) {
+    fail(end.bytes.empty() ? ConnectFailure::Garbled : ConnectFailure::Collision, {indexOf(m_at)});
 }
 
 void Discovery::fail(ConnectFailure reason, std::vector<ModuleIndex> modules) {

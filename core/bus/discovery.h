@@ -94,6 +94,7 @@ private:
     void nextModule(Phase after);
     void enterModules(Phase phase);
     void skipUnknown();
+    void failAnswer(const ReplyEnd& end);
     void fail(ConnectFailure reason, std::vector<ModuleIndex> modules = {});
     void enter(Phase phase, std::optional<ConnectStage> stage = {});
 

@@ -90,6 +90,7 @@ void Engine::Private::begin(Discovery::Start start, TimePoint now) {
     m_look = Look::None;
     m_lostBursts = 0;
     m_verification.reset();
+    m_guards.clear();
     m_blindStops.clear();
     m_holdFailures = 0;
     m_modules.clear();
@@ -134,6 +135,7 @@ void Engine::Private::release(TimePoint now) {
 void Engine::Private::stopAll(TimePoint now) {
     cancelOperations();
     m_hold.clear();
+    m_guards.clear();
     if (m_phase == Phase::Off) {
         events.emplace_back(StopFinished{});
         return;

@@ -23,7 +23,7 @@ void Engine::Private::proceed(TimePoint now) {
 /// While the reply before may still turn out to have surplus bytes, only an ordinary exchange may begin.
 bool Engine::Private::mayPipeline() const {
     return m_phase == Phase::Running && !m_stop && !m_suspect && !m_hurried && !m_doubt && !m_again &&
-           m_look == Look::None && !m_hold.stop();
+           m_look == Look::None && m_guards.empty() && !m_hold.stop();
 }
 
 /// The lanes in their order. False when there is nothing to do.
@@ -75,11 +75,21 @@ bool Engine::Private::dispatchUrgent(TimePoint now) {
             begin(*std::exchange(m_again, std::nullopt), now);
         return true;
     }
+    if (!m_guards.empty()) {
+        dispatchGuard(now);
+        return true;
+    }
     if (m_hold.stop()) {
         stopForHold(now);
         return true;
     }
     return false;
+}
+
+void Engine::Private::dispatchGuard(TimePoint now) {
+    if (std::exchange(m_suspect, false))
+        return flushBuffers(now);
+    begin(commandWork(Lane::Guard, m_guards.front()), now);
 }
 
 void Engine::Private::dispatchDiscovery(TimePoint now) {
@@ -246,7 +256,7 @@ Engine::Private::Work Engine::Private::commandWork(Lane lane, const Step& step) 
     work.silentRepeats = rule.silentRepeats;
     work.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
     work.refusedAttempts = rule.refusedAttempts;
-    if (lane == Lane::Stop || lane == Lane::HoldStop || lane == Lane::Hold) {
+    if (lane == Lane::Stop || lane == Lane::Guard || lane == Lane::HoldStop || lane == Lane::Hold) {
         // These lanes are asked anew instead: what is wanted may have changed by the next time.
         work.silentRepeats = 0;
         work.refusedAttempts = 1;
@@ -279,6 +289,7 @@ void Engine::Private::begin(Work work, TimePoint now) {
         work.before = module.belief;
         module.belief.onSent(*work.command, latched);
         module.plausibility.onSent(*work.command, latched);
+        module.watch.onSent(*work.command);
         if (mayStartMotion(work.request.payload))
             module.trust.expectMotion();
     }

@@ -146,7 +146,26 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
     if (reported(work))
         events.emplace_back(CommandExecuted{*work.module, end.latched, *work.command});
     if (trusted)
-        events.emplace_back(Sample{*work.module, end.latched, *trusted});
+        publish(*work.module, end, *trusted);
+}
+
+void Engine::Private::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
+    events.emplace_back(Sample{module, end.latched, trusted});
+    if (const auto reason = at(module).watch.onReport(trusted))
+        guard(module, *reason, trusted.position.value_or(0));
+}
+
+/// Something is wrong with a motion: its module stops, and what was to come is dropped. A motor that runs the
+/// wrong way would run on with its servo on, so that is switched off.
+void Engine::Private::guard(ModuleIndex module, MotionSuspect::Reason reason, std::int32_t position) {
+    using servo::StopManner;
+    events.emplace_back(MotionSuspect{module, reason, position});
+    cancelOperations();
+    m_hold.clear();
+    // A servo that is off already must not be switched on by its stop.
+    const bool off = reason == MotionSuspect::Reason::WrongWay || !belief(module).on();
+    m_guards.push_back({module, ServoCommand(servo::StopMotor{
+                                    !off, off ? StopManner::MotorOff : StopManner::Abruptly, {}})});
 }
 
 /// The first answer after a blind stop, before what it says: a command position that went on until the stop
@@ -160,6 +179,7 @@ void Engine::Private::tellBlindStop(ModuleIndex module) {
 /// The model follows what operations, holds and stops did, not the questions.
 bool Engine::Private::reported(const Work& work) {
     switch (work.lane) {
+        case Lane::Guard:
         case Lane::HoldStop:
         case Lane::Hold:
         case Lane::Operation:
@@ -183,6 +203,8 @@ void Engine::Private::deliver(const Work& work, const ReplyEnd& end, TimePoint n
             return m_discovery->onReply(end);
         case Lane::Stop:
             return m_stop->onReply(end, belief(*work.module), now);
+        case Lane::Guard:
+            return deliverGuard(end);
         case Lane::HoldStop:
             return deliverHoldStop(end);
         case Lane::Hold:
@@ -258,6 +280,18 @@ void Engine::Private::deliverHoldStop(const ReplyEnd& end) {
     m_hold.onStopEnded();
 }
 
+void Engine::Private::deliverGuard(const ReplyEnd& end) {
+    static constexpr unsigned kAttempts = 10;
+    if (m_guards.empty())
+        return;  // a stop of all came first
+    if (end.result != ReplyResult::Accepted && ++m_guardFailures < kAttempts) {
+        ++line.statistics().retries;
+        return;
+    }
+    m_guardFailures = 0;
+    m_guards.pop_front();
+}
+
 void Engine::Private::chainFound(ChainFound found, TimePoint now) {
     m_phase = Phase::Running;
     m_baud = found.baud;
@@ -280,7 +314,7 @@ void Engine::Private::chainFound(ChainFound found, TimePoint now) {
             continue;
         if (const auto trusted = module.trust.confirm(heard.end.report)) {
             module.belief.onStatus(*trusted, heard.end.latched);
-            events.emplace_back(Sample{heard.module, heard.end.latched, *trusted});
+            publish(heard.module, heard.end, *trusted);
         }
     }
     m_discovery.reset();

@@ -15,6 +15,7 @@
 #include "bus/health.h"
 #include "bus/holdlane.h"
 #include "bus/line.h"
+#include "bus/motionwatch.h"
 #include "bus/plausibility.h"
 #include "bus/pollschedule.h"
 #include "bus/silence.h"
@@ -61,6 +62,7 @@ private:
     enum class Lane : std::uint8_t {
         Discovery,
         Stop,
+        Guard,  ///< the stop of a motion that is not as commanded
         HoldStop,
         HoldCheck,
         Hold,
@@ -92,6 +94,7 @@ private:
         Belief belief;
         Plausibility plausibility;
         Trust trust;
+        MotionWatch watch;
         Health health;
     };
     /// A module whose last answer was wrong or missing: two right ones, of different length, end that.
@@ -112,6 +115,7 @@ private:
     [[nodiscard]] bool mayPipeline() const;
     [[nodiscard]] bool dispatch(TimePoint now);
     [[nodiscard]] bool dispatchUrgent(TimePoint now);
+    void dispatchGuard(TimePoint now);
     void dispatchDiscovery(TimePoint now);
     void dispatchStop(TimePoint now);
     [[nodiscard]] bool dispatchHold(TimePoint now);
@@ -140,6 +144,9 @@ private:
     void failOperation(const ReplyEnd& end);
     void deliverHold(const Work& work, const ReplyEnd& end);
     void deliverHoldStop(const ReplyEnd& end);
+    void deliverGuard(const ReplyEnd& end);
+    void publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted);
+    void guard(ModuleIndex module, MotionSuspect::Reason reason, std::int32_t position);
     void chainFound(ChainFound found, TimePoint now);
 
     // enginerecovery.cpp: getting back to trusting the link, or giving it up
@@ -210,6 +217,8 @@ private:
     std::optional<Verification> m_verification;
     unsigned m_attempts = 0;  ///< of the present step, after looks
     HoldLane m_hold;
+    std::deque<Step> m_guards;  ///< stops that are owed
+    unsigned m_guardFailures = 0;
     std::optional<StopRun> m_stop;
     bool m_blindStopsDue = false;
     std::vector<Step> m_blindStops;  ///< under way

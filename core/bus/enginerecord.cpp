@@ -95,6 +95,7 @@ Purpose Engine::Private::purposeOf(Lane lane) {
         case Lane::Discovery:
             return Purpose::Connect;
         case Lane::Stop:
+        case Lane::Guard:
             return Purpose::Stop;
         case Lane::HoldStop:
         case Lane::HoldCheck:

@@ -218,7 +218,9 @@ void Engine::Private::dispatchLook(TimePoint now) {
 }
 
 void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
-    if (unanswered(end.result) || !end.report.identity) {
+    const bool explained = std::any_of(m_modules.begin(), m_modules.end(),
+                                       [](const Module& module) { return module.belief.restarted(); });
+    if (unanswered(end.result) || !end.report.identity || explained) {
         if (m_look == Look::None)
             line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
         return;
@@ -271,6 +273,7 @@ void Engine::Private::giveUp(TimePoint now) {
     m_look = Look::None;
     cancelOperations();
     m_hold.clear();
+    m_guards.clear();
     m_again.reset();
     m_suspect = true;
     if (!m_stop)

@@ -88,6 +88,7 @@ struct ReplyEnd {
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
     TimePoint latchedBy;  ///< not later than this, however late this machine was
     ReplyBytes bytes;
+    ReplyBytes early;  ///< what came while the command was still leaving, and is no answer
     TimePoint sent;
     TimePoint arrived;    ///< the last byte of it, or when it was given up
     Duration wireTime{};  ///< what the exchange takes on a perfect line

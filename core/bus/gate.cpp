@@ -39,6 +39,8 @@ struct Judge {
     Verdict operator()(const StartMotion&) const {
         if (!belief.loaded())
             return Verdict::Never;
+        if (const auto& load = belief.stepLoad())
+            return (*this)(*load);
         const auto& load = belief.servoLoad();
         return load && trapezoidal(*load) ? onlyAtStandstill(belief) : Verdict::Allowed;
     }
@@ -58,15 +60,22 @@ struct Judge {
                    ? Verdict::Never
                    : Verdict::Allowed;
     }
-    Verdict operator()(const servo::IoControl&) const { return Verdict::Allowed; }
+    Verdict operator()(const servo::IoControl&) const {
+        return belief.info().identity.version < servo::kOtherIoVersion ? Verdict::Allowed : Verdict::Never;
+    }
     Verdict operator()(const servo::SetHoming&) const { return Verdict::Allowed; }
     Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
 
-    /// DS-S table 4, first column: with a goal position and no timer count it is a trapezoidal move.
     Verdict operator()(const step::LoadTrajectory& load) const {
-        return load.position && !load.timer ? onlyAtStandstill(belief) : Verdict::Allowed;
+        if (!goalMode(load) || !belief.parametersSet())
+            return Verdict::Never;
+        if (!belief.fresh())
+            return Verdict::NeedsStatus;
+        return mayFollow(belief.stepMode(), belief.runsReverse(), load) ? Verdict::Allowed
+                                                                        : Verdict::InMotion;
     }
-    Verdict operator()(const step::SetParameters&) const { return Verdict::Allowed; }
+    /// In motion the chip ignores some of them (DS-S 5.1).
+    Verdict operator()(const step::SetParameters&) const { return onlyAtStandstill(belief); }
     Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }

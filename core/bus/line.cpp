@@ -24,7 +24,7 @@ void Line::begin(const Request& request, TimePoint now) {
     const PacketBytes packet = toPacket({request.address, request.payload});
     const TimePoint start = std::max(now, m_free);
     m_unread = 0;
-    Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}};
+    Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}, {}};
     // An open reply's first bytes in time, then as long as bytes come.
     const std::size_t first = request.framing == Framing::Open ? kMinReply : pending.wanted();
     m_lastTimeout = m_timing.timeout(packet.size(), first);
@@ -70,6 +70,8 @@ void Line::onBytes(ByteSpan bytes, TimePoint now) {
     if (m_pending->received.empty() && now < m_pending->left) {
         if (m_done)
             return spoil(bytes);
+        ReplyBytes& early = m_pending->early;
+        early.append(bytes.first(std::min(bytes.size(), early.capacity() - early.size())));
         return drop(bytes.size());
     }
     settle();
@@ -246,6 +248,7 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     ReplyEnd end;
     end.result = result;
     end.bytes = pending.received;
+    end.early = pending.early;
     end.latched = std::min(pending.left + kServoTick / 2, now);
     end.latchedBy = std::max(end.latched, now - m_timing.bytes(pending.received.size()));
     end.sent = pending.sent;

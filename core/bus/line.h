@@ -93,6 +93,7 @@ private:
         TimePoint left;  ///< when the command's last byte has left
         TimePoint deadline;
         ReplyBytes received;
+        ReplyBytes early;
         [[nodiscard]] std::size_t wanted() const {
             return framing == Framing::Open ? kMaxReply : layout.length();
         }

@@ -38,25 +38,55 @@ struct Plausibility::Sent {
     void operator()(const servo::SetHoming&) const { homing(); }
     void operator()(const step::SetHoming&) const { homing(); }
     void operator()(const servo::ClearStickyBits&) const { p.m_sticky.open(latched); }
-    void operator()(const step::LoadTrajectory&) const { motion(); }
-    void operator()(const StartMotion&) const { motion(); }
-    void operator()(const step::StopMotor&) const { motion(); }
-    void operator()(const servo::LoadTrajectory&) const { motion(); }
-    void operator()(const servo::StopMotor&) const { motion(); }
-    void operator()(const servo::SetGain&) const { motion(); }
+    void operator()(const step::LoadTrajectory&) const { p.m_motion.open(latched); }
+    void operator()(const step::StopMotor&) const { p.m_motion.open(latched); }
+    void operator()(const StartMotion&) const {
+        p.m_motion.open(latched);
+        p.jerk(latched, p.reachOf(p.m_loaded));
+    }
+    void operator()(const servo::LoadTrajectory& load) const {
+        p.m_loaded = load;
+        if (load.position)
+            p.m_goal = load.position->value();
+        if (load.startNow)
+            p.jerk(latched, p.reachOf(load));
+    }
+    void operator()(const servo::StopMotor& stop) const {
+        const bool known = stop.manner == servo::StopManner::Here && p.m_known.position;
+        const double way = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
+        p.jerk(latched, 2 * way + kSwing);
+    }
+    void operator()(const servo::SetGain&) const { p.jerk(latched, kSwing); }
     template <typename Other>
     void operator()(const Other&) const {}
 
     void homing() const {
         p.m_homing.open(latched);
         p.m_home.open(latched);
-        motion();
-    }
-    void motion() const {
         p.m_motion.open(latched);
-        p.m_jerk = latched;
+        p.jerk(latched, kSwing);
     }
 };
+
+void Plausibility::jerk(TimePoint at, double reach) {
+    m_jerk = Jerk{at, jerked(at) ? std::max(m_jerk->reach, reach) : reach};
+}
+
+bool Plausibility::jerked(TimePoint at) const {
+    return m_jerk && at - m_jerk->since < kJerkTime;
+}
+
+/// How far a motion may go before the next reply: all the way, if that is short.
+double Plausibility::reachOf(const servo::LoadTrajectory& load) const {
+    const double most = kFastest * ticks(kJerkTime);
+    if (!load.servo)
+        return most;
+    if (load.profile == servo::ProfileMode::Velocity)
+        return load.velocity ? 1.5 * load.velocity->value() / 65'536.0 * ticks(kJerkTime) + kSwing : most;
+    if (!m_goal || !m_known.position)
+        return most;
+    return 1.5 * std::abs(distance(*m_known.position, *m_goal)) + kSwing;
+}
 
 void Plausibility::Allowance::onReply(TimePoint latched) {
     if (replies > 0 && latched > since + kTakesEffect)
@@ -151,8 +181,17 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
         return Rejection::HomingRose;
     if (known.home && report.home && *known.home != *report.home && !m_home.isOpen())
         return Rejection::HomeChanged;
-    if (!known.position || !report.position || m_position.isOpen())
+    if (!known.position || !report.position)
         return std::nullopt;
+    const auto impossible = motion(known, end);
+    if (!impossible || !m_position.isOpen())
+        return impossible;
+    Known reset = known;  // it may have been
+    reset.position = 0;
+    return motion(reset, end);
+}
+
+std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd& end) const {
     switch (m_identity.type) {
         case ModuleType::Servo:
             return servoMotion(known, end);
@@ -183,7 +222,8 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double before = known.velocity.value_or(0);
     if (std::abs(now) > kFastest)
         return Rejection::VelocityJump;
-    const double a = acceleration(end.latched);
+    const bool violent = jerked(end.latched);
+    const double a = violent ? kViolent : kGentle;
     if (end.report.velocity && known.velocity) {
         const double reach = std::abs(before) + known.spread + kMargin + a * most;
         if (std::abs(now) > reach)
@@ -193,7 +233,8 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double slack = known.spread + 1;
     const double slow = std::max(std::min(before, now) - slack, -kFastest);
     const double fast = std::min(std::max(before, now) + slack, kFastest);
-    const double bend = std::min(a * most * most / 4, kFastest * most) + kMargin;
+    const double farthest = violent ? m_jerk->reach : kByHand * most;
+    const double bend = std::min(a * most * most / 4, farthest) + kMargin;
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - bend;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + bend;
     const double way = distance(*known.position, *end.report.position);
@@ -202,16 +243,13 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
 
 std::optional<Rejection> Plausibility::stepMotion(const Known& known, const ReplyEnd& end) const {
     const double way = distance(*known.position, *end.report.position);
-    const bool moved = step::StatusByte{*known.status}.moving() || end.report.stepStatus().moving();
+    const bool moved =
+        step::StatusByte{*known.status}.moving() || end.report.stepStatus().moving() || m_position.isOpen();
     if (!moved && !m_motion.isOpen() && way != 0)
         return Rejection::MovedWhileStopped;
     const double most = ticks(end.latchedBy - known.from) + 1;
     return std::abs(way) > kFastestStepper * most + kMargin ? std::optional(Rejection::PositionJump)
                                                             : std::nullopt;
-}
-
-double Plausibility::acceleration(TimePoint at) const {
-    return m_jerk && at - *m_jerk < kJerkTime ? kViolent : kGentle;
 }
 
 void Plausibility::take(Known& known, const ReplyEnd& end) const {

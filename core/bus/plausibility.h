@@ -19,12 +19,16 @@ class Plausibility {
 public:
     /// Largest speed of the encoder input, counts per tick: 500 000 edges/s (DS-V 3.2).
     static constexpr double kFastest = 256.0;
-    /// Acceleration to reckon with when nothing tells of more, counts per tick squared.
+    /// Acceleration and speed to reckon with when nothing tells of more: a shaft that is turned by hand.
+    /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
+    static constexpr double kByHand = 8.0;
     /// The same right after a command that may jerk the motor: that of a small motor at full voltage.
     static constexpr double kViolent = 8.0;
     /// How long a command may do that.
     static constexpr Duration kJerkTime = std::chrono::milliseconds(500);
+    /// How far a servo may swing around where it should be, in counts.
+    static constexpr double kSwing = 2000.0;
     /// Rounding, and a shaft that gives a little, in counts.
     static constexpr double kMargin = 16.0;
     /// Fastest stepper: 50 000 steps/s (DS-S 4.1), per tick.
@@ -65,9 +69,12 @@ private:
     [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
+    [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> stepMotion(const Known& known, const ReplyEnd& end) const;
-    [[nodiscard]] double acceleration(TimePoint at) const;
+    void jerk(TimePoint at, double reach);
+    [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
+    [[nodiscard]] bool jerked(TimePoint at) const;
     void take(Known& known, const ReplyEnd& end) const;
 
     ModuleIdentity m_identity;
@@ -78,7 +85,14 @@ private:
     Allowance m_homing;
     Allowance m_sticky;
     Allowance m_motion;  ///< PIC-STEP: it may have started since the last reply
-    std::optional<TimePoint> m_jerk;
+    /// A command may move the motor as fast as it can, but not farther than that.
+    struct Jerk {
+        TimePoint since;
+        double reach = 0;  ///< counts
+    };
+    std::optional<Jerk> m_jerk;
+    std::optional<std::int32_t> m_goal;  ///< stays loaded
+    servo::LoadTrajectory m_loaded;
 };
 
 }  // namespace nmc::bus

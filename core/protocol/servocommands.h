@@ -24,6 +24,8 @@ inline constexpr ValueRange kServoRateRange{1, 0xFF};        ///< SR
 inline constexpr std::uint8_t kDeadbandVersion = 4;
 /// The first version that can stop by itself when home is found.
 inline constexpr std::uint8_t kAutoStopVersion = 3;
+/// The first version whose I/O Control means something else (protocol.md 5): not for this program.
+inline constexpr std::uint8_t kOtherIoVersion = 10;
 /// The first version that has Stop Here.
 inline constexpr std::uint8_t kStopHereVersion = 2;
 

@@ -181,6 +181,8 @@ TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
     load.position = Counts(100);
     load.speed = std::uint8_t{10};
     stepper.status(kMoving | kPower | 0x04, 0);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Never) << "before Set Parameters";
+    stepper.belief.onExecuted(StepCommand(step::SetParameters{}));
     EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::InMotion);
     EXPECT_EQ(bus::judge(stepper.belief, StepCommand(ResetPosition{})), Verdict::InMotion);
     stepper.status(kPower | 0x04, 0);

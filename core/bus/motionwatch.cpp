@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "bus/motionwatch.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "bus/exchange.h"
+
+namespace nmc::bus {
+
+struct MotionWatch::Sent {
+    MotionWatch& w;
+
+    void operator()(const servo::LoadTrajectory& load) const {
+        w.m_loaded = load;
+        if (load.position)
+            w.m_goal = load.position->value();
+        if (load.startNow)
+            w.started();
+    }
+    void operator()(const StartMotion&) const { w.started(); }
+    void operator()(const servo::StopMotor& stop) const {
+        if (stop.manner != servo::StopManner::AmplifierOnly)
+            w.forget();
+    }
+    void operator()(const ResetPosition&) const { w.forget(); }
+    template <typename Other>
+    void operator()(const Other&) const {}
+};
+
+void MotionWatch::onSent(const ModuleCommand& command) {
+    if (const auto* chip = std::get_if<ServoCommand>(&command))
+        std::visit(Sent{*this}, *chip);
+}
+
+void MotionWatch::started() {
+    const bool wasGoing = m_heading && m_velocity != 0;
+    const int before = m_heading ? m_heading->direction : 0;
+    forget();
+    if (!m_loaded.servo || !m_position)
+        return;
+    if (m_loaded.profile == servo::ProfileMode::Trapezoidal) {
+        if (m_goal)
+            m_corridor = Corridor{*m_position, *m_goal};
+        return;
+    }
+    const int direction = m_loaded.reverse ? -1 : 1;
+    // From the other direction it first has to slow down: it is watched once it goes the new way.
+    const bool underWay = !wasGoing || before == direction;
+    m_heading = Heading{direction, underWay, *m_position * direction};
+}
+
+void MotionWatch::forget() {
+    m_corridor.reset();
+    m_heading.reset();
+    m_repeats = 0;
+}
+
+std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& report) {
+    // Off, but still turning: a load that was changed on its way may have made a PWM output of it.
+    if (report.aux && !servo::AuxByte{*report.aux}.servoOn() && report.velocity == 0)
+        forget();
+    if (!report.position)
+        return std::nullopt;
+    const std::int16_t velocity = report.velocity.value_or(m_velocity);
+    const bool isFrozen = frozen(report);
+    m_position = *report.position;
+    m_velocity = velocity;
+    auto suspect = leaves(*m_position, velocity);
+    if (!suspect && isFrozen)
+        suspect = MotionSuspect::Reason::Frozen;
+    if (suspect)
+        forget();
+    return suspect;
+}
+
+std::optional<MotionSuspect::Reason> MotionWatch::leaves(std::int64_t position, int velocity) {
+    if (m_corridor) {
+        const std::int64_t way = m_corridor->goal - m_corridor->from;
+        const std::int64_t gone = (position - m_corridor->from) * (way < 0 ? -1 : 1);
+        if (gone < -kWrongWay)
+            return MotionSuspect::Reason::WrongWay;
+        if (gone > std::abs(way) + std::abs(way) / 10 + kOvershoot)
+            return MotionSuspect::Reason::Overshot;
+    }
+    if (m_heading) {
+        const std::int64_t along = position * m_heading->direction;
+        if (!m_heading->underWay) {
+            m_heading->best = along;
+            m_heading->underWay = velocity * m_heading->direction > 0;
+        }
+        m_heading->best = std::max(m_heading->best, along);
+        if (along < m_heading->best - kWrongWay)
+            return MotionSuspect::Reason::WrongWay;
+    }
+    return std::nullopt;
+}
+
+/// Layouts take turns, so each repeats its own position.
+bool MotionWatch::frozen(const StatusReport& report) {
+    const std::uint8_t items = report.items.mask();
+    LastOfLayout& last = items == kStandingItems.mask() ? m_last[0] : m_last[1];
+    const bool same = last.items == items && last.position == *report.position;
+    last = {items, *report.position};
+    const bool moving = report.velocity.value_or(0) != 0;
+    m_repeats = same && moving ? m_repeats + 1 : 0;
+    return m_repeats > kFrozen;
+}
+
+}  // namespace nmc::bus
