@@ -84,10 +84,8 @@ struct Asked {
         unsigned sent = 0;
     };
     std::map<std::vector<std::uint8_t>, Count> packets;  ///< by their exact bytes
-    std::uint64_t starts = 0;
     bool held = false;
     bool on = false;  ///< has been on, or was told to be
-    std::uint64_t startsBefore = 0;
 };
 
 class Session {
@@ -112,21 +110,23 @@ public:
         m_connecting = false;
         if (const auto chain = m_bus.last<ChainFound>())
             found(*chain);
-        for (Asked& asked : m_asked)
-            asked.on = true;
+        for (std::uint8_t i = 0; i < m_asked.size(); ++i) {
+            m_asked[i].on = true;
+            m_starts.push_back(m_bus.executed(i, CommandCode::StartMotion));
+        }
         forget();
     }
 
     void run() {
         while (!m_input.atEnd()) {
             act();
-            pass((1 + m_input.next()) * 3ms);
+            pass((1 + m_input.next()) * 1ms);
         }
         m_bus.clearFaults();
         m_bus.engine.release(m_bus.now);
-        pass(3s);
+        pass(1s);
         stop();
-        pass(10s);
+        pass(4s);
         expect(!m_stopPending, "N7: a stop without an end");
     }
 
@@ -145,10 +145,8 @@ private:
         m_stopPending = true;
     }
     void newConnection() {
-        for (std::uint8_t i = 0; i < m_asked.size(); ++i) {
-            m_asked[i] = {};
-            m_asked[i].startsBefore = m_bus.executed(i, CommandCode::StartMotion);
-        }
+        for (Asked& asked : m_asked)
+            asked = {};
         m_connecting = true;
     }
     void pass(Duration time);
@@ -163,7 +161,8 @@ private:
     FaultyBus m_bus;
     std::unique_ptr<Truth> m_truth;
     std::vector<Asked> m_asked;
-    std::vector<std::uint8_t> m_places;  ///< in the chain, of the modules that the engine has found
+    std::vector<std::uint64_t> m_starts;  ///< Start Motion asked for, since the session began
+    std::vector<std::uint8_t> m_places;   ///< in the chain, of the modules that the engine has found
     bool m_connecting = true;
     bool m_stopPending = false;
     bool m_commandsHarmed = false;
@@ -196,7 +195,7 @@ void Session::submit(std::uint8_t module, std::vector<Step> steps) {
         const PacketBytes packet =
             toPacket({BusAddress(static_cast<std::uint8_t>(m_places[module] + 1)), payload});
         ++asked.packets[{packet.begin(), packet.end()}].asked;
-        asked.starts += payload.code == CommandCode::StartMotion ? 1U : 0U;
+        m_starts[m_places[module]] += payload.code == CommandCode::StartMotion ? 1U : 0U;
         asked.on = asked.on || payload.code != CommandCode::SetGain;
     }
     m_bus.submit(std::move(steps));
@@ -308,13 +307,11 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
 void Session::checkCarriedOut() {
     if (m_commandsHarmed)
         return;
-    for (std::uint8_t i = 0; i < m_asked.size(); ++i) {
-        const Asked& asked = m_asked[i];
-        expect(m_bus.executed(i, CommandCode::StartMotion) - asked.startsBefore <= asked.starts,
-               "N6: a start carried out twice");
-    }
-    if (!m_anyFault)
-        for (const sim::Violation& v : m_bus.chain.violations().entries()) {
+    for (std::uint8_t i = 0; i < m_starts.size(); ++i)
+        expect(m_bus.executed(i, CommandCode::StartMotion) <= m_starts[i], "N6: a start carried out twice");
+    // A reset asked for while an answer is under way ends that as well.
+    for (const sim::Violation& v : m_bus.chain.violations().entries())
+        if (!m_anyFault && codeOf(ByteSpan(v.bytes)) != CommandCode::HardReset) {
             std::fprintf(stderr, "%s %s\n", std::string(sim::toText(v.kind)).c_str(), toHex(v.bytes).c_str());
             expect(false, "a violation on a perfect line");
         }
@@ -370,7 +367,7 @@ void Session::forget() {
 }  // namespace nmc::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    if (size > 300)
+    if (size > 200)
         return 0;                            // longer inputs find nothing new and are slow
     GTEST_FLAG_SET(throw_on_failure, true);  // VirtualBus tells of trouble in gtest's way
     nmc::test::Input input({data, size});
