@@ -15,7 +15,8 @@ struct MotionWatch::Sent {
         w.m_loaded = load;
         if (load.position)
             w.m_goal = load.position->value();
-        if (load.startNow)
+        // A trapezoidal move is loaded at standstill; changed on its way, the load may start by itself.
+        if (load.startNow || load.profile == servo::ProfileMode::Trapezoidal)
             w.started();
     }
     void operator()(const StartMotion&) const { w.started(); }
