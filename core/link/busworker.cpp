@@ -2,6 +2,7 @@
 #include "link/busworker.h"
 
 #include "link/clock.h"
+#include "link/crashburst.h"
 
 namespace nmc {
 
@@ -16,7 +17,10 @@ constexpr Duration kCloseTimeout = std::chrono::seconds(1);
 }  // namespace
 
 BusWorker::BusWorker(QObject* parent)
-    : QObject(parent), m_requests(kRequestCapacity), m_events(kEventCapacity) {}
+    : QObject(parent), m_asleepSoFar(asleepSoFar), m_requests(kRequestCapacity), m_events(kEventCapacity) {
+    m_beatTimer.setInterval(std::chrono::duration_cast<std::chrono::milliseconds>(Heartbeat::kInterval));
+    connect(&m_beatTimer, &QTimer::timeout, this, &BusWorker::beat);
+}
 
 BusWorker::~BusWorker() {
     close();
@@ -28,6 +32,10 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     (void)m_requests.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
+    m_heartbeat.begin(monotonicNow());
+    m_beatTimer.start();
+    m_suspendWatch = {};
+    m_motionWatch = {};
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
     m_thread->start(QThread::TimeCriticalPriority);
@@ -77,6 +85,7 @@ bus::LinkStatistics BusWorker::statistics() const {
 }
 
 void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
+    const crashburst::HandlerStack stack;
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open(); !opened) {
         post(PortClosed{opened.error()});
@@ -86,6 +95,7 @@ void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& co
     bus::Engine engine(config);
     engine.connect(monotonicNow());
     converse(*transport, engine);
+    crashburst::disarm();
 }
 
 void BusWorker::converse(Transport& transport, bus::Engine& engine) {
@@ -97,8 +107,10 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             engine.stopAll(now);
         }
         takeRequests(transport, engine, now);
+        watch(engine, now, m_motionWatch.anyMoves());
         if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
             engine.onDeadline(now);
+        crashburst::arm(transport.fd(), engine.stopBurst());
         if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
             post(PortClosed{performed.error()});
             return;
@@ -110,8 +122,9 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         }
 
         auto until = engine.nextDeadline();
-        if (closeBy && (!until || *closeBy < *until))
-            until = closeBy;
+        for (const auto& other : {closeBy, m_heartbeat.deadline(m_motionWatch.anyMoves())})
+            if (other && (!until || *other < *until))
+                until = other;
         const auto bytes = transport.receive(until, m_wakeup.fd());
         if (!bytes) {
             post(PortClosed{bytes.error()});
@@ -140,6 +153,15 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
     }
 }
 
+void BusWorker::watch(bus::Engine& engine, TimePoint now, bool moving) {
+    if (m_heartbeat.missed(now, moving))
+        engine.stopAll(now);
+    if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
+        engine.stopAll(now);
+        post(MachineSlept{*slept});
+    }
+}
+
 void BusWorker::answer(Transport& transport, ControlLine& line) {
     if (auto json = transport.control(line.text))
         post(SimulatorAnswered{std::move(line.text), std::move(*json)});
@@ -148,6 +170,9 @@ void BusWorker::answer(Transport& transport, ControlLine& line) {
 tl::expected<void, PortError> BusWorker::perform(Transport& transport,
                                                  const std::vector<bus::Output>& outputs) {
     for (const bus::Output& output : outputs) {
+        // This process is dying in another thread, which has said the last word to the motors.
+        while (crashburst::underWay())
+            QThread::msleep(1);
         tl::expected<void, PortError> done;
         if (const auto* baud = std::get_if<bus::SetHostBaud>(&output))
             done = transport.setBaud(baud->baud);
@@ -165,11 +190,17 @@ bool BusWorker::publish(bus::Engine& engine) {
     bool stopped = false;
     for (bus::Event& event : engine.takeEvents()) {
         stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
+        m_motionWatch.take(event);
         post(std::move(event));
     }
     const std::scoped_lock lock(m_statisticsMutex);
     m_statistics = engine.statistics();
     return stopped;
+}
+
+void BusWorker::beat() {
+    if (const auto gap = m_heartbeat.beat(monotonicNow()); gap && isOpen())
+        post(PanelFroze{gap->length, gap->stopped});
 }
 
 void BusWorker::post(WorkerEvent event) {
@@ -183,6 +214,7 @@ void BusWorker::ask(Request request) {
 }
 
 void BusWorker::joinThread() {
+    m_beatTimer.stop();
     if (m_thread)
         m_thread->wait();
     m_thread.reset();

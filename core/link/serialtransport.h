@@ -22,6 +22,7 @@ public:
     void discardInput() override;
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override;
+    [[nodiscard]] int fd() const override { return m_port.handle(); }
 
 private:
     [[nodiscard]] PortError openError() const;
