@@ -38,7 +38,7 @@ QString chainLengthKey(const QString& port) {
 }  // namespace
 
 Composition::Composition(QSettings& settings, QObject* parent)
-    : QObject(parent), m_settings(settings), m_window(settings) {
+    : QObject(parent), m_settings(settings), m_window(settings), m_motionMarker(settings) {
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -57,6 +57,9 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
+    if (!m_motionMarker.left().empty())
+        m_window.showMessage(texts::endedWhileMoving(m_motionMarker.left()));
+    checkSettings();
     m_window.showPorts(serialPorts());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
@@ -82,6 +85,7 @@ bool Composition::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Composition::quit() {
+    m_motionMarker.clear();
     m_window.finishClose();
     QCoreApplication::quit();
 }
@@ -98,10 +102,16 @@ void Composition::wireWindow() {
             [this](const QString& line) { m_worker.control(line.toStdString()); });
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
+    // The end of the session: at once, while the program may still run, and without a question.
+    connect(
+        qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
 }
 
 void Composition::wireStore() {
-    connect(&m_store, &BusStore::linkChanged, this, [this] { m_window.showLink(m_store.link()); });
+    connect(&m_store, &BusStore::linkChanged, this, [this] {
+        m_window.showLink(m_store.link());
+        m_motionMarker.update(m_store.link());
+    });
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
 }
 
@@ -283,6 +293,22 @@ void Composition::told(const PortClosed& closed) {
 
 void Composition::told(const SimulatorAnswered& answer) {
     m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
+}
+
+void Composition::told(const PanelFroze& froze) {
+    // The store still has what moved before.
+    if (froze.stopped || m_store.movingMotors() > 0)
+        m_window.showMessage(texts::panelFroze(toSeconds(froze.length), froze.stopped));
+}
+
+void Composition::told(const MachineSlept& slept) {
+    m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
+}
+
+void Composition::checkSettings() {
+    m_settings.sync();
+    if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
+        m_window.showMessage(texts::settingsNotSaved(m_settings.fileName()));
 }
 
 void Composition::told(const ServoWentOff& off) {

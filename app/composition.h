@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/commandline.h"
+#include "app/motionmarker.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
 #include "model/intent.h"
@@ -29,6 +30,7 @@ public:
     /// Stops the motors, closes the port, and ends the program.
     void stopAndQuit();
 
+    [[nodiscard]] BusWorker& worker() { return m_worker; }
     [[nodiscard]] MainWindow& window() { return m_window; }
     [[nodiscard]] const BusStore& store() const { return m_store; }
 
@@ -69,11 +71,15 @@ private:
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
+    void told(const PanelFroze& froze);
+    void told(const MachineSlept& slept);
+    void checkSettings();
 
     QSettings& m_settings;
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
+    MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     std::optional<Target> m_target;    ///< what is connected, or was last

@@ -880,6 +880,58 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
         <translation>Zustand des Motors unbekannt. Sehen Sie nach dem Motor; im Zweifel alles stoppen.</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>The panel was frozen for %1; motors were stopped after 2 s.</source>
+        <translation>Das Programm reagierte %1 lang nicht; die Motoren wurden nach 2 s gestoppt.</translation>
+    </message>
+    <message>
+        <source>The panel was frozen for %1 while a motor was moving. It was not stopped.</source>
+        <translation>Das Programm reagierte %1 lang nicht, während sich ein Motor bewegte. Er wurde nicht gestoppt.</translation>
+    </message>
+    <message>
+        <source>Stop all could not be pressed meanwhile. The computer was busy, or the program hung.</source>
+        <translation>ALLES STOPP war währenddessen nicht möglich. Der Rechner war ausgelastet, oder das Programm hing.</translation>
+    </message>
+    <message>
+        <source>Resumed after %1: motors were told to stop, and all values are read again.</source>
+        <translation>Aufgewacht nach %1: die Motoren haben den Stoppbefehl bekommen, und alle Werte werden neu gelesen.</translation>
+    </message>
+    <message>
+        <source>The computer was suspended. Motors that moved went on moving meanwhile; look at them before the next move.</source>
+        <translation>Der Rechner war im Ruhezustand. Motoren, die sich bewegten, liefen währenddessen weiter; sehen Sie vor der nächsten Bewegung nach ihnen.</translation>
+    </message>
+    <message>
+        <source>The last session ended while motor %1 was moving.</source>
+        <translation>Die letzte Sitzung endete, während sich Motor %1 bewegte.</translation>
+    </message>
+    <message>
+        <source>The last session ended while motors %1 were moving.</source>
+        <translation>Die letzte Sitzung endete, während sich die Motoren %1 bewegten.</translation>
+    </message>
+    <message>
+        <source>The program was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves.</source>
+        <translation>Das Programm wurde gewaltsam beendet, oder der Rechner fiel aus. Motorzustand unbekannt: sehen Sie nach, bevor Sie verbinden; bewegt sich etwas, benutzen Sie den Hardware-Stopp.</translation>
+    </message>
+    <message>
+        <source>Settings are not saved.</source>
+        <translation>Einstellungen werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Everything else works; only the layout of the window and the last port will not be remembered.</source>
+        <translation>%1 lässt sich nicht schreiben. Alles andere funktioniert; nur die Anordnung des Fensters und der letzte Anschluss bleiben nicht erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::Banner</name>

@@ -71,6 +71,13 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
 
 // ---- stopping, closing, safety ----
+/// `stopped`: motors moved, and were stopped while the panel was frozen.
+[[nodiscard]] Message panelFroze(double seconds, bool stopped);
+[[nodiscard]] Message machineSlept(double seconds);
+/// The session before ended without a stop.
+[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules);
+/// `file`: where they belong.
+[[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
 /// "reaches 5 of 5"
