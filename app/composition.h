@@ -10,6 +10,7 @@
 
 #include "app/commandline.h"
 #include "app/motionmarker.h"
+#include "app/portcontroller.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
 #include "model/intent.h"
@@ -23,7 +24,7 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    explicit Composition(QSettings& settings, QObject* parent = nullptr);
+    explicit Composition(QSettings& settings, PortController::Places places = {}, QObject* parent = nullptr);
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
@@ -48,6 +49,8 @@ private:
     void wireWindow();
     void wireStore();
     void connectTo(const QString& port, quint32 baud);
+    /// The same without asking whether that is still the adapter it was.
+    void connectAnyway(const QString& port, quint32 baud);
     void openNow(const Target& target);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
@@ -79,6 +82,7 @@ private:
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
+    PortController m_ports;
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "link/busworker.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+
 #include "link/clock.h"
 #include "link/crashburst.h"
 
@@ -13,6 +18,19 @@ constexpr std::size_t kEventCapacity = 1U << 17U;
 constexpr std::size_t kRequestCapacity = 1'024;
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
+/// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
+constexpr std::size_t kDescriptorsNeeded = 8;
+
+bool descriptorsLeft() {
+    std::array<int, kDescriptorsNeeded> fds{};
+    for (int& fd : fds)
+        fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool enough = fds.back() >= 0;
+    for (const int fd : fds)
+        if (fd >= 0)
+            ::close(fd);
+    return enough;
+}
 
 }  // namespace
 
@@ -32,6 +50,10 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     (void)m_requests.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
+    if (!descriptorsLeft()) {
+        post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}, 0}});
+        return;
+    }
     m_heartbeat.begin(monotonicNow());
     m_beatTimer.start();
     m_suspendWatch = {};

@@ -16,19 +16,24 @@ namespace nmc::testing_support {
 class IntentPanel {
 public:
     /// `settings`: a file; empty for a fresh one.
-    explicit IntentPanel(const QString& settings = {})
+    explicit IntentPanel(const QString& settings = {}, PortController::Places places = {})
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
                      QSettings::IniFormat),
-          m_composition(m_settings) {}
+          m_composition(m_settings, std::move(places)) {}
 
     void start() { m_composition.show({}); }
+    /// Connects, and waits until the modules are there.
+    void connectTo(const QString& port) {
+        emit window().connectRequested(port, 115'200);
+        ASSERT_TRUE(waitFor([&] { return connected(); }));
+    }
+    [[nodiscard]] bool connected() const {
+        return m_composition.store().link().phase == LinkPhase::Connected;
+    }
     /// Connects to the first of two modules and sets it going.
     void startMoving(NmcsimProcess& sim) {
         m_composition.show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(waitFor([&] {
-            return m_composition.store().link().phase == LinkPhase::Connected &&
-                   module().activity() != Activity::Unknown;
-        }));
+        ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
         ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
         ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
         ask(intent::Enable{});

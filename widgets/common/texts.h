@@ -41,6 +41,8 @@ inline const QString kWorkWith = QStringLiteral("workWith");
 inline const QString kHow = QStringLiteral("how");
 inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
 inline const QString kRestartNetwork = QStringLiteral("restartNetwork");
+inline const QString kReconnect = QStringLiteral("reconnect");
+inline const QString kConnectAnyway = QStringLiteral("connectAnyway");
 inline const QString kUnderstood = QStringLiteral("understood");
 }  // namespace action
 
@@ -55,6 +57,10 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message badLink(int wrong, int of);
 [[nodiscard]] Message doubtfulLink(int wrong, int of);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
+/// What "How" answers; `file` holds the timer.
+[[nodiscard]] Message latencyCure(const QString& file);
+[[nodiscard]] Message adapterBack(const QString& port, bool sameSerial);
+[[nodiscard]] Message differentAdapter(const QString& port);
 
 // ---- one module ----
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
