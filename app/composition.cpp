@@ -104,6 +104,9 @@ void Composition::wireWindow() {
     connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
     connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
+    connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
+    connect(&m_window, &MainWindow::moduleSelected, this,
+            [this](ModuleIndex module) { m_worker.watch({module}); });
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
@@ -184,13 +187,12 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
 void Composition::act(const QString& key, const QString& action) {
     if (action == texts::action::kRetry && m_target)
         connectTo(m_target->port, m_target->baud);
-    else if ((action == texts::action::kScanAgain || action == texts::action::kRestartNetwork) &&
+    else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) &&
              m_worker.isOpen())
-        m_worker.restart();
-    else if (action == texts::action::kScanAgain && m_target)
+        m_worker.connectAgain();
+    else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) && m_target)
         connectTo(m_target->port, m_target->baud);
-    else if ((action == texts::action::kReconnect || action == texts::action::kConnectAnyway) &&
-             m_ports.offered()) {
+    else if (action == texts::action::kConnectOffered && m_ports.offered()) {
         const PortController::Offer offer = *m_ports.offered();
         m_window.choosePort(offer.port, offer.baud);
         connectAnyway(offer.port, offer.baud);
@@ -235,7 +237,12 @@ void Composition::told(const bus::ChainFound& found) {
         m_window.showMessage(texts::fewerThanExpected(modules, expected));
     else
         m_settings.setValue(key, modules);
-    m_window.showMessage(texts::connected(m_target->port, found.baud, modules));
+    m_window.showMessage(texts::connected(found, m_target->port));
+    m_window.endMessage(texts::key::badLink());
+    if (found.unaddressed)
+        m_window.showMessage(texts::unaddressed());
+    else
+        m_window.endMessage(texts::key::unaddressed());
 }
 
 void Composition::told(const bus::ConnectFailed& failed) {
@@ -280,21 +287,15 @@ void Composition::told(const bus::HoldExpired& expired) {
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
-    const int wrong = static_cast<int>(changed.wrong);
-    const int of = static_cast<int>(changed.of);
-    switch (changed.health) {
-        case bus::LinkHealth::Good:
-            return m_window.endMessage(texts::key::badLink());
-        case bus::LinkHealth::Doubtful:
-            return m_window.showMessage(texts::doubtfulLink(wrong, of));
-        case bus::LinkHealth::Lost:
-            return m_window.showMessage(texts::badLink(wrong, of));
-    }
+    if (changed.health == bus::LinkHealth::Good)
+        m_window.endMessage(texts::key::badLink());
+    else
+        m_window.showMessage(texts::badLink(changed));
 }
 
 void Composition::told(const bus::ModuleRestarted& restarted) {
     m_window.endMessage(texts::key::silent(restarted.module));
-    m_window.showMessage(texts::restarted(restarted.module, static_cast<int>(m_store.link().modules.size())));
+    m_window.showMessage(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())));
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {

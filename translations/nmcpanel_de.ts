@@ -209,6 +209,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>&amp;About NMC Panel</source>
         <translation>&amp;Über NMC Panel</translation>
     </message>
+    <message>
+        <source>Networ&amp;k</source>
+        <translation>Netz&amp;werk</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network: positions and gains are lost…</source>
+        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -327,14 +339,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The system says: %1</source>
         <translation>Das System meldet: %1</translation>
-    </message>
-    <message>
-        <source>The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried).</source>
-        <translation>Der Port ist offen, aber kein Modul hat geantwortet (19 200, 57 600 und 115 200 Bd versucht).</translation>
-    </message>
-    <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter.</source>
-        <translation>In dieser Reihenfolge prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verdeckt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; einen Vollduplex-Adapter (4-Draht).</translation>
     </message>
     <message>
         <source>Not every module answered at %1 Bd, so the modules cannot be used yet.</source>
@@ -853,10 +857,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
     </message>
     <message>
-        <source>Nothing was lost; wrong answers are recognised and asked for again. Motors are stopped if it gets worse. Usually noise on the cable.</source>
-        <translation>Nichts ging verloren; falsche Antworten werden erkannt und neu erfragt. Wird es schlimmer, werden die Motoren gestoppt. Meist Störungen auf dem Kabel.</translation>
-    </message>
-    <message>
         <source>Module %1 was switched off: it moved the wrong way, to %2 counts.</source>
         <translation>Modul %1 wurde abgeschaltet: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
     </message>
@@ -993,6 +993,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts, und nichts, was vorher verlangt wurde, wird noch einmal gesendet.</translation>
     </message>
     <message>
+        <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
+        <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can be restarted.</source>
+        <translation>Prüfen Sie der Reihe nach: Spannung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; die ADDR_IN-Brücke des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; ein Vollduplex-Adapter (4 Drähte). Eine Kette, die ein anderes Programm bei einer eigenen Rate zurückließ, lässt sich neu starten.</translation>
+    </message>
+    <message>
+        <source>Attached to %1: %2 at %3 Bd, left as they were.</source>
+        <translation>Verbunden mit %1: %2 bei %3 Bd, unverändert gelassen.</translation>
+    </message>
+    <message>
+        <source>What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you move it: what it was told last cannot be asked.</source>
+        <translation>Was sie gerade taten, läuft weiter. Die Reglerwerte sind unbekannt, bis Sie sie senden. Stoppen Sie einen Motor, bevor Sie ihn bewegen: Was ihm zuletzt gesagt wurde, lässt sich nicht abfragen.</translation>
+    </message>
+    <message>
+        <source>A module without an address answers, too, and cannot be used yet.</source>
+        <translation>Auch ein Modul ohne Adresse antwortet; es ist noch nicht benutzbar.</translation>
+    </message>
+    <message>
+        <source>Either one of the chain has restarted, or a new one was added. Its motor is off. A restart of the network gives it an address.</source>
+        <translation>Entweder ist eines der Kette neu gestartet, oder ein neues kam hinzu. Sein Motor ist aus. Ein Neustart des Netzwerks gibt ihm eine Adresse.</translation>
+    </message>
+    <message>
+        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
+        <translation>Die Verbindung zu Modul %1 ist unzuverlässig: %2 der letzten %3 Austausche gingen schief.</translation>
+    </message>
+    <message>
         <source>Reconnect</source>
         <translation>Neu verbinden</translation>
     </message>
@@ -1007,6 +1035,46 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Connect to it</source>
         <translation>Damit verbinden</translation>
+    </message>
+    <message>
+        <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
+        <translation>Die Verbindung zu Modul %1 ist zweifelhaft: %2 der letzten %3 Austausche gingen schief.</translation>
+    </message>
+    <message>
+        <source>Nothing was lost: wrong answers are recognised and asked for again. Motors are stopped if it gets worse. Usually noise on the cable.</source>
+        <translation>Nichts ging verloren: Falsche Antworten werden erkannt und neu erfragt. Wird es schlimmer, werden die Motoren gestoppt. Meist Störungen auf dem Kabel.</translation>
+    </message>
+    <message>
+        <source>Its motor is off.</source>
+        <translation>Sein Motor ist aus.</translation>
+    </message>
+    <message>
+        <source>It listens at 19 200 Bd, where the others&apos; traffic is noise to it: all motors were stopped and nothing is sent any more.</source>
+        <translation>Es hört bei 19 200 Bd, wo der Verkehr der anderen für es Rauschen ist: Alle Motoren wurden gestoppt, und es wird nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>Every module forgets its position, its gains and its address, and lets go of its motor.</source>
+        <translation>Jedes Modul vergisst seine Position, seine Reglerwerte und seine Adresse und lässt seinen Motor los.</translation>
+    </message>
+    <message>
+        <source>1 motor is moving. It will be stopped first.</source>
+        <translation>1 Motor bewegt sich. Er wird zuerst gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1 motors are moving. They will be stopped first.</source>
+        <translation>%1 Motoren bewegen sich. Sie werden zuerst gestoppt.</translation>
+    </message>
+    <message>
+        <source>Restarted</source>
+        <translation>Neu gestartet</translation>
+    </message>
+    <message>
+        <source>The module restarted by itself: its motor is off, and its position, gains and address are lost until the network is restarted.</source>
+        <translation>Das Modul ist von selbst neu gestartet: Sein Motor ist aus; Position, Reglerwerte und Adresse sind verloren, bis das Netzwerk neu gestartet wird.</translation>
+    </message>
+    <message>
+        <source>looking for modules</source>
+        <translation>suche Module</translation>
     </message>
 </context>
 <context>
@@ -1154,10 +1222,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>St&amp;ay</source>
         <translation>&amp;Bleiben</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
     </message>
 </context>
 <context>
@@ -2102,6 +2166,21 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
         <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RestartDialog</name>
+    <message>
+        <source>Restart the network</source>
+        <translation>Netzwerk neu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network: positions and gains are lost</source>
+        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>

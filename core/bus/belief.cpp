@@ -88,7 +88,15 @@ void Belief::onExecuted(const ModuleCommand& command) {
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     if (m_statusTime && latched < *m_statusTime)
         return;
+    m_before = m_statusTime;
     m_statusTime = latched;
+    m_lastItems = report.items;
+    if (report.position)
+        m_position = report.position;
+    if (report.home)
+        m_home = report.home;
+    if (report.aux)
+        m_aux = *report.aux;
     m_status = report.status;
     m_velocity = report.velocity;
     if (m_info.identity.type == ModuleType::Step) {
@@ -109,11 +117,37 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_velocityGoal = m_homingStops = false;
 }
 
+void Belief::setRestarted() {
+    m_restarted = true;
+    m_on = m_mayEnable = m_pwmMayRun = m_velocityGoal = m_homingStops = m_stepLoaded = false;
+    m_loaded.reset();
+    m_starting.reset();
+}
+
+unsigned Belief::looksSince(TimePoint time) const {
+    const auto since = [&](const std::optional<TimePoint>& at) { return at && *at >= time ? 1U : 0U; };
+    return since(m_statusTime) + since(m_before);
+}
+
+bool Belief::anySticky() const {
+    const servo::StatusByte status{m_status};
+    const servo::AuxByte aux{m_aux};
+    return status.overcurrent() || (status.positionError() && aux.servoOn()) || aux.positionWrap() ||
+           aux.servoOverrun();
+}
+
+StatusItems Belief::otherItems() const {
+    const StatusItems all(StatusItems::All);
+    return m_lastItems == all ? kStandingItems : all;
+}
+
 bool Belief::fresh() const {
     return m_statusTime && (!m_lastMotion || *m_statusTime > *m_lastMotion);
 }
 
 bool Belief::mayMove() const {
+    if (m_restarted)
+        return false;
     if (!m_statusTime)
         return true;
     if (m_info.identity.type == ModuleType::Step)

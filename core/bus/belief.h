@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "bus/exchange.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -24,6 +25,12 @@ public:
     void onStatus(const StatusReport& report, TimePoint latched);
     /// Define Status was sent and not answered: replies have the old or the new length.
     void forgetItems() { m_items.reset(); }
+    /// Found as another host left it: what it was told is not known. It may run in velocity mode at any
+    /// speed, until a stop is answered or its servo is seen off.
+    void attach() { m_velocityGoal = true; }
+    /// It restarted by itself, is off, and has no address any more: nothing is sent to it.
+    void setRestarted();
+    [[nodiscard]] bool restarted() const { return m_restarted; }
 
     [[nodiscard]] const ModuleInfo& info() const { return m_info; }
     /// The defined items of a reply; nothing while they are in doubt.
@@ -32,6 +39,14 @@ public:
     /// A status was latched after the last command that can move or stop the motor.
     [[nodiscard]] bool fresh() const;
     [[nodiscard]] std::optional<TimePoint> statusTime() const { return m_statusTime; }
+    /// How many statuses were latched since then.
+    [[nodiscard]] unsigned looksSince(TimePoint time) const;
+    /// Items to ask for next: a reply of another length than the last one (link.md 2.2).
+    [[nodiscard]] StatusItems otherItems() const;
+    [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
+    /// PIC-SERVO: a sticky bit is set, other than pos_error of a servo that is off (DS-V 5.3).
+    [[nodiscard]] bool anySticky() const;
+    [[nodiscard]] std::optional<std::int32_t> home() const { return m_home; }
 
     /// Servo (PIC-STEP: amplifier) as of the last status that told.
     [[nodiscard]] bool on() const { return m_on; }
@@ -63,12 +78,18 @@ private:
     std::optional<TimePoint> m_lastMotion;
     std::uint8_t m_status = 0;
     std::optional<std::int16_t> m_velocity;
+    std::optional<std::int32_t> m_position;
+    std::optional<std::int32_t> m_home;
+    StatusItems m_lastItems;
+    std::uint8_t m_aux = 0;
+    std::optional<TimePoint> m_before;  ///< the status before the last one
     bool m_on = false;
     bool m_mayEnable = false;
     bool m_pwmMayRun = false;
     bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
     bool m_homingStops = false;   ///< the chip itself stops when home is found
     bool m_stepLoaded = false;
+    bool m_restarted = false;
     std::optional<servo::LoadTrajectory> m_loaded;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
 };

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bus/discovery.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "protocol/baud.h"
+#include "protocol/commands.h"
 
 namespace nmc::bus {
 
@@ -10,10 +14,15 @@ namespace {
 
 constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
+constexpr StatusItems kIdentity{StatusItems::Identity};
+constexpr StatusItems kAll{StatusItems::All};
+/// How often an address is given before its module is taken for the end of the chain.
+constexpr unsigned kSetAttempts = 2;
 
 /// Where a chain may have been left; last the rate at which it then wakes up.
 constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPowerUpBaud};
 static_assert(kRestartRates.size() == kBaudRows.size());
+static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
 [[nodiscard]] BusAddress addressOf(std::size_t index) {
     return BusAddress(static_cast<std::uint8_t>(index + 1));
@@ -25,57 +34,120 @@ static_assert(kRestartRates.size() == kBaudRows.size());
 
 }  // namespace
 
+Discovery::Discovery(const EngineConfig& config, Start start)
+    : m_config(config),
+      m_look(config.adapterLatency),
+      m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
+      m_progress(
+          ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
+
 Discovery::Next Discovery::next() {
     switch (m_phase) {
+        case Phase::Look:
+            return look();
         case Phase::Restart:
+            m_reset = true;
             enter(Phase::Set, ConnectStage::Addressing);
             return restartScript();
         case Phase::Set:
             return setAddress();
         case Phase::Probe:
-            return Ask{{addressOf(m_modules.size()), Nop{}.encode(), {}},
-                       static_cast<std::uint8_t>(m_setAttempts < 2 ? 1 : 0)};
+            // Of another length than the answer to Set Address, which may still be on its way.
+            return Ask{{addressOf(m_modules.size()), ReadStatus{kIdentity}.encode(), {{}, kIdentity}},
+                       static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
+                       Quarantine::Brief};
         case Phase::Identify:
-            return askModule(ReadStatus{StatusItems(StatusItems::Identity)}.encode(),
-                             StatusItems(StatusItems::Identity), 2);
+            return askModule(ReadStatus{kIdentity}.encode(), kIdentity, 2);
         case Phase::ChangeRate:
             enter(Phase::Verify);
             return rateScript();
         case Phase::Verify:
             return askModule(Nop{}.encode(), StatusItems{}, 1);
+        case Phase::GoBack:
+            enter(Phase::Recheck);
+            return backScript();
+        case Phase::Recheck:
+            return askModule(Nop{}.encode(), StatusItems{}, 1);
         case Phase::Define:
             return askModule(DefineStatus{kStandingItems}.encode(), kStandingItems, 2);
+        case Phase::Confirm:
+            return askModule(ReadStatus{kAll}.encode(), kAll, 2);
         case Phase::Done:
-            return ChainFound{m_modules, m_config.baud};
+            return ChainFound{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
         case Phase::Failed:
             break;
     }
     return m_failure;
 }
 
+Discovery::Next Discovery::look() {
+    auto next = m_look.next();
+    if (auto* script = std::get_if<Line::Script>(&next))
+        return std::move(*script);
+    if (const auto* request = std::get_if<Request>(&next))
+        return Ask{*request, 0, Quarantine::None};
+    return lookedUp();
+}
+
+/// The look is over: attach to what is there, or give addresses to a chain that has none.
+Discovery::Next Discovery::lookedUp() {
+    if (m_look.rate()) {
+        m_attached = true;
+        for (const BusAddress address : m_look.addresses())
+            m_modules.push_back({indexOf(m_modules.size()), address, {}});
+        enter(Phase::Identify, ConnectStage::Identifying);
+    } else if (m_look.unaddressed()) {
+        enter(Phase::Set, ConnectStage::Addressing);
+    } else {
+        fail(m_look.heard());
+        return m_failure;
+    }
+    // The look ended at another rate, or with a module that heard half of something.
+    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
+    return Line::Script{Line::Gap{},    Line::Pause{latency},
+                        DiscardInput{}, SetHostBaud{m_look.rate().value_or(kPowerUpBaud)},
+                        Line::Nulls{},  Line::Pause{kAfterNulls + latency},
+                        DiscardInput{}};
+}
+
 void Discovery::onReply(const ReplyEnd& end) {
     const bool accepted = end.result == ReplyResult::Accepted;
     switch (m_phase) {
+        case Phase::Look:
+            return onLook(end);
         case Phase::Set:
             return onAddress(end);
         case Phase::Probe:
             return onProbe(end);
         case Phase::Identify:
-            if (!accepted || !end.report.identity)
-                return fail(ConnectFailure::Garbled, {indexOf(m_at)});
-            m_modules[m_at].identity = *end.report.identity;
-            return nextModule(Phase::ChangeRate);
+            return onIdentity(end);
         case Phase::Verify:
-            // A module that flags an error has heard something at this rate, but not well enough.
+            return onVerified(end);
+        case Phase::Recheck:
+            // It is where it was: the change was lost on its way. Once more, but only once.
             if (!accepted)
-                m_deaf.push_back(indexOf(m_at));
-            return nextModule(Phase::Define);
+                return fail(ConnectFailure::RateChange, m_deaf);
+            ++m_at;
+            if (m_at < m_modules.size())
+                return;
+            m_deaf.clear();
+            m_at = 0;
+            return enter(Phase::ChangeRate);
         case Phase::Define:
             if (!accepted)
                 return fail(ConnectFailure::Garbled, {indexOf(m_at)});
+            m_heard.push_back({indexOf(m_at), end});
+            return nextModule(Phase::Confirm);
+        case Phase::Confirm:
+            // Two modules at one address say different things sooner or later.
+            if (!accepted || uniform({end.bytes.data(), end.bytes.size()}) ||
+                end.report.identity != m_modules[m_at].identity)
+                return fail(accepted ? ConnectFailure::Collision : ConnectFailure::Garbled, {indexOf(m_at)});
+            m_heard.push_back({indexOf(m_at), end});
             return nextModule(Phase::Done);
         case Phase::Restart:
         case Phase::ChangeRate:
+        case Phase::GoBack:
         case Phase::Done:
         case Phase::Failed:
             return;
@@ -108,12 +180,31 @@ Line::Script Discovery::rateScript() const {
             SetHostBaud{m_config.baud}, DiscardInput{}};
 }
 
+Line::Script Discovery::backScript() const {
+    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
+    return {Line::Gap{},
+            Line::Pause{latency},
+            SetHostBaud{kPowerUpBaud},
+            Line::Nulls{},
+            Line::Pause{kAfterNulls + latency},
+            DiscardInput{}};
+}
+
 Discovery::Ask Discovery::setAddress() const {
-    return {{kUnaddressed, SetAddress{addressOf(m_modules.size()), kEverybody, false}.encode(), {}}, 0};
+    return {{kUnaddressed, SetAddress{addressOf(m_modules.size()), kEverybody, false}.encode(), {}},
+            0,
+            Quarantine::Brief};
 }
 
 Discovery::Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
     return {{m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats};
+}
+
+void Discovery::onLook(const ReplyEnd& end) {
+    const std::size_t before = m_look.addresses().size();
+    m_look.onReply(end);
+    if (m_look.addresses().size() != before)
+        m_progress = ConnectProgress{ConnectStage::Looking, static_cast<std::uint8_t>(before + 1)};
 }
 
 void Discovery::onAddress(const ReplyEnd& end) {
@@ -125,6 +216,8 @@ void Discovery::onAddress(const ReplyEnd& end) {
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
+        case ReplyResult::Surplus:
+        case ReplyResult::Rejected:
             m_heardNoise = true;
             [[fallthrough]];
         case ReplyResult::Silent:
@@ -141,10 +234,36 @@ void Discovery::onProbe(const ReplyEnd& end) {
             return found();
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
+        case ReplyResult::Surplus:
+        case ReplyResult::Rejected:
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Silent:
-            return m_setAttempts < 2 ? enter(Phase::Set) : endOfChain();
+            return m_setAttempts < kSetAttempts ? enter(Phase::Set) : endOfChain();
     }
+}
+
+void Discovery::onIdentity(const ReplyEnd& end) {
+    const bool heard = end.result == ReplyResult::Accepted && end.report.identity &&
+                       !uniform({end.bytes.data(), end.bytes.size()});
+    if (!heard)
+        return fail(ConnectFailure::Garbled, {indexOf(m_at)});
+    m_modules[m_at].identity = *end.report.identity;
+    nextModule(Phase::ChangeRate);
+}
+
+void Discovery::onVerified(const ReplyEnd& end) {
+    // A module that flags an error has heard something at this rate, but not well enough.
+    if (end.result != ReplyResult::Accepted)
+        m_deaf.push_back(indexOf(m_at));
+    ++m_at;
+    if (m_at < m_modules.size())
+        return;
+    if (m_deaf.empty())
+        return enterModules(Phase::Define);
+    m_at = 0;
+    if (m_deaf.size() == m_modules.size() && !std::exchange(m_wentBack, true))
+        return enter(Phase::GoBack);
+    fail(ConnectFailure::RateChange, m_deaf);
 }
 
 void Discovery::found() {
@@ -162,26 +281,31 @@ void Discovery::endOfChain() {
     enter(Phase::Identify, ConnectStage::Identifying);
 }
 
+/// On to the next module of this phase, or to the phase after it.
 void Discovery::nextModule(Phase after) {
     ++m_at;
-    // A module without a data sheet keeps the status it woke up with.
-    while (m_phase == Phase::Define && m_at < m_modules.size() && !knownType(m_modules[m_at].identity.type))
-        ++m_at;
-    if (m_at < m_modules.size())
-        return;
+    if (m_phase == Phase::Define || m_phase == Phase::Confirm)
+        skipUnknown();
+    if (m_at >= m_modules.size())
+        enterModules(after);
+}
+
+void Discovery::enterModules(Phase phase) {
     m_at = 0;
-    if (m_phase == Phase::Verify && !m_deaf.empty())
-        return fail(ConnectFailure::RateChange, m_deaf);
-    if (after == Phase::ChangeRate) {
-        if (m_config.baud != kPowerUpBaud)
-            return enter(Phase::ChangeRate, ConnectStage::ChangingRate);
-        after = Phase::Define;
-    }
-    if (after != Phase::Define)
-        return enter(after);
+    if (phase == Phase::ChangeRate && (m_attached || m_config.baud == kPowerUpBaud))
+        phase = Phase::Define;
+    if (phase == Phase::ChangeRate)
+        return enter(phase, ConnectStage::ChangingRate);
+    enter(phase, phase == Phase::Define ? std::optional(ConnectStage::Preparing) : std::nullopt);
+    skipUnknown();
+    if (m_at >= m_modules.size())
+        enter(Phase::Done);
+}
+
+/// A module without a data sheet keeps the status it woke up with.
+void Discovery::skipUnknown() {
     while (m_at < m_modules.size() && !knownType(m_modules[m_at].identity.type))
         ++m_at;
-    enter(m_at < m_modules.size() ? Phase::Define : Phase::Done, ConnectStage::Preparing);
 }
 
 void Discovery::fail(ConnectFailure reason, std::vector<ModuleIndex> modules) {

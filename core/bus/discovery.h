@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "bus/chainlook.h"
 #include "bus/engine.h"
 #include "bus/exchange.h"
 #include "bus/line.h"
@@ -13,25 +14,33 @@
 
 namespace nmc::bus {
 
-/// Items of every poll: position, A/D value, auxiliary status (PIC-STEP: inputs).
-inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems::Analog | StatusItems::Aux};
-
 /// A type that a data sheet here describes; others are only asked for type and version.
 [[nodiscard]] constexpr bool knownType(ModuleType type) {
     return type == ModuleType::Servo || type == ModuleType::Step;
 }
 
-/// Restarts the network and finds the chain (DS-V 4.1, protocol.md 1). Says what to do next and is told what
-/// came of it; repeats within one question, and the resync before them, are the engine's. Pure.
+/// Finds the chain: the one that is there, left as it is (chainlook.h); or a fresh one, which it gives
+/// addresses (DS-V 4.1, protocol.md 1), after a Hard Reset where that is wanted. Ends with three replies of
+/// different items from each module, which two modules at one address do not survive. Says what to do next
+/// and is told what came of it; repeats within one question, and the resync before them, are the engine's.
+/// Pure.
 class Discovery {
 public:
     static constexpr std::uint8_t kMaxModules = 32;
 
-    explicit Discovery(const EngineConfig& config) : m_config(config) {}
+    enum class Start : std::uint8_t { Look, Restart };
+    Discovery(const EngineConfig& config, Start start);
 
+    /// How long late answers are waited for when nobody answered.
+    enum class Quarantine : std::uint8_t {
+        None,   ///< silence is what is expected
+        Brief,  ///< a late answer does no harm
+        Full
+    };
     struct Ask {
         Request request;
         std::uint8_t silentRepeats = 0;
+        Quarantine quarantine = Quarantine::Full;  ///< after silence
     };
     using Next = std::variant<Line::Script, Ask, ChainFound, ConnectFailed>;
 
@@ -42,43 +51,68 @@ public:
     /// Once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
     /// All modules have been reset, so no motor runs any more.
-    [[nodiscard]] bool restarted() const { return m_phase != Phase::Restart; }
+    [[nodiscard]] bool restarted() const { return m_reset; }
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
+    struct Heard {
+        ModuleIndex module;
+        ReplyEnd end;
+    };
+    /// The last two replies of each module with a data sheet, whose layouts differ, in their order.
+    [[nodiscard]] const std::vector<Heard>& heard() const { return m_heard; }
 
 private:
     enum class Phase : std::uint8_t {
+        Look,
         Restart,
         Set,
         Probe,
         Identify,
         ChangeRate,
         Verify,
+        GoBack,   ///< nobody heard the change of rate: once more from the old rate
+        Recheck,  ///< is the chain there at the old rate?
         Define,
+        Confirm,
         Done,
         Failed
     };
 
+    [[nodiscard]] Next look();
+    [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
+    [[nodiscard]] Line::Script backScript() const;
     [[nodiscard]] Line::Script rateScript() const;
     [[nodiscard]] Ask setAddress() const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
+    void onIdentity(const ReplyEnd& end);
+    void onVerified(const ReplyEnd& end);
+    void onLook(const ReplyEnd& end);
     void onAddress(const ReplyEnd& end);
     void onProbe(const ReplyEnd& end);
     void found();
     void endOfChain();
     void nextModule(Phase after);
+    void enterModules(Phase phase);
+    void skipUnknown();
     void fail(ConnectFailure reason, std::vector<ModuleIndex> modules = {});
     void enter(Phase phase, std::optional<ConnectStage> stage = {});
 
+    [[nodiscard]] std::uint32_t rate() const { return m_attached ? *m_look.rate() : m_config.baud; }
+
     EngineConfig m_config;
-    Phase m_phase = Phase::Restart;
+    ChainLook m_look;
+    Phase m_phase;
+    bool m_reset = false;
+    bool m_attached = false;
+    bool m_wentBack = false;
     std::vector<ModuleInfo> m_modules;
+    std::vector<Heard> m_heard;
     std::size_t m_at = 0;        ///< module that is being asked
     unsigned m_setAttempts = 0;  ///< at the present address
     bool m_heardNoise = false;
     std::vector<ModuleIndex> m_deaf;
     ConnectFailed m_failure{};
-    std::optional<ConnectProgress> m_progress = ConnectProgress{ConnectStage::Restarting, 0};
+    std::optional<ConnectProgress> m_progress;
 };
 
 }  // namespace nmc::bus

@@ -14,7 +14,10 @@ Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
 void Engine::connect(TimePoint now) {
-    d->connect(now);
+    d->begin(Discovery::Start::Look, now);
+}
+void Engine::restart(TimePoint now) {
+    d->begin(Discovery::Start::Restart, now);
 }
 void Engine::submit(Operation operation, TimePoint now) {
     d->submit(std::move(operation), now);
@@ -27,6 +30,12 @@ void Engine::release(TimePoint now) {
 }
 void Engine::stopAll(TimePoint now) {
     d->stopAll(now);
+}
+void Engine::distrust(TimePoint now) {
+    d->distrust(now);
+}
+void Engine::watch(const std::vector<ModuleIndex>& modules) {
+    d->watch(modules);
 }
 void Engine::onBytes(ByteSpan bytes, TimePoint now) {
     d->onBytes(bytes, now);
@@ -49,13 +58,14 @@ const LinkStatistics& Engine::statistics() const {
 std::size_t Engine::stopReach() const {
     return d->stopReach();
 }
+bool Engine::anythingMoves() const {
+    return d->anythingMoves();
+}
 std::vector<std::uint8_t> Engine::stopBurst() const {
     return d->stopBurst();
 }
 void Engine::setRecording(bool on) {
-    d->recording = on;
-    if (!on)
-        d->records.clear();
+    d->setRecording(on);
 }
 std::vector<ExchangeRecord> Engine::takeRecords() {
     return std::exchange(d->records, {});
@@ -64,19 +74,25 @@ std::vector<ExchangeRecord> Engine::takeRecords() {
 Engine::Private::Private(EngineConfig c)
     : config(c), line(c.adapterLatency, c.margin), m_hold(c.holdTimeout) {}
 
-void Engine::Private::connect(TimePoint now) {
+void Engine::Private::begin(Discovery::Start start, TimePoint now) {
     if (m_stop || m_stopDuringDiscovery)
         finishStop(now);
     cancelOperations();
     m_hold.clear();
     line.abandon();
     line.statistics() = {};
-    m_work.reset();
+    m_works.clear();
     m_again.reset();
     m_suspect = m_resyncing = m_hurried = m_lost = m_blindStopsDue = false;
+    m_doubt.reset();
+    m_silence.heard();
+    m_health = {};
+    m_look = Look::None;
+    m_lostBursts = 0;
+    m_verification.reset();
     m_blindStops.clear();
     m_holdFailures = 0;
-    m_beliefs.clear();
+    m_modules.clear();
     m_schedule = PollSchedule();
     m_discovery.reset();
     if (!findBaud(config.baud)) {
@@ -85,7 +101,7 @@ void Engine::Private::connect(TimePoint now) {
         return;
     }
     m_phase = Phase::Discovering;
-    m_discovery.emplace(config);
+    m_discovery.emplace(config, start);
     proceed(now);
 }
 
@@ -103,7 +119,7 @@ void Engine::Private::submit(Operation operation, TimePoint now) {
 }
 
 void Engine::Private::hold(const HoldToMove& hold, TimePoint now) {
-    if (m_phase != Phase::Running || m_stop || hold.module.value() >= m_beliefs.size())
+    if (m_phase != Phase::Running || m_stop || hold.module.value() >= m_modules.size())
         return;
     m_hold.hold(hold, now);
     proceed(now);
@@ -111,7 +127,7 @@ void Engine::Private::hold(const HoldToMove& hold, TimePoint now) {
 
 void Engine::Private::release(TimePoint now) {
     m_hold.release();
-    hurryHoldStop();
+    hurryHoldStop(now);
     proceed(now);
 }
 
@@ -128,25 +144,40 @@ void Engine::Private::stopAll(TimePoint now) {
         return proceed(now);
     }
     if (m_stop)
-        m_stop->restart(m_beliefs, m_schedule);
+        m_stop->restart(beliefs(), m_schedule);
     else
-        m_stop.emplace(m_beliefs, m_schedule, now);
-    const bool suspect = m_suspect || m_resyncing || m_hurried || m_lost;
-    m_blindStopsDue = suspect || !line.idle();
-    interrupt();
+        m_stop.emplace(beliefs(), m_schedule, now);
+    const bool suspect = m_suspect || m_resyncing || m_hurried || m_lost || m_doubt;
+    m_blindStopsDue = suspect || line.busy();
+    interrupt(now);
     m_suspect = suspect;
     proceed(now);
 }
 
+void Engine::Private::distrust(TimePoint now) {
+    if (m_phase != Phase::Running || m_modules.empty())
+        return;
+    interrupt(now);
+    m_suspect = true;
+    for (Module& module : m_modules)
+        module.trust.interrupt();
+    m_doubt = Doubt{m_modules.front().belief.info().index};
+    proceed(now);
+}
+
+void Engine::Private::watch(const std::vector<ModuleIndex>& modules) {
+    m_watched = modules;
+    m_schedule.watch(modules);
+}
+
 void Engine::Private::onBytes(ByteSpan bytes, TimePoint now) {
-    if (const auto end = line.onBytes(bytes, now))
-        ended(*end, now);
+    m_silence.heard();
+    line.onBytes(bytes, now);
     proceed(now);
 }
 
 void Engine::Private::onDeadline(TimePoint now) {
-    if (const auto end = line.onDeadline(now))
-        ended(*end, now);
+    line.onDeadline(now);
     expireHold(now);
     proceed(now);
 }
@@ -161,12 +192,26 @@ std::optional<TimePoint> Engine::Private::nextDeadline() const {
         consider(m_hold.deadline());
         if (line.idle())
             consider(m_schedule.nextDue());
+        if (line.idle() && m_lostBursts > 0)
+            consider(m_nextLostBurst);
     }
     return first;
 }
 
 std::size_t Engine::Private::stopReach() const {
-    return m_phase == Phase::Running ? m_schedule.answering() : 0;
+    return m_phase == Phase::Running || m_phase == Phase::Quiet ? m_schedule.answering() : 0;
+}
+
+bool Engine::Private::anythingMoves() const {
+    return std::any_of(m_modules.begin(), m_modules.end(),
+                       [](const Module& module) { return module.belief.moving(); });
+}
+
+std::vector<Belief> Engine::Private::beliefs() const {
+    std::vector<Belief> all;
+    for (const Module& module : m_modules)
+        all.push_back(module.belief);
+    return all;
 }
 
 void Engine::Private::expireHold(TimePoint now) {
@@ -176,20 +221,21 @@ void Engine::Private::expireHold(TimePoint now) {
     // Nothing had been started if there is nothing to stop.
     if (m_hold.stop())
         events.emplace_back(HoldExpired{held->module});
-    hurryHoldStop();
+    hurryHoldStop(now);
 }
 
 /// The stop that a hold owes does not wait for a quarantine.
-void Engine::Private::hurryHoldStop() {
+void Engine::Private::hurryHoldStop(TimePoint now) {
     if (!m_hold.stop() || !m_resyncing)
         return;
-    interrupt();
+    interrupt(now);
     m_suspect = true;
 }
 
 void Engine::Private::cancelOperations() {
     for (OperationFinished& event : m_commands.cancelAll())
         events.emplace_back(std::move(event));
+    m_verification.reset();
     if (m_again && m_again->lane != Lane::Discovery)
         m_again.reset();
 }

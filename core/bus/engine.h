@@ -38,10 +38,13 @@ public:
     Engine(Engine&&) noexcept;
     Engine& operator=(Engine&&) noexcept;
 
-    /// Restarts the network (Hard Reset at every rate a chain may have been left at) and finds the chain:
-    /// nulls, addresses, type and version, rate change with verification, default status; then polls.
-    /// Ends in ChainFound or ConnectFailed. Positions and gains of the modules are lost.
+    /// Finds the chain: one that has its addresses, at any rate, is left as it is (ChainFound::attached;
+    /// nulls and No Operation only, until it is found); a fresh one is given addresses and the configured
+    /// rate. Then polls. Ends in ChainFound or ConnectFailed.
     void connect(TimePoint now);
+    /// Restarts the network (Hard Reset at every rate a chain may have been left at) and gives addresses.
+    /// Positions and gains of the modules are lost.
+    void restart(TimePoint now);
 
     /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
     void submit(Operation operation, TimePoint now);
@@ -56,6 +59,13 @@ public:
     /// module confirmed twice or does not answer; ends in exactly one StopFinished, also when called again.
     void stopAll(TimePoint now);
 
+    /// Something happened to this machine, a suspend say: the link is checked before anything is believed.
+    void distrust(TimePoint now);
+
+    /// Modules that somebody looks at: they are polled as often as the wire carries, the others about five
+    /// times a second. None: all alike.
+    void watch(const std::vector<ModuleIndex>& modules);
+
     /// `bytes` arrived; `now` is when they were read.
     void onBytes(ByteSpan bytes, TimePoint now);
     /// nextDeadline() has passed.
@@ -67,6 +77,8 @@ public:
     [[nodiscard]] const LinkStatistics& statistics() const;
     /// Modules a stop would reach now: those that answer.
     [[nodiscard]] std::size_t stopReach() const;
+    /// Some motor moves, or may.
+    [[nodiscard]] bool anythingMoves() const;
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
     /// 2.6); empty when nothing is on. Changes only with a command or a status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <utility>
 
 #include "bus/engineprivate.h"
@@ -8,48 +7,79 @@
 
 namespace nmc::bus {
 
+namespace {
+
+/// How often a command is repeated that was provably not carried out.
+constexpr unsigned kRepeatsAfterLook = 2;
+
+}  // namespace
+
 void Engine::Private::proceed(TimePoint now) {
-    while (line.idle() && dispatch(now)) {
-    }
+    do
+        takeEnds(now);
+    while ((line.idle() || (line.ready() && mayPipeline())) && dispatch(now));
+}
+
+/// While the reply before may still turn out to have surplus bytes, only an ordinary exchange may begin.
+bool Engine::Private::mayPipeline() const {
+    return m_phase == Phase::Running && !m_stop && !m_suspect && !m_hurried && !m_doubt && !m_again &&
+           m_look == Look::None && !m_hold.stop();
 }
 
 /// The lanes in their order. False when there is nothing to do.
 bool Engine::Private::dispatch(TimePoint now) {
-    // A resync that was under way is over. Here the challenge of link.md 2.2 will begin: two Read Status with
-    // the identity, by masks of different length.
-    m_resyncing = false;
+    m_resyncing = false;  // one that was under way is over
     if (m_phase == Phase::Off)
         return false;
     if (m_stop) {
         dispatchStop(now);
         return true;
     }
-    if (m_phase == Phase::Running) {
-        if (m_again && m_again->repeatAtOnce) {
-            if (std::exchange(m_suspect, false))
-                flushBuffers(now);
-            else
-                begin(*std::exchange(m_again, std::nullopt), now);
-            return true;
-        }
-        if (m_hold.stop()) {
-            stopForHold(now);
-            return true;
-        }
-    }
+    if (m_phase == Phase::Quiet)
+        return false;
+    if (m_phase == Phase::Running && dispatchUrgent(now))
+        return true;
     if (m_suspect || m_hurried) {
         resync(now);
+        return true;
+    }
+    if (m_phase == Phase::Discovering && !m_again) {
+        dispatchDiscovery(now);
+        return true;
+    }
+    if (m_doubt) {
+        dispatchChallenge(now);
+        return true;
+    }
+    if (m_look != Look::None) {
+        dispatchLook(now);
         return true;
     }
     if (m_again) {
         begin(*std::exchange(m_again, std::nullopt), now);
         return true;
     }
-    if (m_phase == Phase::Discovering) {
-        dispatchDiscovery(now);
+    return dispatchHold(now) || dispatchOperation(now) || dispatchPoll(now);
+}
+
+/// What does not wait for a link in doubt.
+bool Engine::Private::dispatchUrgent(TimePoint now) {
+    if (lostBurstDue(now)) {
+        dispatchLostBurst(now);
         return true;
     }
-    return dispatchHold(now) || dispatchOperation(now) || dispatchPoll(now);
+    if (m_again && m_again->repeatAtOnce) {
+        if (std::exchange(m_suspect, false))
+            flushBuffers(now);
+        else
+            begin(*std::exchange(m_again, std::nullopt), now);
+        return true;
+    }
+    if (m_hold.stop()) {
+        stopForHold(now);
+        return true;
+    }
+    return false;
 }
 
 void Engine::Private::dispatchDiscovery(TimePoint now) {
@@ -69,26 +99,16 @@ void Engine::Private::dispatchDiscovery(TimePoint now) {
         work.lane = Lane::Discovery;
         work.request = ask->request;
         work.silentRepeats = ask->silentRepeats;
+        work.quarantine = ask->quarantine;
         begin(std::move(work), now);
     } else if (auto* found = std::get_if<ChainFound>(&next)) {
-        chainFound(std::move(*found));
+        chainFound(std::move(*found), now);
     } else if (auto* failed = std::get_if<ConnectFailed>(&next)) {
         m_phase = Phase::Off;
         events.emplace_back(std::move(*failed));
+        if (m_stopDuringDiscovery)
+            finishStop(now);
     }
-}
-
-void Engine::Private::chainFound(ChainFound found) {
-    m_phase = Phase::Running;
-    line.statistics() = {};  // the silence at the end of the chain was no error
-    for (const ModuleInfo& info : found.modules) {
-        m_beliefs.emplace_back(info);
-        if (knownType(info.identity.type))
-            m_beliefs.back().onExecuted(ServoCommand(DefineStatus{kStandingItems}));
-    }
-    m_schedule = PollSchedule(found.modules.size());
-    m_discovery.reset();
-    events.emplace_back(std::move(found));
 }
 
 void Engine::Private::dispatchStop(TimePoint now) {
@@ -100,9 +120,8 @@ void Engine::Private::dispatchStop(TimePoint now) {
     const auto ask = m_stop->next(now);
     if (!ask)
         return finishStop(now);
-    const StatusItems items = standstillItems(belief(ask->module).info().identity.type);
     begin(ask->stop ? commandWork(Lane::Stop, {ask->module, *ask->stop})
-                    : statusWork(Lane::Stop, ask->module, items),
+                    : statusWork(Lane::Stop, ask->module, ask->items),
           now);
 }
 
@@ -132,12 +151,14 @@ bool Engine::Private::dispatchHold(TimePoint now) {
 bool Engine::Private::dispatchOperation(TimePoint now) {
     if (m_commands.empty())
         return false;
+    if (m_verification)
+        return dispatchVerification(now);
     m_commands.beginStep(now);
     const Step& step = m_commands.step();
-    const bool known = step.module.value() < m_beliefs.size();
+    const bool known = step.module.value() < m_modules.size();
     Verdict verdict = known ? judge(belief(step.module), step.command) : Verdict::Never;
-    // What forbids may be over by now: one more look before saying no.
-    if (verdict == Verdict::InMotion && belief(step.module).statusTime() < m_commands.stepBegan())
+    // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
+    if (verdict == Verdict::InMotion && belief(step.module).looksSince(m_commands.stepBegan()) < 2)
         verdict = Verdict::NeedsStatus;
     const bool lengthUnknown = known && !belief(step.module).items();
     if (verdict == Verdict::Allowed && lengthUnknown)
@@ -157,6 +178,38 @@ bool Engine::Private::dispatchOperation(TimePoint now) {
     return true;
 }
 
+/// Was the command that nobody answered carried out? A look at the module tells, or it stays open.
+bool Engine::Private::dispatchVerification(TimePoint now) {
+    const Step& step = m_commands.step();
+    // Two looks: one is not enough to say that it stands still.
+    if (m_verification->looks < 2) {
+        ++m_verification->looks;
+        check(step.module, Lane::Check, now);
+        return true;
+    }
+    const Verification verification = *std::exchange(m_verification, std::nullopt);
+    switch (verify(step, belief(step.module), verification)) {
+        case Carried::Out:
+            belief(step.module).onExecuted(step.command);
+            m_attempts = 0;
+            events.emplace_back(CommandExecuted{step.module, verification.end.latched, step.command});
+            if (auto finished = m_commands.accepted())
+                events.emplace_back(std::move(*finished));
+            return true;
+        case Carried::NotOut:
+            if (verification.attempts < kRepeatsAfterLook) {
+                m_attempts = verification.attempts + 1;
+                ++line.statistics().retries;
+                return true;  // the gate looks at it again
+            }
+            break;
+        case Carried::Unknown:
+            break;
+    }
+    failOperation(verification.end);
+    return true;
+}
+
 bool Engine::Private::dispatchPoll(TimePoint now) {
     const auto turn = m_schedule.next(now);
     if (!turn)
@@ -168,31 +221,17 @@ bool Engine::Private::dispatchPoll(TimePoint now) {
     else if (turn->full)
         items = StatusItems(StatusItems::All);
     Work work = statusWork(Lane::Poll, turn->module, items);
-    if (m_schedule.silent(turn->module))
-        work.silentRepeats = 0;
+    work.silentRepeats = 0;  // its turn comes again
+    work.request.framing = Framing::Pipelined;
     begin(std::move(work), now);
     return true;
 }
 
-/// link.md 2.2, steps 2 and 3. The challenge comes next; dispatch() has its place.
-void Engine::Private::resync(TimePoint now) {
-    m_resyncing = true;
-    m_suspect = m_hurried = false;
-    line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},
-              Line::Pause{kAfterNulls + line.timing().adapter()}, DiscardInput{}},
-             now);
-}
-
-/// Empties half-filled command buffers without the quarantine: a stop does not wait for late answers.
-void Engine::Private::flushBuffers(TimePoint now) {
-    m_hurried = true;
-    line.run({Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}}, now);
-}
-
-/// A status that is newer than whatever was sent, for the gate; or first of all a known reply length.
+/// A status that is newer than whatever was sent, for the gate; or first of all a known reply length. Of
+/// another length than the last one, so that two of them permit.
 void Engine::Private::check(ModuleIndex module, Lane lane, TimePoint now) {
     const bool known = belief(module).items().has_value();
-    begin(statusWork(lane, module, known ? std::optional(StatusItems(StatusItems::All)) : std::nullopt), now);
+    begin(statusWork(lane, module, known ? std::optional(belief(module).otherItems()) : std::nullopt), now);
 }
 
 Engine::Private::Work Engine::Private::commandWork(Lane lane, const Step& step) const {
@@ -235,12 +274,16 @@ ReplyLayout Engine::Private::layoutOf(const Belief& module, const Payload& paylo
 
 void Engine::Private::begin(Work work, TimePoint now) {
     if (work.module && work.command) {
-        Belief& module = belief(*work.module);
-        work.before = module;
-        module.onSent(*work.command, line.latchTime(work.request.payload.data.size() + 4, now));
+        Module& module = at(*work.module);
+        const TimePoint latched = line.latchTime(work.request.payload.data.size() + 4, now);
+        work.before = module.belief;
+        module.belief.onSent(*work.command, latched);
+        module.plausibility.onSent(*work.command, latched);
+        if (mayStartMotion(work.request.payload))
+            module.trust.expectMotion();
     }
     line.begin(work.request, now);
-    m_work = std::move(work);
+    m_works.push_back(std::move(work));
 }
 
 }  // namespace nmc::bus

@@ -5,19 +5,31 @@
 
 namespace nmc::bus {
 
-void Engine::Private::ended(const ReplyEnd& end, TimePoint now) {
-    Work work = *std::exchange(m_work, std::nullopt);
-    const bool knownSilent = work.module && m_schedule.silent(*work.module);
-    learn(work, end, now);
-    if (unanswered(end.result)) {
-        if (knownSilent && work.lane == Lane::Poll) {
-            // It will not answer late: a short discard, so that the others do not wait for it.
-            line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
-        } else {
-            m_suspect = true;
-            m_quarantine = LineTiming::quarantine(line.lastTimeout());
-        }
-    }
+void Engine::Private::takeEnds(TimePoint now) {
+    while (auto end = line.takeEnd())
+        ended(std::move(*end), now);
+    if (m_recording)
+        recordUnanswered();
+}
+
+void Engine::Private::ended(ReplyEnd end, TimePoint now) {
+    Work work = std::move(m_works.front());
+    m_works.pop_front();
+    const std::optional<Rejection> rejection = examine(work, end);
+    record(work, end, rejection);
+    count(end, rejection);
+    if (m_phase == Phase::Running || m_phase == Phase::Quiet)
+        noteHealth(work, end, now);
+    if (work.lane == Lane::Challenge)
+        return deliverChallenge(work, end, now);
+    if (work.lane == Lane::Restarted)
+        return deliverLook(end, now);
+    const bool probe = work.module && m_schedule.silent(*work.module) && work.lane == Lane::Poll;
+    if (probe)
+        return deliverProbe(work, end, now);
+    learn(work, end);
+    if (unanswered(end.result))
+        distrustAfter(work, end, now);
     if (repeats(work, end)) {
         ++line.statistics().retries;
         m_again = std::move(work);
@@ -26,15 +38,86 @@ void Engine::Private::ended(const ReplyEnd& end, TimePoint now) {
     deliver(work, end, now);
 }
 
+/// Is an answer whose sum is right to be believed?
+std::optional<Rejection> Engine::Private::examine(const Work& work, ReplyEnd& end) {
+    if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()})) {
+        end.result = ReplyResult::Rejected;
+        return Rejection::Uniform;
+    }
+    if (end.result != ReplyResult::Accepted || !work.module || work.lane == Lane::Restarted)
+        return std::nullopt;
+    const auto rejection = at(*work.module).plausibility.judge(end);
+    if (rejection)
+        end.result = ReplyResult::Rejected;
+    return rejection;
+}
+
+void Engine::Private::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
+    LinkStatistics& statistics = line.statistics();
+    if (rejection)
+        ++statistics.rejections[static_cast<std::size_t>(*rejection)];
+    switch (end.result) {
+        case ReplyResult::Accepted:
+            ++statistics.answered;
+            statistics.roundTripSum += end.arrived - end.sent;
+            statistics.roundTripMax = std::max(statistics.roundTripMax, end.arrived - end.sent);
+            statistics.wireTime += end.wireTime;
+            return;
+        case ReplyResult::Refused:
+            ++statistics.refused;
+            return;
+        case ReplyResult::Silent:
+        case ReplyResult::Partial:
+            ++statistics.timeouts;
+            return;
+        case ReplyResult::BadChecksum:
+            ++statistics.badChecksum;
+            return;
+        case ReplyResult::Surplus:
+            ++statistics.rejections[static_cast<std::size_t>(Rejection::Surplus)];
+            ++statistics.rejected;
+            return;
+        case ReplyResult::Rejected:
+            ++statistics.rejected;
+            return;
+    }
+}
+
+/// The line is not trusted before a resync, and its module not before a challenge.
+void Engine::Private::distrustAfter(const Work& work, const ReplyEnd& end, TimePoint now) {
+    if (end.bytes.empty() && work.module)
+        m_silence.onSilence(*work.module);
+    using enum Discovery::Quarantine;
+    const auto wanted = end.bytes.empty() ? work.quarantine : Full;
+    if (wanted == None)
+        return line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+    m_suspect = true;
+    m_quarantine = wanted == Brief ? line.lastTimeout() : LineTiming::quarantine(line.lastTimeout());
+    if (!work.module || m_schedule.silent(*work.module))
+        return;
+    at(*work.module).trust.interrupt();
+    if (!m_doubt) {
+        m_doubt = Doubt{*work.module};
+        m_doubt->bySilence = end.bytes.empty();
+    }
+}
+
+bool Engine::Private::isStart(const Work& work) {
+    return work.lane == Lane::Operation && work.request.payload.code == CommandCode::StartMotion;
+}
+
 /// Counts one repeat off, where the retry table grants one.
 bool Engine::Private::repeats(Work& work, const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted)
         return false;
     if (end.result == ReplyResult::Refused) {
         ++work.refusals;
+        const unsigned before = isStart(work) ? m_attempts : 0;
         if (work.module)
-            events.emplace_back(CommandRefused{*work.module, work.refusals});
-        return work.refusals < work.refusedAttempts;
+            events.emplace_back(
+                CommandRefused{*work.module, static_cast<std::uint8_t>(work.refusals + before)});
+        // That a start was refused is the module's word alone; a second start would be worse than a look.
+        return !isStart(work) && work.refusals < work.refusedAttempts;
     }
     if (work.silentRepeats == 0)
         return false;
@@ -42,27 +125,28 @@ bool Engine::Private::repeats(Work& work, const ReplyEnd& end) {
     return true;
 }
 
-void Engine::Private::learn(const Work& work, const ReplyEnd& end, TimePoint now) {
-    if (!work.module)
+void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
+    if (!work.module || unanswered(end.result))
         return;
-    const ModuleIndex index = *work.module;
-    if (unanswered(end.result))
-        return noteTimeout(index, now);
-    noteAnswer(index, now);
+    Module& module = at(*work.module);
     if (end.result == ReplyResult::Refused) {
+        module.trust.interrupt();
         if (work.before)
-            belief(index) = *work.before;
+            module.belief = *work.before;
         return;
     }
     // The status first: a command's own answer does not tell what the command brought about.
-    belief(index).onStatus(end.report, end.latched);
+    const auto trusted = module.trust.confirm(end.report);
+    if (trusted)
+        module.belief.onStatus(*trusted, end.latched);
     if (work.command)
-        belief(index).onExecuted(*work.command);
+        module.belief.onExecuted(*work.command);
     if (work.lane == Lane::Stop)
-        tellBlindStop(index);
+        tellBlindStop(*work.module);
     if (reported(work))
-        events.emplace_back(CommandExecuted{index, end.latched, *work.command});
-    events.emplace_back(Sample{index, end.latched, end.report});
+        events.emplace_back(CommandExecuted{*work.module, end.latched, *work.command});
+    if (trusted)
+        events.emplace_back(Sample{*work.module, end.latched, *trusted});
 }
 
 /// The first answer after a blind stop, before what it says: a command position that went on until the stop
@@ -85,6 +169,8 @@ bool Engine::Private::reported(const Work& work) {
         case Lane::Discovery:
         case Lane::HoldCheck:
         case Lane::Check:
+        case Lane::Challenge:
+        case Lane::Restarted:
         case Lane::Poll:
             break;
     }
@@ -107,40 +193,53 @@ void Engine::Private::deliver(const Work& work, const ReplyEnd& end, TimePoint n
             return;
         case Lane::Check:
             if (end.result != ReplyResult::Accepted)
-                deliverOperation(end);
+                failOperation(end);
             return;
         case Lane::Operation:
-            return deliverOperation(end);
+            return deliverOperation(work, end);
+        case Lane::Challenge:
+        case Lane::Restarted:
         case Lane::Poll:
             return;
     }
 }
 
-void Engine::Private::deliverOperation(const ReplyEnd& end) {
+void Engine::Private::deliverOperation(const Work& work, const ReplyEnd& end) {
+    if (m_commands.empty())
+        return;  // cancelled while it was on its way
     if (end.result == ReplyResult::Accepted) {
+        m_attempts = 0;
         if (auto finished = m_commands.accepted())
             events.emplace_back(std::move(*finished));
         return;
     }
+    const bool look = end.result == ReplyResult::Refused ? isStart(work) : canVerify(*work.command);
+    if (look && !m_schedule.silent(*work.module)) {
+        m_verification = Verification{end, work.before->position(), m_attempts};
+        return;
+    }
+    failOperation(end);
+}
+
+void Engine::Private::failOperation(const ReplyEnd& end) {
+    m_attempts = 0;
+    m_verification.reset();
+    if (m_commands.empty())
+        return;
     const bool refused = end.result == ReplyResult::Refused;
     events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
 }
 
 void Engine::Private::deliverHold(const Work& work, const ReplyEnd& end) {
     static constexpr unsigned kAttempts = 3;
-    switch (end.result) {
-        case ReplyResult::Accepted:
-            m_holdFailures = 0;
+    if (end.result == ReplyResult::Accepted) {
+        m_holdFailures = 0;
+        return;
+    }
+    if (end.result == ReplyResult::Refused) {
+        m_hold.onStartRefused(work.toldBefore);
+        if (++m_holdFailures < kAttempts)
             return;
-        case ReplyResult::Refused:
-            m_hold.onStartRefused(work.toldBefore);
-            if (++m_holdFailures < kAttempts)
-                return;
-            break;
-        case ReplyResult::Silent:
-        case ReplyResult::Partial:
-        case ReplyResult::BadChecksum:
-            break;
     }
     // Nobody knows whether it moves as wanted: it stops.
     m_holdFailures = 0;
@@ -159,21 +258,37 @@ void Engine::Private::deliverHoldStop(const ReplyEnd& end) {
     m_hold.onStopEnded();
 }
 
-void Engine::Private::noteAnswer(ModuleIndex module, TimePoint now) {
-    if (!m_schedule.onAnswer(module, now))
-        return;
-    m_lost = false;
-    // Its replies may have another length by now: the next poll defines it.
-    if (knownType(belief(module).info().identity.type))
-        belief(module).forgetItems();
-    events.emplace_back(ModuleSilence{module, false});
-}
-
-void Engine::Private::noteTimeout(ModuleIndex module, TimePoint now) {
-    if (m_schedule.onTimeout(module, now))
-        events.emplace_back(ModuleSilence{module, true});
-    if (m_schedule.allSilent() && !std::exchange(m_lost, true))
-        events.emplace_back(LinkLost{});
+void Engine::Private::chainFound(ChainFound found, TimePoint now) {
+    m_phase = Phase::Running;
+    m_baud = found.baud;
+    m_groupsKnown = !found.attached;
+    line.statistics() = {};  // the silence at the end of the chain was no error
+    for (const ModuleInfo& info : found.modules) {
+        m_modules.emplace_back(info);
+        Belief& module = m_modules.back().belief;
+        if (knownType(info.identity.type))
+            module.onExecuted(ServoCommand(DefineStatus{kStandingItems}));
+        if (found.attached)
+            module.attach();
+    }
+    m_schedule = PollSchedule(found.modules.size());
+    m_schedule.watch(m_watched);
+    events.emplace_back(std::move(found));
+    for (const Discovery::Heard& heard : m_discovery->heard()) {
+        Module& module = at(heard.module);
+        if (module.plausibility.judge(heard.end))
+            continue;
+        if (const auto trusted = module.trust.confirm(heard.end.report)) {
+            module.belief.onStatus(*trusted, heard.end.latched);
+            events.emplace_back(Sample{heard.module, heard.end.latched, *trusted});
+        }
+    }
+    m_discovery.reset();
+    if (m_stopDuringDiscovery) {
+        // Asked for while nobody knew what there was to stop.
+        m_stopDuringDiscovery.reset();
+        m_stop.emplace(beliefs(), m_schedule, now);
+    }
 }
 
 }  // namespace nmc::bus

@@ -8,9 +8,10 @@
 namespace nmc::bus {
 
 /// Drops what is in flight. Whether its command was carried out stays open, and the belief has that already.
-void Engine::Private::interrupt() {
+void Engine::Private::interrupt(TimePoint now) {
+    recordAbandoned(now);
     line.abandon();
-    m_work.reset();
+    m_works.clear();
     m_resyncing = false;
 }
 
@@ -24,12 +25,23 @@ void Engine::Private::sendBlindStops(TimePoint now) {
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
     }
     m_blindStops = m_stop->blindStops();
-    const auto same = [&](const Step& s) {
-        return payloadOf(s.command) == payloadOf(m_blindStops.front().command);
-    };
-    const bool all = m_blindStops.size() > 1 && m_blindStops.size() == m_beliefs.size() &&
-                     std::all_of(m_blindStops.begin(), m_blindStops.end(), same);
-    for (const Step& step : m_blindStops) {
+    const Line::Script packets = stopScript(m_blindStops);
+    script.insert(script.end(), packets.begin(), packets.end());
+    const std::size_t underWay = kMaxReply;
+    script.insert(script.end(),
+                  {Line::Pause{line.timing().bytes(underWay) + line.timing().adapter()}, DiscardInput{}});
+    line.run(std::move(script), now);
+}
+
+Line::Script Engine::Private::stopScript(const std::vector<Step>& stops) const {
+    Line::Script script;
+    if (stops.empty())
+        return script;
+    const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
+    // Only where the groups are known: those that another host left behind may have a leader, or be others.
+    const bool all = m_groupsKnown && stops.size() > 1 && stops.size() == m_modules.size() &&
+                     std::all_of(stops.begin(), stops.end(), same);
+    for (const Step& step : stops) {
         const Payload payload = payloadOf(step.command);
         if (all) {
             // Every module is a member of group FF, which has no leader: nobody answers.
@@ -41,10 +53,7 @@ void Engine::Private::sendBlindStops(TimePoint now) {
                       {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply},
                        Line::Pause{kTurnaround + line.timing().bytes(reply)}});
     }
-    const std::size_t underWay = kMaxReply;
-    script.insert(script.end(),
-                  {Line::Pause{line.timing().bytes(underWay) + line.timing().adapter()}, DiscardInput{}});
-    line.run(std::move(script), now);
+    return script;
 }
 
 /// The blind stops are out: what they may have done is believed from now on.
@@ -76,7 +85,8 @@ void Engine::Private::finishStop(TimePoint now) {
 
 std::vector<std::uint8_t> Engine::Private::stopBurst() const {
     std::vector<std::uint8_t> burst;
-    for (const Belief& module : m_beliefs) {
+    for (const Module& m : m_modules) {
+        const Belief& module = m.belief;
         const auto stop = stopFor(module);
         if (!stop)
             continue;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/bytes.h"
 #include "base/strong.h"
 #include "base/time.h"
 #include "protocol/baud.h"
@@ -19,8 +20,15 @@ namespace nmc::bus {
 inline constexpr Duration kTurnaround = kServoTick;
 /// Shortest adapter latency to count with (link.md 2.1).
 inline constexpr Duration kMinLatency = std::chrono::milliseconds(4);
+/// Surplus bytes this many character times after a reply still belong to it (link.md 2.2).
+inline constexpr int kSurplusCharacters = 2;
 /// Shortest quarantine (link.md 2.1).
 inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
+
+/// Items of every reply, by Define Status: position, A/D value, velocity (PIC-STEP: timer count), auxiliary
+/// status (PIC-STEP: inputs). Every second poll asks for all there are.
+inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems::Analog |
+                                            StatusItems::Velocity | StatusItems::Aux};
 
 /// The layout of a reply, which the request and the module's defined items determine: there is no length on
 /// the wire.
@@ -31,10 +39,24 @@ struct ReplyLayout {
     bool operator==(const ReplyLayout&) const = default;
 };
 
+/// Bytes beyond a reply that are still looked at.
+inline constexpr std::size_t kMaxSurplus = 8;
+/// A reply as it came in, with what came behind it.
+using ReplyBytes = ByteBuffer<kMaxReply + kMaxSurplus>;
+
+/// How a reply is awaited.
+enum class Framing : std::uint8_t {
+    Settled,    ///< the length is known; nothing else begins until no surplus byte can come any more
+    Pipelined,  ///< the length is known; the next command may leave at once, surplus bytes tell on the reply
+                ///< before it (a module's answer cannot begin before its command has left)
+    Open,       ///< the length is not known: it ends with silence
+};
+
 struct Request {
     BusAddress address;
     Payload payload;
     ReplyLayout reply;
+    Framing framing = Framing::Settled;
 };
 
 /// What came of a request.
@@ -44,7 +66,16 @@ enum class ReplyResult : std::uint8_t {
     Silent,       ///< not one byte
     Partial,      ///< fewer bytes than the layout has
     BadChecksum,  ///< as many, but the sum is wrong
+    Surplus,      ///< more: the reply of something else, or noise
+    Rejected,     ///< the sum is right, but it cannot be true (link.md 2.4)
 };
+
+/// All bytes 00 or all FF: a line that is held at one level. The sum of such a reply is right.
+[[nodiscard]] constexpr bool uniform(ByteSpan bytes) {
+    if (bytes.empty() || (bytes.front() != 0x00 && bytes.front() != 0xFF))
+        return false;
+    return std::all_of(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b == bytes.front(); });
+}
 
 /// Nothing is known about whether the command was carried out.
 [[nodiscard]] constexpr bool unanswered(ReplyResult result) {
@@ -55,6 +86,11 @@ struct ReplyEnd {
     ReplyResult result = ReplyResult::Silent;
     StatusReport report;  ///< of Accepted and Refused
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
+    TimePoint latchedBy;  ///< not later than this, however late this machine was
+    ReplyBytes bytes;
+    TimePoint sent;
+    TimePoint arrived;    ///< the last byte of it, or when it was given up
+    Duration wireTime{};  ///< what the exchange takes on a perfect line
 };
 
 /// The arithmetic of link.md 2.1.

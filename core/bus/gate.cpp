@@ -98,7 +98,7 @@ struct Judge {
 }  // namespace
 
 Verdict judge(const Belief& belief, const ModuleCommand& command) {
-    if (!belongs(belief.info().identity.type, command))
+    if (belief.restarted() || !belongs(belief.info().identity.type, command))
         return Verdict::Never;
     return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bus/line.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>
@@ -19,19 +20,24 @@ Overloaded(Ts...) -> Overloaded<Ts...>;
 }  // namespace
 
 void Line::begin(const Request& request, TimePoint now) {
-    assert(idle());
+    assert(ready());
     const PacketBytes packet = toPacket({request.address, request.payload});
     const TimePoint start = std::max(now, m_free);
     m_unread = 0;
-    m_lastTimeout = m_timing.timeout(packet.size(), request.reply.length());
-    m_pending = Pending{request.reply, packet.size(), now, latchTime(packet.size(), now), {}};
-    m_deadline = start + m_lastTimeout;
+    Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}};
+    // An open reply's first bytes in time, then as long as bytes come.
+    const std::size_t first = request.framing == Framing::Open ? kMinReply : pending.wanted();
+    m_lastTimeout = m_timing.timeout(packet.size(), first);
+    pending.left = start + m_timing.bytes(packet.size());
+    pending.deadline = start + m_lastTimeout;
+    m_pending = pending;
     send(packet, now);
     ++m_statistics.exchanges;
 }
 
 void Line::run(Script script, TimePoint now) {
-    assert(idle());
+    assert(ready());
+    settle();
     m_scriptLatches.clear();
     m_script.assign(script.begin(), script.end());
     advanceScript(now);
@@ -39,36 +45,64 @@ void Line::run(Script script, TimePoint now) {
 
 void Line::abandon() {
     // The rest of the reply may still come; it is no surplus.
-    if (m_pending)
-        m_unread += m_pending->layout.length() - m_pending->received.size();
+    if (m_pending && m_pending->framing != Framing::Open)
+        m_unread += m_pending->wanted() - m_pending->received.size();
     m_pending.reset();
+    m_done.reset();
+    m_ends.clear();
     m_script.clear();
-    m_deadline.reset();
+    m_wait.reset();
 }
 
-std::optional<ReplyEnd> Line::onBytes(ByteSpan bytes, TimePoint now) {
+bool Line::ready() const {
+    if (busy())
+        return false;
+    return !m_done || m_done->framing == Framing::Pipelined;
+}
+
+void Line::onBytes(ByteSpan bytes, TimePoint now) {
     if (!m_pending) {
-        drop(bytes.size());
-        return std::nullopt;
+        if (m_done)
+            return spoil(bytes);
+        return drop(bytes.size());
     }
-    const std::size_t wanted = m_pending->layout.length() - m_pending->received.size();
-    m_pending->received.append(bytes.first(std::min(wanted, bytes.size())));
-    if (bytes.size() < wanted)
-        return std::nullopt;
-    m_statistics.surplusBytes += bytes.size() - wanted;
-    return complete(now);
+    // No module answers before it has heard the whole command.
+    if (m_pending->received.empty() && now < m_pending->left) {
+        if (m_done)
+            return spoil(bytes);
+        return drop(bytes.size());
+    }
+    settle();
+    take(bytes, now);
 }
 
-std::optional<ReplyEnd> Line::onDeadline(TimePoint now) {
-    if (!m_deadline || now < *m_deadline)
-        return std::nullopt;
-    m_deadline.reset();
-    if (m_pending) {
-        ++m_statistics.timeouts;
-        return finish(m_pending->received.empty() ? ReplyResult::Silent : ReplyResult::Partial);
+void Line::onDeadline(TimePoint now) {
+    if (m_pending && now >= m_pending->deadline) {
+        settle();
+        return expire(now);
     }
-    advanceScript(now);
-    return std::nullopt;
+    if (m_done && now >= m_done->until)
+        settle();
+    if (m_wait && now >= *m_wait) {
+        m_wait.reset();
+        advanceScript(now);
+    }
+}
+
+std::optional<TimePoint> Line::deadline() const {
+    if (m_pending)
+        return m_pending->deadline;  // by then the reply before it has long settled
+    if (m_done)
+        return m_done->until;
+    return m_wait;
+}
+
+std::optional<ReplyEnd> Line::takeEnd() {
+    if (m_ends.empty())
+        return std::nullopt;
+    ReplyEnd end = m_ends.front();
+    m_ends.pop_front();
+    return end;
 }
 
 TimePoint Line::latchTime(std::size_t txBytes, TimePoint now) const {
@@ -79,13 +113,24 @@ std::vector<Output> Line::takeOutput() {
     return std::exchange(m_output, {});
 }
 
+void Line::setRecording(bool record) {
+    m_recording = record;
+    m_unanswered.clear();
+}
+
+std::vector<Line::Unanswered> Line::takeUnanswered() {
+    return std::exchange(m_unanswered, {});
+}
+
 void Line::send(ByteSpan bytes, TimePoint now) {
     m_free = std::max(now, m_free) + m_timing.bytes(bytes.size());
     m_output.emplace_back(Send{{bytes.begin(), bytes.end()}});
+    if (m_recording && !m_pending)
+        m_unanswered.push_back({now, {bytes.begin(), bytes.end()}});
 }
 
 void Line::advanceScript(TimePoint now) {
-    while (!m_script.empty() && !m_deadline) {
+    while (!m_script.empty() && !m_wait) {
         const Action action = m_script.front();
         m_script.pop_front();
         perform(action, now);
@@ -96,6 +141,7 @@ void Line::perform(const Action& action, TimePoint now) {
     static constexpr std::array<std::uint8_t, kNullCount> kNulls{};
     std::visit(Overloaded{
                    [&](const SetHostBaud& rate) {
+                       m_baud = rate.baud;
                        m_timing.byteTime = byteTimeAtBaud(rate.baud);
                        m_output.emplace_back(rate);
                    },
@@ -117,41 +163,102 @@ void Line::perform(const Action& action, TimePoint now) {
 
 void Line::waitUntil(TimePoint until, TimePoint now) {
     if (until > now)
-        m_deadline = until;
+        m_wait = until;
 }
 
-ReplyEnd Line::finish(ReplyResult result, StatusReport report) {
-    ReplyEnd end{result, std::move(report), m_pending->latched};
-    m_pending.reset();
-    m_deadline.reset();
-    return end;
-}
-
-ReplyEnd Line::complete(TimePoint now) {
+void Line::take(ByteSpan bytes, TimePoint now) {
     Pending& pending = *m_pending;
+    const std::size_t room = pending.received.capacity() - pending.received.size();
+    pending.received.append(bytes.first(std::min(room, bytes.size())));
+    const std::size_t wanted = pending.wanted();
+    if (pending.framing == Framing::Open && pending.received.size() <= wanted) {
+        // Whole when nothing more comes for a while.
+        pending.deadline = now + m_timing.bytes(kSurplusCharacters) + m_timing.adapter();
+        return;
+    }
+    if (pending.received.size() >= wanted)
+        complete(now);
+}
+
+void Line::complete(TimePoint now) {
+    const Pending pending = *std::exchange(m_pending, std::nullopt);
     // The module has heard the whole command, so it has left, whatever the reckoning says.
     m_free = std::min(m_free, now);
-    pending.latched = std::min(pending.latched, now);
+    const std::size_t wanted = pending.wanted();
+    if (pending.received.size() > wanted) {
+        m_statistics.surplusBytes += pending.received.size() - wanted;
+        m_ends.push_back(endOf(pending, ReplyResult::Surplus, now));
+        return;
+    }
+    ReplyEnd end = endOf(pending, ReplyResult::Accepted, now);
     const auto report = decodeStatus(pending.layout.type, pending.layout.items, pending.received);
     if (!report) {
-        ++m_statistics.badChecksum;
-        return finish(ReplyResult::BadChecksum);
+        end.result = ReplyResult::BadChecksum;
+        m_ends.push_back(end);
+        return;
     }
-    if (report->commandRefused()) {
-        ++m_statistics.refused;
-        return finish(ReplyResult::Refused, *report);
+    end.report = *report;
+    if (report->commandRefused())
+        end.result = ReplyResult::Refused;
+    m_done = Done{end, pending.framing, now + m_timing.bytes(kSurplusCharacters)};
+}
+
+/// The time is up: too few bytes, or an open reply that ended with silence.
+void Line::expire(TimePoint now) {
+    const Pending pending = *std::exchange(m_pending, std::nullopt);
+    const ReplyBytes& bytes = pending.received;
+    if (bytes.empty()) {
+        m_ends.push_back(endOf(pending, ReplyResult::Silent, now));
+        return;
     }
-    ++m_statistics.answered;
-    m_statistics.roundTripSum += now - pending.sent;
-    m_statistics.roundTripMax = std::max(m_statistics.roundTripMax, now - pending.sent);
-    m_statistics.wireTime += m_timing.wireTime(pending.txBytes, pending.layout.length());
-    return finish(ReplyResult::Accepted, *report);
+    if (pending.framing != Framing::Open) {
+        m_ends.push_back(endOf(pending, ReplyResult::Partial, now));
+        return;
+    }
+    ReplyEnd end = endOf(pending, ReplyResult::Accepted, now);
+    const ByteSpan all(bytes.data(), bytes.size());
+    if (bytes.size() < 2)
+        end.result = ReplyResult::Partial;
+    else if (sum8(all.first(all.size() - 1)) != all.back())
+        end.result = ReplyResult::BadChecksum;
+    else if ((end.report.status = all.front(), end.report.commandRefused()))
+        end.result = ReplyResult::Refused;
+    m_ends.push_back(end);
+}
+
+/// More bytes than the reply before them has.
+void Line::spoil(ByteSpan surplus) {
+    m_statistics.surplusBytes += surplus.size();
+    ReplyBytes& bytes = m_done->end.bytes;
+    bytes.append(surplus.first(std::min(surplus.size(), bytes.capacity() - bytes.size())));
+    m_done->end.result = ReplyResult::Surplus;
+    settle();
+}
+
+void Line::settle() {
+    if (!m_done)
+        return;
+    m_ends.push_back(m_done->end);
+    m_done.reset();
+}
+
+ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) const {
+    ReplyEnd end;
+    end.result = result;
+    end.bytes = pending.received;
+    end.latched = std::min(pending.left + kServoTick / 2, now);
+    end.latchedBy = std::max(end.latched, now - m_timing.bytes(pending.received.size()));
+    end.sent = pending.sent;
+    end.arrived = now;
+    end.wireTime = m_timing.wireTime(pending.txBytes, pending.wanted());
+    return end;
 }
 
 void Line::drop(std::size_t count) {
     const std::size_t expected = std::min(count, m_unread);
     m_unread -= expected;
     m_statistics.surplusBytes += count - expected;
+    m_statistics.staleBytes += count - expected;
 }
 
 }  // namespace nmc::bus

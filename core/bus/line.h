@@ -14,12 +14,15 @@ namespace nmc::bus {
 
 /// Host bytes that flush a command buffer which a lost byte left half full (DS-V 4.1).
 inline constexpr std::size_t kNullCount = 16;
+/// Status byte and sum.
+inline constexpr std::size_t kMinReply = 2;
 /// Wait after the nulls before the input is discarded (DS-V 4.1).
 inline constexpr Duration kAfterNulls = std::chrono::milliseconds(1);
 
 /// The wire as the host sees it: at most one exchange in flight, or a script of pauses and bytes that nobody
 /// answers. Knows when the last byte will have left, so that every time is reckoned from the wire, not from
-/// the call. Whatever arrives outside an exchange is counted and dropped.
+/// the call. Whatever arrives outside an exchange is counted and dropped; right behind a reply it spoils that
+/// reply.
 class Line {
 public:
     struct Nulls {};
@@ -36,58 +39,97 @@ public:
     };
     using Action = std::variant<SetHostBaud, DiscardInput, Nulls, Gap, Pause, Packet>;
     using Script = std::vector<Action>;
+    /// What a script sent, and when.
+    struct Unanswered {
+        TimePoint sent;
+        std::vector<std::uint8_t> bytes;
+    };
 
     Line(Duration latency, Duration margin) { m_timing.latency = latency, m_timing.margin = margin; }
 
-    /// The line must be idle for these two.
+    /// The line must be ready for these two.
     void begin(const Request& request, TimePoint now);
     void run(Script script, TimePoint now);
-    /// Forgets the exchange in flight, or the rest of the script. What was sent is still leaving.
+    /// Forgets the exchanges whose end has not been taken, or the rest of the script. What was sent is still
+    /// leaving.
     void abandon();
 
-    [[nodiscard]] std::optional<ReplyEnd> onBytes(ByteSpan bytes, TimePoint now);
-    [[nodiscard]] std::optional<ReplyEnd> onDeadline(TimePoint now);
-    [[nodiscard]] std::optional<TimePoint> deadline() const { return m_deadline; }
+    void onBytes(ByteSpan bytes, TimePoint now);
+    void onDeadline(TimePoint now);
+    [[nodiscard]] std::optional<TimePoint> deadline() const;
+    /// The exchanges that have ended, in the order in which they began.
+    [[nodiscard]] std::optional<ReplyEnd> takeEnd();
 
-    [[nodiscard]] bool idle() const { return !m_pending && m_script.empty() && !m_deadline; }
+    /// Nothing is going on.
+    [[nodiscard]] bool idle() const { return !m_pending && !m_done && m_script.empty() && !m_wait; }
+    /// Something can begin: nothing is going on, or only the surplus bytes of a pipelined reply are waited
+    /// for.
+    [[nodiscard]] bool ready() const;
     /// When a packet of that length, sent now, is latched by its module.
     [[nodiscard]] TimePoint latchTime(std::size_t txBytes, TimePoint now) const;
     [[nodiscard]] const LineTiming& timing() const { return m_timing; }
+    /// Nominal rate of the port.
+    [[nodiscard]] std::uint32_t baud() const { return m_baud; }
+    /// An answer is waited for, or a script runs.
+    [[nodiscard]] bool busy() const { return m_pending || m_wait || !m_script.empty(); }
     /// When the packets of the last script are latched by their modules, in their order.
     [[nodiscard]] const std::vector<TimePoint>& scriptLatches() const { return m_scriptLatches; }
     /// Of the exchange that began last.
     [[nodiscard]] Duration lastTimeout() const { return m_lastTimeout; }
 
     [[nodiscard]] std::vector<Output> takeOutput();
+    /// For the packet monitor: collected while `record` was on.
+    void setRecording(bool record);
+    [[nodiscard]] std::vector<Unanswered> takeUnanswered();
     [[nodiscard]] LinkStatistics& statistics() { return m_statistics; }
     [[nodiscard]] const LinkStatistics& statistics() const { return m_statistics; }
 
 private:
     struct Pending {
         ReplyLayout layout;
+        Framing framing = Framing::Settled;
         std::size_t txBytes = 0;
         TimePoint sent;
-        TimePoint latched;
-        ByteBuffer<kMaxReply> received;
+        TimePoint left;  ///< when the command's last byte has left
+        TimePoint deadline;
+        ReplyBytes received;
+        [[nodiscard]] std::size_t wanted() const {
+            return framing == Framing::Open ? kMaxReply : layout.length();
+        }
+    };
+    /// A whole reply, behind which surplus bytes may still come.
+    struct Done {
+        ReplyEnd end;
+        Framing framing = Framing::Settled;
+        TimePoint until;
     };
 
     void send(ByteSpan bytes, TimePoint now);
     void advanceScript(TimePoint now);
     void perform(const Action& action, TimePoint now);
     void waitUntil(TimePoint until, TimePoint now);
-    [[nodiscard]] ReplyEnd finish(ReplyResult result, StatusReport report = {});
-    [[nodiscard]] ReplyEnd complete(TimePoint now);
+    void take(ByteSpan bytes, TimePoint now);
+    void complete(TimePoint now);
+    void expire(TimePoint now);
+    void spoil(ByteSpan surplus);
+    void settle();
+    [[nodiscard]] ReplyEnd endOf(const Pending& pending, ReplyResult result, TimePoint now) const;
     void drop(std::size_t count);
 
     LineTiming m_timing;
+    std::uint32_t m_baud = kPowerUpBaud;
     TimePoint m_free;  ///< when the last byte handed over has left
+    std::optional<Done> m_done;
     std::optional<Pending> m_pending;
+    std::deque<ReplyEnd> m_ends;
     std::deque<Action> m_script;
     std::vector<TimePoint> m_scriptLatches;
-    std::optional<TimePoint> m_deadline;
-    std::size_t m_unread = 0;  ///< reply bytes that are expected but not wanted
+    std::optional<TimePoint> m_wait;  ///< of the script
+    std::size_t m_unread = 0;         ///< reply bytes that are expected but not wanted
     Duration m_lastTimeout{};
     std::vector<Output> m_output;
+    bool m_recording = false;
+    std::vector<Unanswered> m_unanswered;
     LinkStatistics m_statistics;
 };
 

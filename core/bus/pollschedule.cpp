@@ -5,39 +5,91 @@
 
 namespace nmc::bus {
 
+void PollSchedule::watch(const std::vector<ModuleIndex>& modules) {
+    for (Module& module : m_modules)
+        module.watched = false;
+    for (const ModuleIndex index : modules)
+        if (index.value() < m_modules.size())
+            at(index).watched = true;
+}
+
 std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
-    for (std::size_t i = 0; i < m_modules.size(); ++i) {
-        const std::size_t at = (m_next + i) % m_modules.size();
-        Module& module = m_modules[at];
-        if (module.silent && now < dueTime(module))
-            continue;
-        m_next = at + 1;
-        const ModuleIndex index(static_cast<std::uint8_t>(at));
-        if (!module.silent)
-            return Turn{index, module.turns++ % kFullEvery == 0};
-        // In full: that reply's layout does not hang on what the module remembers.
+    const auto turn = [&](std::size_t index) {
+        Module& module = m_modules[index];
+        module.asked = now;
+        module.order = ++m_turns;
+        module.full = !module.full;
+        return Turn{ModuleIndex(static_cast<std::uint8_t>(index)), module.full};
+    };
+    if (const auto probe = silentTurn(now)) {
         m_lastProbe = now;
-        return Turn{index, true};
+        // In full: that reply's layout does not hang on what the module remembers.
+        m_modules[*probe].full = false;
+        return turn(*probe);
     }
-    return std::nullopt;
+    const auto rest = longestAgo([](const Module& m) { return !m.watched; });
+    const auto watched = longestAgo([](const Module& m) { return m.watched; });
+    if (!rest || !watched)
+        return rest ? std::optional(turn(*rest)) : watched ? std::optional(turn(*watched)) : std::nullopt;
+    // Where the wire cannot carry five polls a second of each, the watched ones still get every other turn.
+    const auto& asked = m_modules[*rest].asked;
+    const bool due = !asked || now - *asked >= kBackground;
+    const bool theirTurn = due && !m_backgroundLast;
+    m_backgroundLast = theirTurn;
+    return turn(theirTurn ? *rest : *watched);
+}
+
+std::optional<std::size_t> PollSchedule::silentTurn(TimePoint now) const {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < m_modules.size(); ++i) {
+        const Module& module = m_modules[i];
+        if (module.silent && !module.retired && now >= dueTime(module) &&
+            (!first || module.order < m_modules[*first].order))
+            first = i;
+    }
+    return first;
+}
+
+/// Of those that answer: the one that has waited longest.
+template <typename Wanted>
+std::optional<std::size_t> PollSchedule::longestAgo(Wanted wanted) const {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < m_modules.size(); ++i) {
+        const Module& module = m_modules[i];
+        if (!module.silent && wanted(module) && (!first || module.order < m_modules[*first].order))
+            first = i;
+    }
+    return first;
 }
 
 std::optional<TimePoint> PollSchedule::nextDue() const {
     std::optional<TimePoint> first;
     for (const Module& module : m_modules) {
+        if (module.retired)
+            continue;
         const TimePoint due = module.silent ? dueTime(module) : TimePoint::min();
         first = first ? std::min(*first, due) : due;
     }
     return first;
 }
 
-bool PollSchedule::onAnswer(ModuleIndex index, TimePoint now) {
-    Module& module = m_modules[index.value()];
-    module.timeouts = 0;
-    if (!module.silent)
-        return false;
+void PollSchedule::lose(ModuleIndex index, TimePoint now) {
+    Module& module = at(index);
+    module.silent = true;
+    module.interval = kFirstProbe;
+    module.due = now + kFirstProbe;
+}
+
+void PollSchedule::onTimeout(ModuleIndex index, TimePoint now) {
+    Module& module = at(index);
+    module.interval = allSilent() ? kFirstProbe : std::min<Duration>(2 * module.interval, kSlowestProbe);
+    module.due = now + module.interval;
+}
+
+void PollSchedule::recover(ModuleIndex index, TimePoint now) {
+    Module& module = at(index);
     module.silent = false;
-    module.turns = 0;  // a full status first: much may have happened
+    module.full = false;
     // What woke this one, a cable say, may have woken the others: no waiting while that goes well.
     m_lastProbe.reset();
     for (Module& other : m_modules)
@@ -45,23 +97,6 @@ bool PollSchedule::onAnswer(ModuleIndex index, TimePoint now) {
             other.interval = kFirstProbe;
             other.due = now;
         }
-    return true;
-}
-
-bool PollSchedule::onTimeout(ModuleIndex index, TimePoint now) {
-    Module& module = m_modules[index.value()];
-    ++module.timeouts;
-    if (module.silent) {
-        module.interval = allSilent() ? kFirstProbe : std::min<Duration>(2 * module.interval, kSlowestProbe);
-        module.due = now + module.interval;
-        return false;
-    }
-    if (module.timeouts < kSilentAfter)
-        return false;
-    module.silent = true;
-    module.interval = kFirstProbe;
-    module.due = now + kFirstProbe;
-    return true;
 }
 
 std::size_t PollSchedule::answering() const {

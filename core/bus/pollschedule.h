@@ -11,36 +11,44 @@
 
 namespace nmc::bus {
 
-/// Who is asked next, and for what. Modules take turns; one that is silent is asked ever more rarely, so that
-/// its time-outs cost the others little. Pure.
+/// Who is asked next, and in which layout. Modules that somebody looks at take every other turn, the rest
+/// share what is between, and each of these is asked at least five times a second as long as the wire allows.
+/// A silent module is asked ever more rarely, so that its time-outs cost the others little. Pure.
 class PollSchedule {
 public:
-    /// Time-outs in a row that make a module silent.
-    static constexpr unsigned kSilentAfter = 3;
-    /// A full status instead of the short one, for velocity, home and identity.
-    static constexpr unsigned kFullEvery = 8;
+    /// A module that nobody looks at is asked at least this often, as the wire allows.
+    static constexpr Duration kBackground = std::chrono::milliseconds(180);
     /// First and longest time between two questions to a silent module.
     static constexpr Duration kFirstProbe = std::chrono::seconds(1);
     static constexpr Duration kSlowestProbe = std::chrono::seconds(4);
-    /// Between questions to any of them: a time-out takes 30 to 55 ms, which leaves 90 % to those that
+    /// Between questions to any of them: a time-out takes 30 to 70 ms, which leaves 90 % to those that
     /// answer.
-    static constexpr Duration kProbeSpacing = std::chrono::milliseconds(600);
+    static constexpr Duration kProbeSpacing = std::chrono::milliseconds(1000);
 
     struct Turn {
         ModuleIndex module;
+        /// Every second time in full: layouts of different length take turns (link.md 2.2).
         bool full = false;
     };
 
     explicit PollSchedule(std::size_t modules = 0) : m_modules(modules) {}
+
+    /// Those that somebody looks at; the others only need to be kept in sight. None: all alike.
+    void watch(const std::vector<ModuleIndex>& modules);
 
     /// Whose turn it is; nothing when only silent modules are left and none is due.
     [[nodiscard]] std::optional<Turn> next(TimePoint now);
     /// When next() will have something, if it has nothing before.
     [[nodiscard]] std::optional<TimePoint> nextDue() const;
 
-    /// Returns true when this changed the module's silence.
-    bool onAnswer(ModuleIndex module, TimePoint now);
-    bool onTimeout(ModuleIndex module, TimePoint now);
+    /// It does not answer, and is asked rarely from now on.
+    void lose(ModuleIndex module, TimePoint now);
+    /// A silent module did not answer again.
+    void onTimeout(ModuleIndex module, TimePoint now);
+    /// A silent module answers again.
+    void recover(ModuleIndex module, TimePoint now);
+    /// It is never asked again.
+    void retire(ModuleIndex module) { at(module).retired = true; }
 
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }
     [[nodiscard]] std::size_t answering() const;
@@ -48,18 +56,26 @@ public:
 
 private:
     struct Module {
-        unsigned turns = 0;
-        unsigned timeouts = 0;  ///< in a row
+        bool full = false;
+        bool watched = false;
         bool silent = false;
+        bool retired = false;
+        std::uint64_t order = 0;  ///< of its last turn
+        std::optional<TimePoint> asked;
         Duration interval{};
         TimePoint due;
     };
 
+    [[nodiscard]] Module& at(ModuleIndex module) { return m_modules[module.value()]; }
     [[nodiscard]] TimePoint dueTime(const Module& module) const;
+    [[nodiscard]] std::optional<std::size_t> silentTurn(TimePoint now) const;
+    template <typename Wanted>
+    [[nodiscard]] std::optional<std::size_t> longestAgo(Wanted wanted) const;
 
     std::vector<Module> m_modules;
-    std::size_t m_next = 0;
     std::optional<TimePoint> m_lastProbe;
+    bool m_backgroundLast = false;
+    std::uint64_t m_turns = 0;
 };
 
 }  // namespace nmc::bus

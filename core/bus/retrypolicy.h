@@ -28,19 +28,19 @@ struct RetryRule {
         case CommandCode::Nop:
         case CommandCode::ReadStatus:
         case CommandCode::DefineStatus:
+        case CommandCode::SetGain:    // the identical set
+        case CommandCode::IoControl:  // PIC-STEP: Set Outputs
             return {AfterSilence::Repeat, 2};
         case CommandCode::LoadTrajectory:
             return startsMotion ? RetryRule{} : RetryRule{AfterSilence::Repeat, 2};
         case CommandCode::StopMotor:
             return {AfterSilence::RepeatAtOnce, 4, 10};
-        case CommandCode::StartMotion:
-        case CommandCode::ResetPosition:
-        case CommandCode::SaveAsHome:
-        case CommandCode::ClearStickyBits:
-        case CommandCode::SetGain:
-        case CommandCode::IoControl:
-        case CommandCode::SetHoming:
-        case CommandCode::SetAddress:  // Discovery asks at the new address first
+        case CommandCode::StartMotion:      // a look at the module decides, see verification.h
+        case CommandCode::ResetPosition:    // the same
+        case CommandCode::SaveAsHome:       // the same
+        case CommandCode::ClearStickyBits:  // the same
+        case CommandCode::SetHoming:        // home may have been found meanwhile
+        case CommandCode::SetAddress:       // Discovery asks at the new address first
             return {};
         case CommandCode::SetBaud:  // no reply by design; never an exchange
         case CommandCode::HardReset:
@@ -48,6 +48,34 @@ struct RetryRule {
             return {AfterSilence::GiveUp, 0, 1};
     }
     return {};
+}
+
+/// Once it is carried out, "stands still" has to be shown anew.
+[[nodiscard]] constexpr bool mayStartMotion(const Payload& payload) {
+    const bool data = !payload.data.empty();
+    switch (payload.code) {
+        case CommandCode::StartMotion:
+            return true;
+        case CommandCode::LoadTrajectory:
+            return data && (payload.data[0] & 0x80U) != 0;
+        case CommandCode::StopMotor:
+            return data && (payload.data[0] & 0x10U) != 0;  // PIC-SERVO: stop here, at a position
+        case CommandCode::ResetPosition:
+        case CommandCode::SetAddress:
+        case CommandCode::DefineStatus:
+        case CommandCode::ReadStatus:
+        case CommandCode::SetGain:
+        case CommandCode::IoControl:
+        case CommandCode::SetHoming:
+        case CommandCode::SetBaud:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SaveAsHome:
+        case CommandCode::Reserved:
+        case CommandCode::Nop:
+        case CommandCode::HardReset:
+            return false;
+    }
+    return false;
 }
 
 /// The rule for a payload as it goes out; "start now" is bit 7 of a Load Trajectory on both chips.

@@ -48,12 +48,14 @@ std::optional<ModuleCommand> stopFor(const Belief& belief) {
     return std::nullopt;
 }
 
-StatusItems standstillItems(ModuleType type) {
+StatusItems standstillItems(ModuleType type, bool second) {
+    const unsigned more = second ? StatusItems::Identity : 0U;
     switch (type) {
         case ModuleType::Servo:
-            return StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux);
+            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Velocity |
+                                                         StatusItems::Aux | more));
         case ModuleType::Step:
-            return StatusItems(StatusItems::Position | StatusItems::Inputs);
+            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Inputs | more));
         case ModuleType::Adc:
         case ModuleType::Io:
             break;
@@ -95,7 +97,13 @@ std::optional<StopRun::Ask> StopRun::next(TimePoint now) {
     if (first == nullptr)
         return std::nullopt;
     ++first->asks;
-    m_asked = {first->module, first->stopOwed ? first->stop : std::nullopt};
+    m_asked = {first->module, std::nullopt, {}};
+    if (first->stopOwed) {
+        m_asked.stop = first->stop;
+    } else {
+        first->second = !first->second;
+        m_asked.items = standstillItems(first->type, first->second);
+    }
     return m_asked;
 }
 
@@ -133,7 +141,10 @@ StopFinished StopRun::finished(TimePoint now) const {
 void StopRun::plan(const std::vector<Belief>& beliefs, const PollSchedule& schedule) {
     m_targets.clear();
     for (const Belief& belief : beliefs) {
+        if (belief.restarted())
+            continue;  // off by itself, and without an address
         Target target;
+        target.type = belief.info().identity.type;
         target.module = belief.info().index;
         target.stop = stopFor(belief);
         target.stopOwed = target.stop.has_value();

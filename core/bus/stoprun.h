@@ -16,8 +16,8 @@ namespace nmc::bus {
 /// servo on and on a PIC-STEP energise the motor (link.md 2.6).
 [[nodiscard]] std::optional<ModuleCommand> stopFor(const Belief& belief);
 
-/// Items that tell whether it stands still.
-[[nodiscard]] StatusItems standstillItems(ModuleType type);
+/// Items that tell whether it stands still; `second`: the same in a reply of another length.
+[[nodiscard]] StatusItems standstillItems(ModuleType type, bool second);
 
 /// One stop of all motors: every stop that is needed first, those that move before the others, then two looks
 /// at each module. A stop is repeated when the module still moves or did not answer. Pure; the engine sends.
@@ -45,7 +45,8 @@ public:
 
     struct Ask {
         ModuleIndex module;
-        std::optional<ModuleCommand> stop;  ///< else Read Status with standstillItems()
+        std::optional<ModuleCommand> stop;  ///< else Read Status with these items
+        StatusItems items;
     };
     /// Nothing when the run is over.
     [[nodiscard]] std::optional<Ask> next(TimePoint now);
@@ -65,7 +66,9 @@ private:
         bool wasSilent = false;
         bool moving = false;
         bool stopOwed = false;
+        ModuleType type = ModuleType::Servo;
         unsigned asks = 0;
+        bool second = false;  ///< layouts take turns
         unsigned silences = 0;
         unsigned confirmed = 0;
         std::optional<std::int32_t> position;

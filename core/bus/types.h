@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -74,7 +75,14 @@ struct CommandExecuted {
     ModuleCommand command;
 };
 
-enum class ConnectStage : std::uint8_t { Restarting, Addressing, Identifying, ChangingRate, Preparing };
+enum class ConnectStage : std::uint8_t {
+    Looking,
+    Restarting,
+    Addressing,
+    Identifying,
+    ChangingRate,
+    Preparing
+};
 
 struct ConnectProgress {
     ConnectStage stage;
@@ -144,12 +152,16 @@ struct HealthChanged {
     LinkHealth health;
     unsigned wrong = 0;  ///< of the last `of` exchanges
     unsigned of = 0;
+    std::optional<ModuleIndex> module;  ///< it is the link to this one only
 };
 
 /// A module that stopped answering has restarted: it answers without an address (faults.md F-15, F-16). Its
 /// position, gains and limits are lost and its motor is off; it is left alone until the network is restarted.
 struct ModuleRestarted {
     ModuleIndex module;
+    /// The bus runs at another rate than the restarted module, to which its traffic is noise: motors were
+    /// stopped and polling ended.
+    bool quiet = false;
 };
 
 /// Something about a motion is not as commanded; its module has been told to stop.

@@ -126,6 +126,10 @@ void BusStore::take(const bus::Event& event) {
             m_link.phase = LinkPhase::Lost;
         emit happened(*health);
     } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
+        if (restarted->quiet)
+            m_link.phase = LinkPhase::Lost;
+        if (known(restarted->module))
+            m_link.modules[restarted->module.value()].restarted();
         emit happened(*restarted);
     } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
         emit happened(*suspect);

@@ -57,7 +57,7 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     m_heartbeat.begin(monotonicNow());
     m_beatTimer.start();
     m_suspendWatch = {};
-    m_motionWatch = {};
+    m_restartWhenStopped = false;
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
     m_thread->start(QThread::TimeCriticalPriority);
@@ -66,6 +66,14 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 void BusWorker::close() {
     m_closeRequested = true;
     m_wakeup.wake();
+}
+
+void BusWorker::connectAgain() {
+    ask(ConnectAgain{});
+}
+
+void BusWorker::watch(std::vector<ModuleIndex> modules) {
+    ask(Watch{std::move(modules)});
 }
 
 void BusWorker::restart() {
@@ -129,7 +137,7 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             engine.stopAll(now);
         }
         takeRequests(transport, engine, now);
-        watch(engine, now, m_motionWatch.anyMoves());
+        guard(engine, now);
         if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
             engine.onDeadline(now);
         crashburst::arm(transport.fd(), engine.stopBurst());
@@ -138,13 +146,15 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             return;
         }
         const bool stopped = publish(engine);
+        if (stopped && std::exchange(m_restartWhenStopped, false))
+            engine.restart(now);
         if (closeBy && (stopped || now >= *closeBy)) {
             post(PortClosed{});
             return;
         }
 
         auto until = engine.nextDeadline();
-        for (const auto& other : {closeBy, m_heartbeat.deadline(m_motionWatch.anyMoves())})
+        for (const auto& other : {closeBy, m_heartbeat.deadline(engine.anythingMoves())})
             if (other && (!until || *other < *until))
                 until = other;
         const auto bytes = transport.receive(until, m_wakeup.fd());
@@ -170,18 +180,32 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
             engine.release(now);
         else if (auto* line = std::get_if<ControlLine>(&request))
             answer(transport, *line);
-        else
+        else if (const auto* watched = std::get_if<Watch>(&request))
+            engine.watch(watched->modules);
+        else if (std::holds_alternative<ConnectAgain>(request))
             engine.connect(now);
+        else
+            restartNetwork(engine, now);
     }
 }
 
-void BusWorker::watch(bus::Engine& engine, TimePoint now, bool moving) {
-    if (m_heartbeat.missed(now, moving))
+void BusWorker::guard(bus::Engine& engine, TimePoint now) {
+    if (m_heartbeat.missed(now, engine.anythingMoves()))
         engine.stopAll(now);
     if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
+        engine.distrust(now);
         engine.stopAll(now);
         post(MachineSlept{*slept});
     }
+}
+
+void BusWorker::restartNetwork(bus::Engine& engine, TimePoint now) {
+    if (!engine.anythingMoves()) {
+        engine.restart(now);
+        return;
+    }
+    m_restartWhenStopped = true;
+    engine.stopAll(now);
 }
 
 void BusWorker::answer(Transport& transport, ControlLine& line) {
@@ -212,7 +236,6 @@ bool BusWorker::publish(bus::Engine& engine) {
     bool stopped = false;
     for (bus::Event& event : engine.takeEvents()) {
         stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
-        m_motionWatch.take(event);
         post(std::move(event));
     }
     const std::scoped_lock lock(m_statisticsMutex);

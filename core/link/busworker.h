@@ -18,7 +18,6 @@
 #include "bus/types.h"
 #include "link/heartbeat.h"
 #include "link/linktypes.h"
-#include "link/motionwatch.h"
 #include "link/suspendwatch.h"
 #include "link/transport.h"
 #include "link/wakeup.h"
@@ -77,7 +76,11 @@ public:
     [[nodiscard]] bool isOpen() const { return m_thread != nullptr; }
 
     /// Finds the chain anew, as after open().
+    void connectAgain();
+    /// Restarts the network: positions and gains are lost. Motors are stopped first.
     void restart();
+    /// Modules that somebody looks at are polled more often (Engine::watch).
+    void watch(std::vector<ModuleIndex> modules);
     void submit(bus::Operation operation);
     void hold(const bus::HoldToMove& hold);
     void release();
@@ -99,19 +102,25 @@ signals:
 
 private:
     struct Release {};
+    struct ConnectAgain {};
     struct Restart {};
+    struct Watch {
+        std::vector<ModuleIndex> modules;
+    };
     struct ControlLine {
         std::string text;
     };
-    using Request = std::variant<bus::Operation, bus::HoldToMove, Release, Restart, ControlLine>;
+    using Request =
+        std::variant<bus::Operation, bus::HoldToMove, Release, ConnectAgain, Restart, Watch, ControlLine>;
 
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
     void converse(Transport& transport, bus::Engine& engine);
     void takeRequests(Transport& transport, bus::Engine& engine, TimePoint now);
+    void restartNetwork(bus::Engine& engine, TimePoint now);
     void answer(Transport& transport, ControlLine& line);
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
     /// Stops the motors when nobody else can see to it.
-    void watch(bus::Engine& engine, TimePoint now, bool moving);
+    void guard(bus::Engine& engine, TimePoint now);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
     void beat();
@@ -123,11 +132,11 @@ private:
     QTimer m_beatTimer;
     Heartbeat m_heartbeat;
     SuspendWatch m_suspendWatch;  ///< bus thread
-    MotionWatch m_motionWatch;    ///< bus thread
     std::function<Duration()> m_asleepSoFar;
     Wakeup m_wakeup;
     std::atomic<bool> m_stopRequested{false};
     std::atomic<bool> m_closeRequested{false};
+    bool m_restartWhenStopped = false;  ///< bus thread
     BoundedQueue<Request> m_requests;
     BoundedQueue<WorkerEvent> m_events;
     mutable std::mutex m_statisticsMutex;

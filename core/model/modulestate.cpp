@@ -29,6 +29,7 @@ Severity severityOf(Activity activity) {
         case Activity::Tripped:
         case Activity::PowerLost:
         case Activity::Silent:
+        case Activity::Restarted:
             return Severity::Fault;
         case Activity::NoPower:
         case Activity::PwmMode:
@@ -82,6 +83,14 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     }
 }
 
+void ModuleState::restarted() {
+    hasRestarted = true;
+    gains.reset();
+    motion = MotionMode::None;
+    goalVelocity = m_loadedVelocity = 0.0;
+    amplifierEnabled = accelerationLoaded = false;
+}
+
 void ModuleState::applyLoaded() {
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
@@ -116,7 +125,7 @@ bool ModuleState::servoOn() const {
 }
 
 bool ModuleState::moving() const {
-    if (!latest || !isServo())
+    if (!latest || !isServo() || hasRestarted)
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
@@ -124,6 +133,8 @@ bool ModuleState::moving() const {
 }
 
 Activity ModuleState::activity() const {
+    if (hasRestarted)
+        return Activity::Restarted;
     if (silent)
         return Activity::Silent;
     if (!isServo() || !latest || !latest->aux)

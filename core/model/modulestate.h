@@ -14,6 +14,7 @@ namespace nmc {
 enum class Activity : std::uint8_t {
     Unknown,       ///< no status yet, or a module without a data sheet here
     Silent,        ///< does not answer: moving or not is unknown
+    Restarted,     ///< by itself: it is off, and has lost its address and everything it was told
     NoPower,       ///< motor power is off, so the servo is off
     ServoOff,      ///< no fault: nobody switched it on, or it was switched off
     Tripped,       ///< it switched itself off: position error while it was on
@@ -42,6 +43,7 @@ struct ModuleState {
     std::optional<StatusReport> latest;
     TimePoint latestTime;
     bool silent = false;
+    bool hasRestarted = false;
     /// Gains as last confirmed; empty: unknown.
     std::optional<servo::SetGain> gains;
     MotionMode motion = MotionMode::None;
@@ -59,6 +61,8 @@ struct ModuleState {
 
     void apply(const bus::Sample& sample);
     void apply(const bus::CommandExecuted& executed);
+    /// It lost everything it was told.
+    void restarted();
 
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
     [[nodiscard]] bool servoOn() const;

@@ -74,7 +74,7 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kReconnect);
+    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
@@ -98,7 +98,7 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectAnyway);
+    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
 }

@@ -27,10 +27,10 @@ TEST(Discovery, FindsThirtyTwoModulesInOrder) {
     bus.expectNoViolations();
 }
 
-TEST(Discovery, BeginsWithAResetAtEveryRate) {
+TEST(Discovery, RestartsWithAResetAtEveryRate) {
     ScriptedBus bus(1);
     std::vector<std::uint32_t> rates;
-    bus.engine.connect(bus.now);
+    bus.engine.restart(bus.now);
     for (int i = 0; i < 1000 && bus.sent.size() < 9; ++i) {
         for (const Output& output : bus.engine.takeOutput())
             if (const auto* rate = std::get_if<SetHostBaud>(&output))
@@ -62,16 +62,18 @@ TEST(Discovery, AsksInTheOrderOfTheDataSheet) {
     EXPECT_EQ(packets[0], "AA 00 21 01 FF 21");
     EXPECT_EQ(packets[1], "AA 00 21 02 FF 22");
     EXPECT_EQ(packets[2], "AA 00 21 03 FF 23");
-    EXPECT_EQ(packets[3], "AA 03 0E 11") << "nobody answered: is it the answer that got lost?";
+    EXPECT_EQ(packets[3], "AA 03 13 20 36") << "nobody answered: is it the answer that got lost?";
     ASSERT_EQ(packets.back(), "AA 01 13 3F 53") << "the first poll";
-    const std::vector<std::string> tail(packets.end() - 5, packets.end());
+    const std::vector<std::string> tail(packets.end() - 7, packets.end());
     EXPECT_EQ(tail[0], "AA 01 13 20 34");
     EXPECT_EQ(tail[1], "AA 02 13 20 35");
-    EXPECT_EQ(tail[2], "AA 01 12 0B 1E");
-    EXPECT_EQ(tail[3], "AA 02 12 0B 1F");
+    EXPECT_EQ(tail[2], "AA 01 12 0F 22");
+    EXPECT_EQ(tail[3], "AA 02 12 0F 23");
+    EXPECT_EQ(tail[4], "AA 01 13 3F 53") << "three answers that differ: nobody shares an address";
+    EXPECT_EQ(tail[5], "AA 02 13 3F 54");
 }
 
-TEST(Discovery, FindsChainLeftAtAnotherRate) {
+TEST(Discovery, RestartsAChainLeftAtAnotherRate) {
     for (const std::uint32_t baud : {9'600U, 57'600U, 115'200U}) {
         SCOPED_TRACE(baud);
         // One engine leaves the chain at a rate; a second one, at 19 200, does not know.
@@ -80,7 +82,7 @@ TEST(Discovery, FindsChainLeftAtAnotherRate) {
         VirtualBus bus(servos(3), config);
         ASSERT_TRUE(bus.connect());
         bus.engine = Engine(EngineConfig{});
-        ASSERT_TRUE(bus.connect());
+        ASSERT_TRUE(bus.restart());
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
         EXPECT_EQ(bus.last<ChainFound>()->baud, 19'200U);
     }
@@ -134,6 +136,7 @@ TEST(Discovery, SaysThatAnswersAreGarbled) {
     bus.answer = [](ByteSpan packet) {
         return packet[1] == 0xFF ? std::vector<std::uint8_t>{} : std::vector<std::uint8_t>{0x55, 0xAA};
     };
+    bus.replyDelay = 300us;
     EXPECT_FALSE(bus.connect());
     EXPECT_EQ(bus.all<ConnectFailed>().at(0).reason, ConnectFailure::Garbled);
 }
@@ -183,7 +186,7 @@ TEST(Discovery, TellsHowFarItIs) {
         stages.emplace_back(progress.stage, progress.modules);
     using enum ConnectStage;
     const std::vector<std::pair<ConnectStage, int>> expected{
-        {Restarting, 0},  {Addressing, 0},   {Addressing, 1}, {Addressing, 2},
+        {Looking, 0},     {Addressing, 0},   {Addressing, 1}, {Addressing, 2},
         {Identifying, 2}, {ChangingRate, 2}, {Preparing, 2}};
     EXPECT_EQ(stages, expected);
 }

@@ -18,6 +18,13 @@ constexpr StatusItems kPoll{0x0B};
     return {BusAddress(1), Nop{}.encode(), {ModuleType::Servo, items}};
 }
 
+/// How the exchange in flight ends when nothing more comes.
+[[nodiscard]] std::optional<ReplyEnd> endOf(Line& line) {
+    if (const auto deadline = line.deadline())
+        line.onDeadline(*deadline);
+    return line.takeEnd();
+}
+
 TEST(LineTiming, IsTheSumOfItsParts) {
     // 4 bytes out, 8 back at 19 200 Bd: 12 x 520.833 us, 0.512 ms, 4 ms adapter, 10 ms margin.
     LineTiming timing{byteTimeAtBaud(19'200), 0ms, 10ms};
@@ -38,8 +45,10 @@ TEST(Line, GivesUpAtTheTimeout) {
     line.begin(nop(), sent);
     const TimePoint deadline = sent + Duration(12 * 520'833) + 512us + 14ms;
     ASSERT_EQ(line.deadline(), deadline);
-    EXPECT_FALSE(line.onDeadline(deadline - 1ns));
-    const auto end = line.onDeadline(deadline);
+    line.onDeadline(deadline - 1ns);
+    EXPECT_FALSE(line.takeEnd());
+    line.onDeadline(deadline);
+    const auto end = line.takeEnd();
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::Silent);
     EXPECT_TRUE(line.idle());
@@ -51,62 +60,147 @@ TEST(Line, ReckonsFromWhatIsStillLeaving) {
     line.run({Line::Nulls{}}, now);
     line.begin(nop(), now);
     EXPECT_EQ(line.deadline(), now + Duration(28 * 520'833) + 512us + 14ms);
-    const auto end = line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), now + 20ms);
+    line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), now + 20ms);
+    const auto end = endOf(line);
     ASSERT_TRUE(end);
     EXPECT_EQ(end->latched, now + Duration(20 * 520'833) + 256us);
+    // The eight bytes of the answer took 4.17 ms, so it was not latched later than this.
+    EXPECT_EQ(end->latchedBy, now + 20ms - Duration(8 * 520'833));
 }
 
 TEST(Line, TakesAReplyInPieces) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
-    EXPECT_FALSE(line.onBytes(fromHex("19 64 00 "), TimePoint(1s + 8ms)));
-    const auto end = line.onBytes(fromHex("00 00 05 00 82 "), TimePoint(1s + 9ms));
+    line.onBytes(fromHex("19 64 00 "), TimePoint(1s + 8ms));
+    EXPECT_FALSE(line.takeEnd());
+    line.onBytes(fromHex("00 00 05 00 82 "), TimePoint(1s + 9ms));
+    EXPECT_FALSE(line.takeEnd()) << "surplus bytes may still come";
+    const auto end = endOf(line);
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::Accepted);
     EXPECT_EQ(end->report.position, 100);
     EXPECT_EQ(end->report.analog, 5);
-    EXPECT_EQ(line.statistics().answered, 1U);
-    EXPECT_EQ(line.statistics().roundTripMax, Duration(9ms));
-    EXPECT_EQ(line.statistics().wireTime, Duration(12 * 520'833) + 256us);
+    EXPECT_EQ(end->arrived - end->sent, Duration(9ms));
+    EXPECT_EQ(end->wireTime, Duration(12 * 520'833) + 256us);
 }
 
 TEST(Line, RejectsAPartialReplyAtTheTimeout) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
-    EXPECT_FALSE(line.onBytes(fromHex("19 64 00 "), TimePoint(1s + 8ms)));
-    const auto end = line.onDeadline(*line.deadline());
+    line.onBytes(fromHex("19 64 00 "), TimePoint(1s + 8ms));
+    const auto end = endOf(line);
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::Partial);
-    EXPECT_EQ(line.statistics().timeouts, 1U);
+    EXPECT_EQ(end->bytes, (ReplyBytes{0x19, 0x64, 0x00}));
 }
 
 TEST(Line, RejectsAWrongSum) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
-    const auto end = line.onBytes(fromHex("19 64 00 00 00 05 00 83 "), TimePoint(1s + 8ms));
+    line.onBytes(fromHex("19 64 00 00 00 05 00 83 "), TimePoint(1s + 8ms));
+    const auto end = line.takeEnd();
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::BadChecksum);
-    EXPECT_EQ(line.statistics().badChecksum, 1U);
-    EXPECT_EQ(line.statistics().answered, 0U);
 }
 
-TEST(Line, CountsSurplusBytesAndKeepsThemFromTheNextReply) {
+constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
+
+TEST(Line, RejectsAReplyWithSurplusBytesInTheSameRead) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
-    ASSERT_TRUE(line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms)));
-    EXPECT_FALSE(line.onBytes(fromHex("BB CC "), TimePoint(1s + 9ms)));
-    EXPECT_EQ(line.statistics().surplusBytes, 3U);
-    line.begin(nop(), TimePoint(1s + 10ms));
-    const auto end = line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), TimePoint(1s + 18ms));
+    line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms));
+    const auto end = line.takeEnd();
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->result, ReplyResult::Surplus);
+    EXPECT_EQ(line.statistics().surplusBytes, 1U);
+}
+
+TEST(Line, RejectsAReplyWithSurplusBytesWithinTwoCharacterTimes) {
+    Line line(4ms, 10ms);
+    line.begin(nop(), TimePoint(1s));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
+    ASSERT_EQ(line.deadline(), TimePoint(1s + 8ms) + Duration(2 * 520'833));
+    EXPECT_FALSE(line.ready());
+    line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));
+    const auto end = line.takeEnd();
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->result, ReplyResult::Surplus);
+    EXPECT_EQ(end->bytes.size(), 9U);
+}
+
+TEST(Line, BelievesAReplyThatNothingFollows) {
+    Line line(4ms, 10ms);
+    line.begin(nop(), TimePoint(1s));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
+    line.onDeadline(*line.deadline());
+    const auto end = line.takeEnd();
     ASSERT_TRUE(end);
     EXPECT_EQ(end->result, ReplyResult::Accepted);
+    line.onBytes(fromHex("BB "), TimePoint(1s + 12ms));
+    EXPECT_EQ(line.statistics().staleBytes, 1U);
+    EXPECT_TRUE(line.idle());
+}
+
+/// The next command leaves at once; no module can answer it before its last byte has left.
+TEST(Line, RejectsAPipelinedReplyForBytesThatComeBeforeTheNextCommandHasLeft) {
+    Line line(4ms, 10ms);
+    Request request = nop();
+    request.framing = Framing::Pipelined;
+    line.begin(request, TimePoint(1s));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
+    ASSERT_TRUE(line.ready());
+    line.begin(request, TimePoint(1s + 8ms));
+    line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));  // the command leaves until 10.08 ms
+    const auto first = line.takeEnd();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->result, ReplyResult::Surplus);
+    line.onBytes(fromHex(kReply), TimePoint(1s + 16ms));
+    const auto second = endOf(line);
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->result, ReplyResult::Accepted) << "judged by itself";
+}
+
+TEST(Line, BelievesAPipelinedReplyOnceTheNextOneBegins) {
+    Line line(4ms, 10ms);
+    Request request = nop();
+    request.framing = Framing::Pipelined;
+    line.begin(request, TimePoint(1s));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
+    line.begin(request, TimePoint(1s + 8ms));
+    line.onBytes(fromHex("19 "), TimePoint(1s + 11ms));
+    const auto first = line.takeEnd();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->result, ReplyResult::Accepted);
+    EXPECT_EQ(line.statistics().surplusBytes, 0U);
+}
+
+TEST(Line, TakesAReplyOfUnknownLengthAsLongAsBytesCome) {
+    for (const std::string reply : {"19 19 ", "19 64 00 00 00 7D ", "19 00 00 00 00 00 00 19 "}) {
+        Line line(4ms, 10ms);
+        line.begin({BusAddress(1), Nop{}.encode(), {}, Framing::Open}, TimePoint(1s));
+        TimePoint now(1s + 6ms);
+        for (std::size_t i = 0; i < reply.size(); i += 3, now += 520us)
+            line.onBytes(fromHex(reply.substr(i, 3)), now);
+        EXPECT_FALSE(line.takeEnd());
+        const auto end = endOf(line);
+        ASSERT_TRUE(end);
+        EXPECT_EQ(end->result, ReplyResult::Accepted) << reply;
+        EXPECT_EQ(end->bytes.size(), reply.size() / 3);
+    }
+}
+
+TEST(Line, RejectsAReplyOfUnknownLengthWithAWrongSum) {
+    Line line(4ms, 10ms);
+    line.begin({BusAddress(1), Nop{}.encode(), {}, Framing::Open}, TimePoint(1s));
+    line.onBytes(fromHex("19 64 00 00 00 7E "), TimePoint(1s + 8ms));
+    EXPECT_EQ(endOf(line)->result, ReplyResult::BadChecksum);
 }
 
 TEST(Line, DoesNotCountRepliesThatItDoesNotRead) {
     Line line(4ms, 10ms);
     const PacketBytes packet = toPacket({BusAddress(1), Nop{}.encode()});
     line.run({Line::Packet{packet, 8}, Line::Pause{10ms}}, TimePoint(1s));
-    EXPECT_FALSE(line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms)));
+    line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms));
     EXPECT_EQ(line.statistics().surplusBytes, 1U);
     EXPECT_EQ(line.scriptLatches().at(0), TimePoint(1s) + Duration(4 * 520'833) + 256us);
 }
@@ -118,11 +212,11 @@ TEST(Line, RunsAScriptInOrder) {
              now);
     EXPECT_TRUE(line.takeOutput().empty());
     EXPECT_EQ(line.deadline(), now + 100ms);
-    EXPECT_FALSE(line.onDeadline(now + 100ms));
+    line.onDeadline(now + 100ms);
     EXPECT_EQ(line.takeOutput().size(), 2U);
     // Sixteen bytes leave first.
     EXPECT_EQ(line.deadline(), now + 100ms + Duration(16 * 520'833) + 1ms);
-    EXPECT_FALSE(line.onDeadline(*line.deadline()));
+    line.onDeadline(*line.deadline());
     const auto output = line.takeOutput();
     ASSERT_EQ(output.size(), 1U);
     EXPECT_EQ(std::get<SetHostBaud>(output[0]).baud, 115'200U);

@@ -126,22 +126,59 @@ TEST(Operations, NeverRepeatAStartBlindly) {
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     bus.losesReply = [](ByteSpan command) { return has(command, "AA 01 05"); };
+    EXPECT_EQ(bus.perform({loadMove(0, 20'000), start(0)}), Outcome::Done) << "it moves: it was started";
+    EXPECT_EQ(bus.sends("AA 01 05"), 1U);
+    EXPECT_EQ(bus.count<CommandExecuted>(), 4U) << "gains, stop, load, and the start";
+}
+
+TEST(Operations, LeaveAStartThatDidNotArriveToTheOperator) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (has(command, "AA 01 05"))
+            command.clear();
+    };
     EXPECT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::NoAnswer);
     EXPECT_EQ(bus.sends("AA 01 05"), 1U);
     EXPECT_EQ(bus.last<OperationFinished>()->commandByte, 0x05);
+    bus.runFor(1s);
+    EXPECT_NEAR(bus.servo(0).position, 0, 3);
+}
+
+/// What a look at the module can tell is not left open (link.md 2.3).
+TEST(Operations, LookWhetherAResetWasCarriedOut) {
+    for (const bool arrives : {true, false}) {
+        SCOPED_TRACE(arrives);
+        VirtualBus bus(servos(1));
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 500), start(0)}), Outcome::Done);
+        bus.runFor(2s);
+        bool lost = false;
+        const auto first = [&](ByteSpan c) { return has(c, "AA 01 00") && !std::exchange(lost, true); };
+        if (arrives)
+            bus.losesReply = first;
+        else
+            bus.onCommand = [&](std::vector<std::uint8_t>& c) {
+                if (first(c))
+                    c.clear();
+            };
+        EXPECT_EQ(bus.perform({toServo(0, ResetPosition{})}), Outcome::Done);
+        EXPECT_EQ(bus.sends("AA 01 00 01"), arrives ? 1U : 2U);
+        bus.runFor(100ms);
+        EXPECT_NEAR(bus.servo(0).position, 0, 3);
+    }
 }
 
 TEST(Operations, AreNotRepeatedWhenTheyAreNotIdempotent) {
-    const std::vector<std::pair<ServoCommand, std::string>> commands{
-        {ResetPosition{}, "AA 01 00 01"},          {SaveAsHome{}, "AA 01 0C 0D"},
-        {servo::ClearStickyBits{}, "AA 01 0B 0C"}, {servo::IoControl{}, "AA 01 18"},
-        {servo::SetHoming{}, "AA 01 19"},          {servo::SetGain{}, "AA 01 D6"}};
+    const std::vector<std::pair<ModuleCommand, std::string>> commands{
+        {ServoCommand(servo::SetHoming{}), "AA 01 19"}, {loadVelocity(0, 0, true).command, "AA 01 94"}};
     for (const auto& [command, hex] : commands) {
         SCOPED_TRACE(hex);
         VirtualBus bus(servos(1));
         ASSERT_TRUE(bus.connect());
         bus.losesReply = [h = hex](ByteSpan c) { return has(c, h); };
-        EXPECT_EQ(bus.perform({toServo(0, command)}), Outcome::NoAnswer);
+        EXPECT_EQ(bus.perform({{ModuleIndex(0), command}}), Outcome::NoAnswer);
         EXPECT_EQ(bus.sends(hex), 1U);
         EXPECT_EQ(bus.count<CommandExecuted>(), 0U);
     }

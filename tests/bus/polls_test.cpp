@@ -33,14 +33,14 @@ TEST(Polls, TakeTurnsAndUseTheWire) {
     bus.expectNoViolations();
 }
 
-TEST(Polls, AreFullEveryEighthTime) {
+TEST(Polls, TakeTurnsInTwoLayoutsOfDifferentLength) {
     ScriptedBus bus(1);
     ASSERT_TRUE(bus.connect());
     const std::size_t from = bus.sent.size();
     bus.runFor(2s);
     const double full = static_cast<double>(bus.sends("AA 01 13 3F 53", from));
     const double shortOnes = static_cast<double>(bus.sends("AA 01 0E 0F", from));
-    EXPECT_NEAR(shortOnes / full, 7, 0.5);
+    EXPECT_NEAR(shortOnes, full, 1);
     EXPECT_GT(full, 10);
 }
 
@@ -65,7 +65,7 @@ TEST(Polls, SurviveALostReply) {
     bus.losesReply = [&](ByteSpan command) { return command.size() == 4 && n++ == 5; };
     bus.runFor(1s);
     EXPECT_EQ(bus.engine.statistics().timeouts, 1U);
-    EXPECT_EQ(bus.engine.statistics().retries, 1U);
+    EXPECT_EQ(bus.engine.statistics().resyncs, 1U);
     EXPECT_EQ(bus.count<ModuleSilence>(), 0U);
     bus.expectNoViolations();
 }
@@ -123,29 +123,33 @@ TEST(Silence, OfManyCostsTheOthersLittle) {
     config.adapterLatency = 16ms;
     VirtualBus bus(servos(32), config);
     ASSERT_TRUE(bus.connect());
+    const std::size_t connected = bus.count<Sample>();
     bus.runFor(5s);
-    const std::size_t all = bus.count<Sample>();
+    const std::size_t all = bus.count<Sample>() - connected;
     bus.losesReply = [](ByteSpan command) {
-        return command.size() > 1 && command[0] == 0xAA && command[1] > 1;
+        return command.size() > 1 && command[0] == 0xAA && command[1] > 2;
     };
     bus.runFor(30s);
-    ASSERT_EQ(bus.count<ModuleSilence>(), 31U);
+    ASSERT_EQ(bus.count<ModuleSilence>(), 30U);
     const std::size_t before = bus.count<Sample>();
     bus.runFor(5s);
-    EXPECT_GT(static_cast<double>(bus.count<Sample>() - before), 0.88 * static_cast<double>(all));
+    EXPECT_GT(static_cast<double>(bus.count<Sample>() - before), 0.9 * static_cast<double>(all));
     bus.losesReply = {};
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 62; }, 6s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 60; }, 6s));
 }
 
 TEST(Silence, OfAllIsALostLinkThatComesBackByItself) {
     VirtualBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    const std::size_t lost = bus.sent.size();
     bus.losesReply = [](ByteSpan) { return true; };
-    bus.runFor(5s);
+    bus.runFor(6s);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
     EXPECT_EQ(bus.count<ModuleSilence>(), 3U);
     EXPECT_EQ(bus.engine.stopReach(), 0U);
+    EXPECT_EQ(bus.sends("AA 01 17 05 1D", lost), 10U) << "commands may still arrive";
+    EXPECT_EQ(bus.sends("AA 02 17", lost), 0U) << "its servo was off";
     const std::size_t from = bus.sent.size();
     bus.runFor(10s);
     EXPECT_NEAR(static_cast<double>(bus.sent.size() - from), 10, 1) << "once a second";

@@ -13,8 +13,9 @@ using namespace bus;
 
 // The oracle is the table of link.md 2.3.
 
-TEST(RetryPolicy, RepeatsQuestionsTwice) {
-    for (const CommandCode code : {CommandCode::Nop, CommandCode::ReadStatus, CommandCode::DefineStatus}) {
+TEST(RetryPolicy, RepeatsQuestionsAndIdenticalSettingsTwice) {
+    for (const CommandCode code : {CommandCode::Nop, CommandCode::ReadStatus, CommandCode::DefineStatus,
+                                   CommandCode::SetGain, CommandCode::IoControl}) {
         EXPECT_EQ(retryRule(code, false).afterSilence, AfterSilence::Repeat);
         EXPECT_EQ(retryRule(code, false).silentRepeats, 2);
     }
@@ -23,8 +24,7 @@ TEST(RetryPolicy, RepeatsQuestionsTwice) {
 TEST(RetryPolicy, NeverRepeatsBlindlyWhatCouldActTwice) {
     for (const CommandCode code :
          {CommandCode::StartMotion, CommandCode::ResetPosition, CommandCode::SaveAsHome,
-          CommandCode::ClearStickyBits, CommandCode::SetGain, CommandCode::IoControl, CommandCode::SetHoming,
-          CommandCode::SetAddress}) {
+          CommandCode::ClearStickyBits, CommandCode::SetHoming, CommandCode::SetAddress}) {
         EXPECT_EQ(retryRule(code, false).afterSilence, AfterSilence::GiveUp);
         EXPECT_EQ(retryRule(code, false).silentRepeats, 0);
         EXPECT_EQ(retryRule(code, false).refusedAttempts, 3) << "refused is certainly not carried out";

@@ -87,7 +87,7 @@ public:
     }
 
     [[nodiscard]] bool connect() {
-        engine.connect(now);
+        engine.restart(now);
         return runUntil([&] { return count<bus::ChainFound>() + count<bus::ConnectFailed>() > 0; }) &&
                count<bus::ChainFound>() == 1;
     }

@@ -245,13 +245,13 @@ TEST(StopRun, WithoutAConnectionEndsAtOnce) {
     EXPECT_EQ(bus.count<StopFinished>(), 1U);
 }
 
-TEST(StopRun, DuringDiscoveryEndsWithTheRestart) {
+TEST(StopRun, DuringARestartEndsWithIt) {
     VirtualBus bus(servos(2));
-    bus.engine.connect(bus.now);
+    bus.engine.restart(bus.now);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 1; }, 5s));
     EXPECT_EQ(bus.count<StopFinished>(), 1U);
-    bus.engine.connect(bus.now);
+    bus.engine.restart(bus.now);
     bus.runFor(400ms);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 5s));

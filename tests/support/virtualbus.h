@@ -66,9 +66,17 @@ public:
 
     /// Finds the chain; false when that fails.
     [[nodiscard]] bool connect() {
+        return begin([&] { engine.connect(now); });
+    }
+    /// Restarts the network.
+    [[nodiscard]] bool restart() {
+        return begin([&] { engine.restart(now); });
+    }
+    template <typename How>
+    [[nodiscard]] bool begin(How how) {
         const std::size_t before = count<bus::ChainFound>();
         const std::size_t failed = count<bus::ConnectFailed>();
-        engine.connect(now);
+        how();
         return runUntil(
                    [&] { return count<bus::ChainFound>() > before || count<bus::ConnectFailed>() > failed; },
                    std::chrono::seconds(20)) &&

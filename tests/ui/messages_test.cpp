@@ -50,7 +50,7 @@ TEST_F(Messages, BannerShowsTheWorstThatIsNotOver) {
 }
 
 TEST_F(Messages, GoodNewsDoesNotRaiseABanner) {
-    window->showMessage(texts::connected(u"simulator"_s, 115200, 5));
+    window->showMessage(texts::connected({std::vector<bus::ModuleInfo>(5), 115'200}, u"simulator"_s));
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
     EXPECT_EQ(list()->rows().size(), 1);
 }

@@ -44,13 +44,13 @@ TEST(Texts, NoModule) {
     const Message m =
         texts::connectFailed({bus::ConnectFailure::NobodyAnswers, {}, 115200}, u"/dev/ttyUSB0"_s);
     EXPECT_EQ(m.headline,
-              u"The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried)."_s);
+              u"The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried)."_s);
     EXPECT_EQ(
         m.body,
         u"Check, in this order: module power; every cable in the chain, one loose cable hides all modules; "
         "the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex "
-        "(4-wire) adapter."_s);
-    EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Use simulator"_s}));
+        "(4-wire) adapter. A chain that another program left at a rate of its own can be restarted."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Restart the network…"_s, u"Use simulator"_s}));
 }
 
 TEST(Texts, FewerThanExpected) {
@@ -76,10 +76,14 @@ TEST(Texts, Garbled) {
 }
 
 TEST(Texts, BadLink) {
-    const Message m = texts::badLink(14, 200);
+    const Message m = texts::badLink({bus::LinkHealth::Lost, 14, 200, {}});
     EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
     EXPECT_EQ(m.body,
               u"Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends."_s);
+    EXPECT_EQ(verbs(m), QStringList{u"Reconnect"_s});
+    const Message one = texts::badLink({bus::LinkHealth::Doubtful, 5, 60, ModuleIndex(2)});
+    EXPECT_EQ(one.headline, u"The link to module 3 is doubtful: 5 of its last 60 exchanges went wrong."_s);
+    EXPECT_EQ(one.severity, Severity::Attention);
 }
 
 TEST(Texts, SlowAdapter) {
@@ -106,11 +110,13 @@ TEST(Texts, Power) {
 }
 
 TEST(Texts, Restarted) {
-    const Message m = texts::restarted(ModuleIndex(1), 3);
+    const Message m = texts::restarted({ModuleIndex(1), false}, 3);
     EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
-    EXPECT_EQ(m.body, u"Module 3 may not answer until module 2 has its address again."_s);
+    EXPECT_EQ(m.body, u"Its motor is off. Module 3 may not answer until module 2 has its address again."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Restart the network…"_s});
-    EXPECT_TRUE(texts::restarted(ModuleIndex(2), 3).body.isEmpty()) << "there is no module nearer the PC";
+    EXPECT_EQ(texts::restarted({ModuleIndex(2), false}, 3).body, u"Its motor is off."_s)
+        << "there is no module nearer the PC";
+    EXPECT_TRUE(texts::restarted({ModuleIndex(2), true}, 3).body.contains(u"nothing is sent any more"_s));
 }
 
 TEST(Texts, Closing) {

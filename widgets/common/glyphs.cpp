@@ -74,6 +74,9 @@ void paintMark(MarkPainter mark, Activity activity) {
         case Activity::Unknown:
             mark.text(u'?');
             break;
+        case Activity::Restarted:
+            mark.text(u'!');
+            break;
         case Activity::Silent:
             for (double x : {0.15, 0.5, 0.85})
                 mark.disc({x, 0.5}, 0.12);

@@ -9,17 +9,18 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
-    Message m{.key = key::port(), .severity = Severity::Attention, .actions = {scanAgain(), useSimulator()}};
+    Message m{.key = key::port(),
+              .severity = Severity::Attention,
+              .actions = {scanAgain(), restartNetwork(), useSimulator()}};
     switch (failed.reason) {
         case bus::ConnectFailure::NobodyAnswers:
-            m.headline =
-                Texts::tr("The port is open, but no module answered (19 200, 57 600 and 115 200 Bd tried).");
+            m.headline = Texts::tr(
+                "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
             m.body = Texts::tr(
                 "Check, in this order: module power; every cable in the chain, one loose cable hides all "
-                "modules; the "
-                "ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex "
-                "(4-wire) "
-                "adapter.");
+                "modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a "
+                "full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can "
+                "be restarted.");
             break;
         case bus::ConnectFailure::RateChange:
             m.headline =
@@ -81,11 +82,31 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
     return m;
 }
 
-Message connected(const QString& port, quint32 baud, int modules) {
-    return {.key = u"connected"_s,
-            .headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
-                            .arg(portName(port), countOfModules(modules), rate(baud)),
-            .body = Texts::tr("Nothing moves until you ask for it. Gains are unknown until you apply them.")};
+Message connected(const bus::ChainFound& found, const QString& port) {
+    const int modules = static_cast<int>(found.modules.size());
+    Message m{.key = u"connected"_s};
+    if (found.attached) {
+        m.headline = Texts::tr("Attached to %1: %2 at %3 Bd, left as they were.")
+                         .arg(portName(port), countOfModules(modules), rate(found.baud));
+        m.body = Texts::tr(
+            "What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you "
+            "move it: what it was told last cannot be asked.");
+        return m;
+    }
+    m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
+                     .arg(portName(port), countOfModules(modules), rate(found.baud));
+    m.body = Texts::tr("Nothing moves until you ask for it. Gains are unknown until you apply them.");
+    return m;
+}
+
+Message unaddressed() {
+    return {.key = key::unaddressed(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A module without an address answers, too, and cannot be used yet."),
+            .body = Texts::tr(
+                "Either one of the chain has restarted, or a new one was added. Its motor is off. A restart "
+                "of the network gives it an address."),
+            .actions = {restartNetwork()}};
 }
 
 Message disconnected(const QString& port) {
@@ -103,25 +124,38 @@ Message linkLost(const QString& port, int movingMotors) {
             .actions = {scanAgain()}};
 }
 
-Message badLink(int wrong, int of) {
-    return {
-        .key = key::badLink(),
-        .severity = Severity::Fault,
-        .headline =
-            Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.").arg(wrong).arg(of),
-        .body = Texts::tr(
-            "Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.")};
-}
-
-Message doubtfulLink(int wrong, int of) {
-    return {
-        .key = key::badLink(),
-        .severity = Severity::Attention,
-        .headline =
-            Texts::tr("The link is doubtful: %1 of the last %2 exchanges went wrong.").arg(wrong).arg(of),
-        .body = Texts::tr(
-            "Nothing was lost; wrong answers are recognised and asked for again. Motors are stopped if it "
-            "gets worse. Usually noise on the cable.")};
+Message badLink(const bus::HealthChanged& health) {
+    Message m{.key = key::badLink()};
+    if (health.health == bus::LinkHealth::Lost) {
+        m.severity = Severity::Fault;
+        m.headline = health.module
+                         ? Texts::tr(
+                               "The link to module %1 is unreliable: %2 of its last %3 "
+                               "exchanges went wrong.")
+                               .arg(health.module->value() + 1)
+                               .arg(health.wrong)
+                               .arg(health.of)
+                         : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
+                               .arg(health.wrong)
+                               .arg(health.of);
+        m.body =
+            Texts::tr("Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.");
+        m.actions = {{action::kReconnect, Texts::tr("Reconnect")}};
+        return m;
+    }
+    m.severity = Severity::Attention;
+    m.headline = health.module
+                     ? Texts::tr("The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.")
+                           .arg(health.module->value() + 1)
+                           .arg(health.wrong)
+                           .arg(health.of)
+                     : Texts::tr("The link is doubtful: %1 of the last %2 exchanges went wrong.")
+                           .arg(health.wrong)
+                           .arg(health.of);
+    m.body = Texts::tr(
+        "Nothing was lost: wrong answers are recognised and asked for again. Motors are stopped if it gets "
+        "worse. Usually noise on the cable.");
+    return m;
 }
 
 Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
@@ -142,18 +176,22 @@ Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMovi
                 "again all the time.")};
 }
 
-Message restarted(ModuleIndex module, int modulesInChain) {
-    const int number = module.value() + 1;
-    QString body;
+Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
+    const int number = restarted.module.value() + 1;
+    QStringList body{Texts::tr("Its motor is off.")};
     if (number < modulesInChain)
-        body = Texts::tr("Module %1 may not answer until module %2 has its address again.")
-                   .arg(number + 1)
-                   .arg(number);
-    return {.key = key::restarted(module),
+        body << Texts::tr("Module %1 may not answer until module %2 has its address again.")
+                    .arg(number + 1)
+                    .arg(number);
+    if (restarted.quiet)
+        body << Texts::tr(
+            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were stopped and "
+            "nothing is sent any more.");
+    return {.key = key::restarted(restarted.module),
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
-            .body = body,
-            .actions = {{action::kRestartNetwork, Texts::tr("Restart the network…")}}};
+            .body = body.join(u' '),
+            .actions = {restartNetwork()}};
 }
 
 Message refused(const bus::CommandRefused& refused) {

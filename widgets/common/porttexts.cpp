@@ -175,7 +175,7 @@ Message adapterBack(const QString& port, bool sameSerial) {
             .body = Texts::tr(
                 "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for "
                 "before is sent again."),
-            .actions = {{action::kReconnect, Texts::tr("Reconnect")}, choosePort()}};
+            .actions = {{action::kConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
 }
 
 Message differentAdapter(const QString& port) {
@@ -183,7 +183,7 @@ Message differentAdapter(const QString& port) {
             .severity = Severity::Attention,
             .headline = Texts::tr("A different adapter is on %1.").arg(port),
             .body = Texts::tr("It is not the one that this panel was connected to before. Nothing was sent."),
-            .actions = {{action::kConnectAnyway, Texts::tr("Connect to it")}, choosePort()}};
+            .actions = {{action::kConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
 }
 
 }  // namespace nmc::texts

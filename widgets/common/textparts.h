@@ -17,6 +17,7 @@ class Texts {
 [[nodiscard]] Message::Action scanAgain();
 [[nodiscard]] Message::Action useSimulator();
 [[nodiscard]] Message::Action choosePort();
+[[nodiscard]] Message::Action restartNetwork();
 /// A rate in running text, with plain spaces as in interface.md.
 [[nodiscard]] QString rate(quint32 baud);
 /// The key of a message about one module.

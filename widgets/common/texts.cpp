@@ -16,6 +16,9 @@ Message::Action scanAgain() {
 Message::Action useSimulator() {
     return {action::kUseSimulator, Texts::tr("Use simulator")};
 }
+Message::Action restartNetwork() {
+    return {action::kRestartNetwork, Texts::tr("Restart the network…")};
+}
 Message::Action choosePort() {
     return {action::kChoosePort, Texts::tr("Choose another port")};
 }
@@ -147,6 +150,17 @@ QString closing(int movingMotors) {
                                    .arg(movingMotors);
 }
 
+QString beforeRestart(int movingMotors) {
+    const QString loss =
+        Texts::tr("Every module forgets its position, its gains and its address, and lets go of its motor.");
+    if (movingMotors == 0)
+        return loss;
+    const QString moving =
+        movingMotors == 1 ? Texts::tr("1 motor is moving. It will be stopped first.")
+                          : Texts::tr("%1 motors are moving. They will be stopped first.").arg(movingMotors);
+    return moving + u'\n' + loss;
+}
+
 QString stoppingBeforeClose() {
     return Texts::tr("Stopping the motors, then closing.");
 }
@@ -178,6 +192,9 @@ QString port() {
 }
 QString link() {
     return u"link"_s;
+}
+QString unaddressed() {
+    return u"unaddressed"_s;
 }
 QString badLink() {
     return u"badLink"_s;

@@ -40,9 +40,9 @@ inline const QString kCopyCommand = QStringLiteral("copyCommand");  ///< the win
 inline const QString kWorkWith = QStringLiteral("workWith");
 inline const QString kHow = QStringLiteral("how");
 inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
-inline const QString kRestartNetwork = QStringLiteral("restartNetwork");
+inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< the window asks before it
 inline const QString kReconnect = QStringLiteral("reconnect");
-inline const QString kConnectAnyway = QStringLiteral("connectAnyway");
+inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
 }  // namespace action
 
@@ -51,11 +51,13 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message connectFailed(const bus::ConnectFailed& failed, const QString& port);
 /// `lastName`: the user's name of the last module that answered, may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
-[[nodiscard]] Message connected(const QString& port, quint32 baud, int modules);
+[[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
+/// A module without an address answers beside the chain.
+[[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);
 [[nodiscard]] Message linkLost(const QString& port, int movingMotors);
-[[nodiscard]] Message badLink(int wrong, int of);
-[[nodiscard]] Message doubtfulLink(int wrong, int of);
+/// The link was given up, or is doubtful.
+[[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
 /// What "How" answers; `file` holds the timer.
 [[nodiscard]] Message latencyCure(const QString& file);
@@ -64,7 +66,7 @@ inline const QString kUnderstood = QStringLiteral("understood");
 
 // ---- one module ----
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
-[[nodiscard]] Message restarted(ModuleIndex module, int modulesInChain);
+[[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
 [[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);
@@ -90,6 +92,7 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);
 [[nodiscard]] QString stoppingBeforeClose();
+[[nodiscard]] QString beforeRestart(int movingMotors);
 [[nodiscard]] Message safety();
 
 // ---- the built-in simulator ----
@@ -110,6 +113,7 @@ namespace key {
 [[nodiscard]] QString port();
 [[nodiscard]] QString link();
 [[nodiscard]] QString badLink();
+[[nodiscard]] QString unaddressed();
 [[nodiscard]] QString silent(ModuleIndex module);
 [[nodiscard]] QString refused(ModuleIndex module);
 [[nodiscard]] QString garbled(ModuleIndex module);

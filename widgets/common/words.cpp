@@ -52,6 +52,8 @@ QString activity(Activity activity) {
             return Texts::tr("Unknown");
         case Activity::Silent:
             return Texts::tr("No answer");
+        case Activity::Restarted:
+            return Texts::tr("Restarted");
         case Activity::NoPower:
             return Texts::tr("No motor power");
         case Activity::ServoOff:
@@ -80,6 +82,10 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("No status has come from this module yet.");
         case Activity::Silent:
             return Texts::tr("The module does not answer: moving or stopped is unknown.");
+        case Activity::Restarted:
+            return Texts::tr(
+                "The module restarted by itself: its motor is off, and its position, gains and address are "
+                "lost until the network is restarted.");
         case Activity::NoPower:
             return Texts::tr("The module has no motor power, so its servo is off.");
         case Activity::ServoOff:
@@ -143,6 +149,8 @@ QString severity(Severity severity) {
 
 QString stage(bus::ConnectStage stage) {
     switch (stage) {
+        case bus::ConnectStage::Looking:
+            return Texts::tr("looking for modules");
         case bus::ConnectStage::Restarting:
             return Texts::tr("restarting the modules");
         case bus::ConnectStage::Addressing:

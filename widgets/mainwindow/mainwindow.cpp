@@ -293,6 +293,9 @@ void MainWindow::takeMessageAction(const QString& key, const QString& actionId) 
                 QGuiApplication::clipboard()->setText(message.command);
     } else if (actionId == texts::action::kChoosePort) {
         m_bar->openPorts();
+    } else if (actionId == texts::action::kRestartNetwork) {
+        askBeforeRestart();
+        return;  // the message stays until it is done
     } else if (actionId == texts::action::kUnderstood) {
         m_settings.setValue(kSafetyRead, true);
         endMessage(key);
@@ -353,6 +356,14 @@ void MainWindow::askBeforeDisconnect() {
         m_disconnectAfterStop = true;
         emit stopAllRequested();
     });
+    dialog->open();
+}
+
+void MainWindow::askBeforeRestart() {
+    if (m_link.phase == LinkPhase::Disconnected || findChild<RestartDialog*>() != nullptr)
+        return;
+    auto* dialog = new RestartDialog(movingMotors(), this);
+    connect(dialog, &QDialog::accepted, this, &MainWindow::restartNetworkRequested);
     dialog->open();
 }
 

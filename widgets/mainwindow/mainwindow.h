@@ -64,10 +64,14 @@ public:
     /// hope.
     void finishClose();
     void resetLayout();
+    /// Restarts the network if the user confirms it.
+    void askBeforeRestart();
 
 signals:
     void connectRequested(const QString& port, quint32 baud);
     void disconnectRequested();
+    /// The user has confirmed that positions and gains are lost.
+    void restartNetworkRequested();
     void stopAllRequested();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// On press and every 100 ms while held.

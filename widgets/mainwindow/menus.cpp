@@ -63,6 +63,12 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
 
+    QMenu* network = bar.addMenu(Menus::tr("Networ&k"));
+    look::name(network, u"networkMenu"_s, Menus::tr("Network"));
+    QObject::connect(add(network, Menus::tr("&Restart the network: positions and gains are lost…"),
+                         u"restartNetworkAction"_s),
+                     &QAction::triggered, &window, &MainWindow::askBeforeRestart);
+
     QMenu* view = bar.addMenu(Menus::tr("&View"));
     look::name(view, u"viewMenu"_s, Menus::tr("View"));
     int number = 1;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "bus/chainlook.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc::bus {
+
+namespace {
+
+constexpr unsigned kUnaddressed = 0;
+constexpr unsigned kFirstAddress = 1;
+constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
+constexpr unsigned kLastAddress = 32;
+
+[[nodiscard]] bool beginsWith(const ReplyBytes& bytes, const PacketBytes& packet) {
+    return bytes.size() >= packet.size() && std::equal(packet.begin(), packet.end(), bytes.begin());
+}
+
+}  // namespace
+
+ChainLook::Next ChainLook::next() {
+    while (m_at == m_probes.size()) {
+        if (m_stage == Stage::Over)
+            return {};
+        refill();
+    }
+    const Probe& probe = m_probes[m_at];
+    if (m_hostRate != probe.rate) {
+        m_hostRate = probe.rate;
+        return changeTo(probe.rate);
+    }
+    // The answer's length hangs on what the host before defined.
+    return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
+}
+
+/// The probes of the next stage.
+void ChainLook::refill() {
+    m_probes.clear();
+    m_at = 0;
+    if (!std::exchange(m_begun, true)) {
+        add(kPowerUpBaud, kUnaddressed, kUnaddressed);
+        for (const std::uint32_t rate : kRates)
+            add(rate, kFirstAddress, kUsualAddresses);
+        return;
+    }
+    switch (m_stage) {
+        case Stage::First:
+            if (m_rate) {
+                m_stage = Stage::Rest;
+                add(*m_rate, kUsualAddresses + 1, kLastAddress);
+            } else if (m_unaddressed) {
+                m_stage = Stage::Over;
+            } else {
+                m_stage = Stage::Everywhere;
+                for (const std::uint32_t rate : kRates)
+                    add(rate, kUsualAddresses + 1, kLastAddress);
+            }
+            return;
+        case Stage::Rest:
+        case Stage::Everywhere:
+        case Stage::Over:
+            m_stage = Stage::Over;
+            return;
+    }
+}
+
+void ChainLook::add(std::uint32_t rate, unsigned from, unsigned to) {
+    for (unsigned address = from; address <= to; ++address)
+        m_probes.push_back({rate, BusAddress(static_cast<std::uint8_t>(address))});
+}
+
+Line::Script ChainLook::changeTo(std::uint32_t rate) const {
+    const Duration latency = std::max(m_latency, kMinLatency);
+    return {Line::Gap{},       Line::Pause{latency}, DiscardInput{},
+            SetHostBaud{rate}, Line::Nulls{},        Line::Pause{kAfterNulls + latency},
+            DiscardInput{}};
+}
+
+void ChainLook::onReply(const ReplyEnd& end) {
+    const Probe probe = m_probes[m_at++];
+    const ByteSpan bytes(end.bytes.data(), end.bytes.size());
+    if (bytes.empty())
+        return;
+    const PacketBytes sent = toPacket({probe.address, Nop{}.encode()});
+    if (beginsWith(end.bytes, sent)) {
+        ++m_echoes;
+    } else if (uniform(bytes)) {
+        ++m_zeros;
+    } else if (end.result != ReplyResult::Accepted && end.result != ReplyResult::Refused) {
+        ++m_noise;
+    } else if (probe.address.value() == kUnaddressed) {
+        m_unaddressed = true;
+    } else {
+        if (!m_rate) {
+            // All of one chain: whatever answered, the rest of it is here.
+            m_rate = probe.rate;
+            const auto rest = m_probes.begin() + static_cast<std::ptrdiff_t>(m_at);
+            m_probes.erase(
+                std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
+                m_probes.end());
+        }
+        m_found.push_back(probe.address);
+    }
+}
+
+ConnectFailure ChainLook::heard() const {
+    if (m_echoes > 0)
+        return ConnectFailure::Echo;
+    if (m_zeros > 1)
+        return ConnectFailure::HeldLow;
+    return m_noise > 0 ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers;
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "bus/exchange.h"
+#include "bus/line.h"
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// Looks for a chain that is there already, at any of the rates it may have been left at, with nulls and No
+/// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
+/// rate come first, because hardly a host counts otherwise; every address at every rate only if nobody
+/// answers there. Says what to do next and is told what came of it. Pure.
+class ChainLook {
+public:
+    /// Address and rate a module wakes up with come first.
+    static constexpr std::array<std::uint32_t, 4> kRates{19'200, 115'200, 57'600, 9'600};
+
+    explicit ChainLook(Duration latency) : m_latency(latency) {}
+
+    /// A script to run or a question to ask; nothing when the look is over.
+    using Next = std::variant<std::monostate, Line::Script, Request>;
+    [[nodiscard]] Next next();
+    void onReply(const ReplyEnd& end);
+
+    /// Where the chain answers; nothing when no addressed module does.
+    [[nodiscard]] std::optional<std::uint32_t> rate() const { return m_rate; }
+    [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
+    /// A module without an address answers at the rate of power-up.
+    [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
+    /// What was heard instead of an answer, for a sentence: nothing, noise, zeros, or what was sent.
+    [[nodiscard]] ConnectFailure heard() const;
+
+private:
+    enum class Stage : std::uint8_t { First, Rest, Everywhere, Over };
+    struct Probe {
+        std::uint32_t rate;
+        BusAddress address;
+    };
+
+    void refill();
+    void add(std::uint32_t rate, unsigned from, unsigned to);
+    [[nodiscard]] Line::Script changeTo(std::uint32_t rate) const;
+
+    Duration m_latency;
+    Stage m_stage = Stage::First;
+    std::vector<Probe> m_probes;  ///< of this stage
+    std::size_t m_at = 0;
+    bool m_begun = false;
+    std::optional<std::uint32_t> m_hostRate;
+    std::optional<std::uint32_t> m_rate;
+    std::vector<BusAddress> m_found;
+    bool m_unaddressed = false;
+    unsigned m_noise = 0;
+    unsigned m_zeros = 0;
+    unsigned m_echoes = 0;
+};
+
+}  // namespace nmc::bus

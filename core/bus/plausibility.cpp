@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "bus/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc::bus {
+
+namespace {
+
+constexpr std::uint8_t kHomingBit = 0x80;             // both chips
+constexpr std::uint8_t kStickyStatus = 0x04 | 0x10;   // overcurrent, pos_error
+constexpr std::uint8_t kStickyAux = 0x02 | 0x20;      // pos_wrap, servo_overrun
+constexpr std::uint8_t kUndefinedAux = 0xC0;          // both chips' item 3
+constexpr std::uint16_t kLongestTimerCount = 65'452;  // DS-S 4.1
+/// Time for a command to show in a reply, after it was latched.
+constexpr Duration kTakesEffect = 4 * kServoTick;
+/// How fast the spread of velocities seen lately fades, per reply.
+constexpr double kFade = 0.9;
+
+[[nodiscard]] double ticks(Duration time) {
+    return toSeconds(time) / toSeconds(kServoTick);
+}
+
+/// Positions wrap at 32 bits.
+[[nodiscard]] double distance(std::int32_t from, std::int32_t to) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
+
+}  // namespace
+
+struct Plausibility::Sent {
+    Plausibility& p;
+    TimePoint latched;
+
+    void operator()(const ResetPosition&) const { p.m_position.open(latched); }
+    void operator()(const SaveAsHome&) const { p.m_home.open(latched); }
+    void operator()(const servo::SetHoming&) const { homing(); }
+    void operator()(const step::SetHoming&) const { homing(); }
+    void operator()(const servo::ClearStickyBits&) const { p.m_sticky.open(latched); }
+    void operator()(const step::LoadTrajectory&) const { motion(); }
+    void operator()(const StartMotion&) const { motion(); }
+    void operator()(const step::StopMotor&) const { motion(); }
+    void operator()(const servo::LoadTrajectory&) const { motion(); }
+    void operator()(const servo::StopMotor&) const { motion(); }
+    void operator()(const servo::SetGain&) const { motion(); }
+    template <typename Other>
+    void operator()(const Other&) const {}
+
+    void homing() const {
+        p.m_homing.open(latched);
+        p.m_home.open(latched);
+        motion();
+    }
+    void motion() const {
+        p.m_motion.open(latched);
+        p.m_jerk = latched;
+    }
+};
+
+void Plausibility::Allowance::onReply(TimePoint latched) {
+    if (replies > 0 && latched > since + kTakesEffect)
+        --replies;
+}
+
+void Plausibility::onSent(const ModuleCommand& command, TimePoint latched) {
+    std::visit([&](const auto& chip) { std::visit(Sent{*this, latched}, chip); }, command);
+}
+
+std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
+    if (const auto impossible = structure(end))
+        return impossible;
+    if (const auto contradiction = against(m_known, end)) {
+        const bool confirmed = m_candidate && !against(*m_candidate, end);
+        if (!confirmed) {
+            m_candidate.emplace();
+            take(*m_candidate, end);
+            return contradiction;
+        }
+        m_known = *m_candidate;
+    }
+    m_candidate.reset();
+    take(m_known, end);
+    m_homing.onReply(end.latched);
+    if (end.report.home)
+        m_home.onReply(end.latched);
+    if (end.report.aux)
+        m_sticky.onReply(end.latched);
+    if (end.report.position) {
+        m_position.onReply(end.latched);
+        m_motion.onReply(end.latched);
+    }
+    // While the chip looks for home, it may find it at any time; and between two replies it may have.
+    if ((end.report.status & kHomingBit) != 0)
+        m_home.open(end.latched);
+    return std::nullopt;
+}
+
+std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
+    const StatusReport& report = end.report;
+    if (uniform({end.bytes.data(), end.bytes.size()}))
+        return Rejection::Uniform;
+    if (report.identity && *report.identity != m_identity)
+        return Rejection::Identity;
+    switch (m_identity.type) {
+        case ModuleType::Servo:
+            return servoStructure(report);
+        case ModuleType::Step:
+            return stepStructure(report);
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return std::nullopt;
+}
+
+std::optional<Rejection> Plausibility::servoStructure(const StatusReport& report) const {
+    const servo::StatusByte status = report.servoStatus();
+    if (!report.aux)
+        return std::nullopt;
+    const servo::AuxByte aux{*report.aux};
+    if (!aux.servoOn() && !(status.positionError() && status.moveDone()))
+        return Rejection::OffWithoutBits;
+    if (aux.servoOn() && !status.powerOn())
+        return Rejection::OnWithoutPower;
+    if (aux.slewDone() && !aux.accelDone())
+        return Rejection::SlewWithoutAccel;
+    return std::nullopt;
+}
+
+std::optional<Rejection> Plausibility::stepStructure(const StatusReport& report) const {
+    const step::StatusByte status = report.stepStatus();
+    if (status.velocityMode() && status.trapezoidalMode())
+        return Rejection::BothModes;
+    if (!status.moving())
+        return std::nullopt;
+    if (!status.powerOn())
+        return Rejection::MovingWithoutPower;
+    if (report.timerCount && (*report.timerCount < 1 || *report.timerCount > kLongestTimerCount))
+        return Rejection::TimerCount;
+    return std::nullopt;
+}
+
+std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEnd& end) const {
+    const StatusReport& report = end.report;
+    if (known.aux && report.aux && ((*known.aux ^ *report.aux) & kUndefinedAux) != 0)
+        return Rejection::UndefinedBits;
+    if (stickyCleared(known, report))
+        return Rejection::StickyCleared;
+    if (known.status && (report.status & ~*known.status & kHomingBit) != 0 && !m_homing.isOpen())
+        return Rejection::HomingRose;
+    if (known.home && report.home && *known.home != *report.home && !m_home.isOpen())
+        return Rejection::HomeChanged;
+    if (!known.position || !report.position || m_position.isOpen())
+        return std::nullopt;
+    switch (m_identity.type) {
+        case ModuleType::Servo:
+            return servoMotion(known, end);
+        case ModuleType::Step:
+            return stepMotion(known, end);
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return std::nullopt;
+}
+
+bool Plausibility::stickyCleared(const Known& known, const StatusReport& report) const {
+    if (m_identity.type != ModuleType::Servo || m_sticky.isOpen())
+        return false;
+    if (known.status && (*known.status & ~report.status & kStickyStatus) != 0)
+        return true;
+    return known.aux && report.aux && (*known.aux & ~*report.aux & kStickyAux) != 0;
+}
+
+/// Between two replies the position may have gone as far as the velocities at both ends and those seen lately
+/// allow, plus what an acceleration in between can add: a straight line when it runs evenly, some hundred
+/// counts when it swings.
+std::optional<Rejection> Plausibility::servoMotion(const Known& known, const ReplyEnd& end) const {
+    const double least = ticks(std::max(end.latched - known.to, Duration{})) - 1;
+    const double most = ticks(end.latchedBy - known.from) + 1;
+    const double now = end.report.velocity.value_or(known.velocity.value_or(0));
+    const double before = known.velocity.value_or(0);
+    if (std::abs(now) > kFastest)
+        return Rejection::VelocityJump;
+    const double a = acceleration(end.latched);
+    if (end.report.velocity && known.velocity) {
+        const double reach = std::abs(before) + known.spread + kMargin + a * most;
+        if (std::abs(now) > reach)
+            return Rejection::VelocityJump;
+    }
+    // The velocity item has no fraction.
+    const double slack = known.spread + 1;
+    const double slow = std::max(std::min(before, now) - slack, -kFastest);
+    const double fast = std::min(std::max(before, now) + slack, kFastest);
+    const double bend = std::min(a * most * most / 4, kFastest * most) + kMargin;
+    const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - bend;
+    const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + bend;
+    const double way = distance(*known.position, *end.report.position);
+    return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
+}
+
+std::optional<Rejection> Plausibility::stepMotion(const Known& known, const ReplyEnd& end) const {
+    const double way = distance(*known.position, *end.report.position);
+    const bool moved = step::StatusByte{*known.status}.moving() || end.report.stepStatus().moving();
+    if (!moved && !m_motion.isOpen() && way != 0)
+        return Rejection::MovedWhileStopped;
+    const double most = ticks(end.latchedBy - known.from) + 1;
+    return std::abs(way) > kFastestStepper * most + kMargin ? std::optional(Rejection::PositionJump)
+                                                            : std::nullopt;
+}
+
+double Plausibility::acceleration(TimePoint at) const {
+    return m_jerk && at - *m_jerk < kJerkTime ? kViolent : kGentle;
+}
+
+void Plausibility::take(Known& known, const ReplyEnd& end) const {
+    const StatusReport& report = end.report;
+    known.status = report.status;
+    if (report.aux)
+        known.aux = report.aux;
+    if (report.home)
+        known.home = report.home;
+    if (report.velocity) {
+        const double change = known.velocity ? std::abs(*report.velocity - *known.velocity) : 0.0;
+        known.spread = std::max(known.spread * kFade, change);
+    }
+    if (report.position) {
+        known.position = report.position;
+        known.velocity = report.velocity;
+        known.from = end.latched;
+        known.to = end.latchedBy;
+    }
+}
+
+}  // namespace nmc::bus

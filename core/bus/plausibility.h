@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bus/exchange.h"
+#include "bus/rejection.h"
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// Whether a reply of one module can be true, given what it said before and what was sent to it since
+/// (link.md 2.4): the further nets behind an 8-bit sum. One object per module. Pure.
+///
+/// A reply that only contradicts what was known is not believed once; when the next one, after the link has
+/// been checked, says the same, it is: another host may have moved or cleared something.
+class Plausibility {
+public:
+    /// Largest speed of the encoder input, counts per tick: 500 000 edges/s (DS-V 3.2).
+    static constexpr double kFastest = 256.0;
+    /// Acceleration to reckon with when nothing tells of more, counts per tick squared.
+    static constexpr double kGentle = 0.5;
+    /// The same right after a command that may jerk the motor: that of a small motor at full voltage.
+    static constexpr double kViolent = 8.0;
+    /// How long a command may do that.
+    static constexpr Duration kJerkTime = std::chrono::milliseconds(500);
+    /// Rounding, and a shaft that gives a little, in counts.
+    static constexpr double kMargin = 16.0;
+    /// Fastest stepper: 50 000 steps/s (DS-S 4.1), per tick.
+    static constexpr double kFastestStepper = 25.6;
+
+    explicit Plausibility(ModuleIdentity identity) : m_identity(identity) {}
+
+    /// `command` goes out and will be latched at `latched`: what it may change is no contradiction.
+    void onSent(const ModuleCommand& command, TimePoint latched);
+
+    /// Judges a reply whose sum is right. Nothing: it is believed, and later ones are judged by it.
+    [[nodiscard]] std::optional<Rejection> judge(const ReplyEnd& end);
+
+private:
+    /// What is remembered of the replies that were believed.
+    struct Known {
+        std::optional<std::uint8_t> status;
+        std::optional<std::uint8_t> aux;
+        std::optional<std::int32_t> home;
+        std::optional<std::int32_t> position;
+        std::optional<std::int16_t> velocity;
+        TimePoint from, to;  ///< the position was latched between these
+        double spread = 0;   ///< of the velocities seen lately, counts per tick
+    };
+    /// Something a command may change without being contradicted: open until two replies that tell of it were
+    /// latched well after the command.
+    struct Allowance {
+        TimePoint since{};
+        unsigned replies = 0;
+        void open(TimePoint latched) { since = latched, replies = 2; }
+        [[nodiscard]] bool isOpen() const { return replies > 0; }
+        void onReply(TimePoint latched);
+    };
+    struct Sent;
+
+    [[nodiscard]] std::optional<Rejection> structure(const ReplyEnd& end) const;
+    [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
+    [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
+    [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
+    [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] std::optional<Rejection> stepMotion(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] double acceleration(TimePoint at) const;
+    void take(Known& known, const ReplyEnd& end) const;
+
+    ModuleIdentity m_identity;
+    Known m_known;
+    std::optional<Known> m_candidate;  ///< what a reply that contradicted said
+    Allowance m_position;
+    Allowance m_home;
+    Allowance m_homing;
+    Allowance m_sticky;
+    Allowance m_motion;  ///< PIC-STEP: it may have started since the last reply
+    std::optional<TimePoint> m_jerk;
+};
+
+}  // namespace nmc::bus

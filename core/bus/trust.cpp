@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "bus/trust.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// Which bits permit something when they are set, and which when they are clear.
+struct Meaning {
+    std::uint8_t whenSet = 0;
+    std::uint8_t whenClear = 0;
+
+    [[nodiscard]] std::uint8_t permits(std::uint8_t bits) const {
+        return static_cast<std::uint8_t>((bits & whenSet) | (~bits & whenClear));
+    }
+    /// The bits with everything withheld that is not granted.
+    [[nodiscard]] std::uint8_t withhold(std::uint8_t bits, std::uint8_t granted) const {
+        const unsigned without = bits & ~(unsigned{whenSet} & ~unsigned{granted});
+        return static_cast<std::uint8_t>(without | (unsigned{whenClear} & ~unsigned{granted}));
+    }
+};
+
+constexpr Meaning kServoStatus{0x01 | 0x08, 0x20 | 0x40 | 0x80};  // move_done, power; limits, homing
+constexpr Meaning kStepStatus{0x08, 0x01 | 0x80};                 // power; moving, homing
+constexpr Meaning kStepInputs{0x00, 0x01 | 0x08 | 0x10};          // E-stop, limits
+constexpr std::uint8_t kStandstill = 0x01;                        // both chips' bit 0 tells
+
+[[nodiscard]] Meaning statusMeaning(ModuleType type) {
+    switch (type) {
+        case ModuleType::Servo:
+            return kServoStatus;
+        case ModuleType::Step:
+            return kStepStatus;
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return {};
+}
+
+[[nodiscard]] Meaning auxMeaning(ModuleType type) {
+    return type == ModuleType::Step ? kStepInputs : Meaning{};
+}
+
+}  // namespace
+
+Trust::Permits Trust::permitsOf(const StatusReport& report) const {
+    Permits permits;
+    permits.status = statusMeaning(m_type).permits(report.status);
+    // Inputs that were not asked for say nothing new.
+    permits.aux = report.aux ? auxMeaning(m_type).permits(*report.aux) : m_granted.aux;
+    return permits;
+}
+
+std::optional<StatusReport> Trust::confirm(const StatusReport& report) {
+    const Permits now = permitsOf(report);
+    const std::size_t length = replyLength(m_type, report.items);
+    const bool second = m_last && m_last->length != length;
+    const auto grant = [&](std::uint8_t granted, std::uint8_t asked, std::uint8_t before) {
+        const unsigned confirmed = second ? unsigned{before} : 0U;
+        return static_cast<std::uint8_t>(asked & (granted | confirmed));
+    };
+    const Permits last = m_last ? m_last->permits : Permits{};
+    m_granted.status = grant(m_granted.status, now.status, last.status);
+    m_granted.aux = grant(m_granted.aux, now.aux, last.aux);
+    m_last = Last{now, length};
+    if (std::exchange(m_first, false))
+        return std::nullopt;
+    StatusReport trusted = report;
+    trusted.status = statusMeaning(m_type).withhold(report.status, m_granted.status);
+    if (report.aux)
+        trusted.aux = auxMeaning(m_type).withhold(*report.aux, m_granted.aux);
+    return trusted;
+}
+
+void Trust::expectMotion() {
+    m_granted.status &= static_cast<std::uint8_t>(~kStandstill);
+    m_last.reset();
+}
+
+}  // namespace nmc::bus

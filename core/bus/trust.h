@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// Asymmetric trust (link.md 2.4): one reply is enough to warn or to stop, two in a row and of different
+/// length are needed to permit. What permits is: stands still, power is on, a limit or the E-stop input is
+/// released, homing is over. Until the second reply such a bit is passed on as it was. One object per module.
+/// Pure.
+class Trust {
+public:
+    explicit Trust(ModuleType type) : m_type(type) {}
+
+    /// The report as it may be believed and shown; nothing for the first of all, which alone permits nothing.
+    [[nodiscard]] std::optional<StatusReport> confirm(const StatusReport& report);
+    /// The next reply does not follow the last one without a doubt in between.
+    void interrupt() { m_last.reset(); }
+    /// A command that may move the motor goes out: that it stands still has to be shown anew.
+    void expectMotion();
+
+private:
+    struct Permits {
+        std::uint8_t status = 0;
+        std::uint8_t aux = 0;
+    };
+    struct Last {
+        Permits permits;
+        std::size_t length = 0;
+    };
+    [[nodiscard]] Permits permitsOf(const StatusReport& report) const;
+
+    ModuleType m_type;
+    bool m_first = true;
+    Permits m_granted;
+    std::optional<Last> m_last;
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "bus/verification.h"
+
+#include <cstdlib>
+
+namespace nmc::bus {
+
+namespace {
+
+/// Two positions of a motor that stands still, in counts: a servo works within its friction.
+constexpr std::int64_t kSame = 4;
+/// A reset position differs from what was before by more, or it cannot be told.
+constexpr std::int64_t kTellsApart = 10 * kSame;
+
+[[nodiscard]] bool near(std::int64_t a, std::int64_t b) {
+    return std::abs(a - b) <= kSame;
+}
+
+struct Look {
+    const Belief& belief;
+    const Verification& verification;
+
+    Carried operator()(const StartMotion&) const {
+        if (belief.mayMove())
+            return Carried::Out;
+        const bool moved =
+            belief.position() && verification.position && !near(*belief.position(), *verification.position);
+        if (moved)
+            return Carried::Out;
+        // Not carried out, or a move of no length: the module's own word decides.
+        return verification.end.result == ReplyResult::Refused ? Carried::NotOut : Carried::Unknown;
+    }
+    Carried operator()(const ResetPosition&) const {
+        if (belief.mayMove() || !belief.position() || !verification.position)
+            return Carried::Unknown;
+        if (std::abs(std::int64_t{*verification.position}) < kTellsApart)
+            return Carried::NotOut;  // close to 0 either way: once more does no harm
+        if (near(*belief.position(), 0))
+            return Carried::Out;
+        return near(*belief.position(), *verification.position) ? Carried::NotOut : Carried::Unknown;
+    }
+    Carried operator()(const SaveAsHome&) const {
+        if (!belief.home() || !belief.position())
+            return Carried::Unknown;
+        if (near(*belief.home(), *belief.position()))
+            return Carried::Out;
+        return belief.mayMove() ? Carried::Unknown : Carried::NotOut;
+    }
+    Carried operator()(const servo::ClearStickyBits&) const {
+        return belief.anySticky() ? Carried::NotOut : Carried::Out;
+    }
+    template <typename Other>
+    Carried operator()(const Other&) const {
+        return Carried::Unknown;
+    }
+};
+
+struct CanLook {
+    bool operator()(const StartMotion&) const { return true; }
+    bool operator()(const ResetPosition&) const { return true; }
+    bool operator()(const SaveAsHome&) const { return true; }
+    bool operator()(const servo::ClearStickyBits&) const { return true; }
+    template <typename Other>
+    bool operator()(const Other&) const {
+        return false;
+    }
+};
+
+}  // namespace
+
+bool canVerify(const ModuleCommand& command) {
+    return std::visit([](const auto& chip) { return std::visit(CanLook{}, chip); }, command);
+}
+
+Carried verify(const Step& step, const Belief& belief, const Verification& verification) {
+    return std::visit(
+        [&](const auto& chip) {
+            return std::visit(Look{belief, verification}, chip);
+        },
+        step.command);
+}
+
+}  // namespace nmc::bus
