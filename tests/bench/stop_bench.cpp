@@ -151,7 +151,6 @@ private:
     /// In a thread that is not the GUI's: at a moment that is not in step with anything.
     void requested(const std::function<void()>& request) {
         std::this_thread::sleep_for(std::chrono::microseconds(m_phase(m_random)));
-        (void)m_chain.takePackets();
         m_requested = monotonicNow();
         request();
     }
