@@ -2,6 +2,7 @@
 #include "app/composition.h"
 
 #include <QApplication>
+#include <QDateTime>
 #include <QWindow>
 
 #include "link/clock.h"
@@ -27,6 +28,17 @@ std::vector<ModuleIdentity> simulatedChain(const QString& port) {
     const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
     // The command line has checked what a user typed; the window offers only the default.
     return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
+}
+
+/// A session that begins now.
+PacketSession packetSession(const QString& port) {
+    PacketSession session;
+    session.program = "NMC Panel " + QCoreApplication::applicationVersion().toStdString();
+    session.startedAt = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+    session.port = port.toStdString();
+    session.simulated = isSimulator(port);
+    session.zero = monotonicNow();
+    return session;
 }
 
 /// Where the settings remember how long the chain at a port was.
@@ -113,6 +125,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
+    connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
     // The end of the session: at once, while the program may still run, and without a question.
@@ -162,6 +175,7 @@ void Composition::openNow(const Target& target) {
     m_window.endMessage(texts::key::port());
     m_window.endMessage(texts::key::link());
     m_store.begin(port, isSimulator(port), target.baud);
+    m_window.beginPackets(packetSession(port));
     m_worker.open(std::move(factory), config);
     m_frameTimer.start();
     m_figuresTimer.start();
@@ -217,6 +231,7 @@ void Composition::clearTrip(const QString& key) {
 }
 
 void Composition::showFrame() {
+    m_window.showPackets(m_worker.takeRecords());
     const auto selected = m_window.selectedModule();
     if (!selected)
         return;
@@ -303,6 +318,7 @@ void Composition::told(const bus::MotionSuspect& suspect) {
 }
 
 void Composition::told(const PortClosed& closed) {
+    m_window.showPackets(m_worker.takeRecords());
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});

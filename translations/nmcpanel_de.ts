@@ -210,14 +210,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Über NMC Panel</translation>
     </message>
     <message>
-        <source>Networ&amp;k</source>
-        <translation>Netz&amp;werk</translation>
-    </message>
-    <message>
-        <source>Network</source>
-        <translation>Netzwerk</translation>
-    </message>
-    <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
@@ -1073,6 +1065,174 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Modul ist von selbst neu gestartet: Sein Motor ist aus; Position, Reglerwerte und Adresse sind verloren, bis das Netzwerk neu gestartet wird.</translation>
     </message>
     <message>
+        <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
+        <translation>alle Bytes sind 00 oder alle FF, wie auf einer Leitung, die auf Low oder High gehalten wird</translation>
+    </message>
+    <message>
+        <source>more bytes than were asked for</source>
+        <translation>mehr Bytes als angefordert</translation>
+    </message>
+    <message>
+        <source>type or version is not that of this module</source>
+        <translation>Typ oder Version sind nicht die dieses Moduls</translation>
+    </message>
+    <message>
+        <source>a bit that the data sheet leaves open has changed</source>
+        <translation>ein Bit, das das Datenblatt offen lässt, hat sich geändert</translation>
+    </message>
+    <message>
+        <source>homing began without a command</source>
+        <translation>Referenzsuche begann ohne Befehl</translation>
+    </message>
+    <message>
+        <source>home register changed without a command</source>
+        <translation>Home-Register änderte sich ohne Befehl</translation>
+    </message>
+    <message>
+        <source>position is farther from the last one than the velocities allow</source>
+        <translation>Position ist weiter von der vorigen entfernt, als die Geschwindigkeiten erlauben</translation>
+    </message>
+    <message>
+        <source>velocity changed faster than a motor can</source>
+        <translation>Geschwindigkeit änderte sich schneller, als ein Motor kann</translation>
+    </message>
+    <message>
+        <source>servo is off, but pos_error or move_done is not set</source>
+        <translation>Servo ist aus, aber pos_error oder move_done ist nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>servo is on without motor power</source>
+        <translation>Servo ist ohne Motorversorgung ein</translation>
+    </message>
+    <message>
+        <source>slew_done is set without accel_done</source>
+        <translation>slew_done ist ohne accel_done gesetzt</translation>
+    </message>
+    <message>
+        <source>a sticky bit was cleared without a command</source>
+        <translation>ein Sticky-Bit wurde ohne Befehl gelöscht</translation>
+    </message>
+    <message>
+        <source>velocity and trapezoidal mode at once</source>
+        <translation>Geschwindigkeits- und Trapezmodus zugleich</translation>
+    </message>
+    <message>
+        <source>moving without power or amplifier</source>
+        <translation>Bewegung ohne Versorgung oder Verstärker</translation>
+    </message>
+    <message>
+        <source>position changed although the motor was stopped</source>
+        <translation>Position änderte sich, obwohl der Motor stand</translation>
+    </message>
+    <message>
+        <source>timer count of a moving motor is outside 1 to 65 452</source>
+        <translation>Timerwert eines laufenden Motors liegt außerhalb von 1 bis 65 452</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>module refused: checksum</source>
+        <translation>vom Modul abgewiesen: Prüfsumme</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>too few bytes</source>
+        <translation>zu wenige Bytes</translation>
+    </message>
+    <message>
+        <source>wrong sum</source>
+        <translation>falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation>verworfen: %1</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>abandoned for a stop</source>
+        <translation>für einen Stopp abgebrochen</translation>
+    </message>
+    <message>
+        <source>no answer expected</source>
+        <translation>keine Antwort erwartet</translation>
+    </message>
+    <message>
+        <source>bytes although no answer was expected</source>
+        <translation>Bytes, obwohl keine Antwort erwartet wurde</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>Verbindungsaufbau</translation>
+    </message>
+    <message>
+        <source>poll</source>
+        <translation>Abfrage</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>held motion</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>challenge</source>
+        <translation>Gegenprobe</translation>
+    </message>
+    <message>
+        <source>flush</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Address %1</source>
+        <translation>Adresse %1</translation>
+    </message>
+    <message>
+        <source>SIMULATED SESSION: no hardware was connected.</source>
+        <translation>SIMULIERTE SITZUNG: es war keine Hardware angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Packets of %1 on %2, seconds since %3</source>
+        <translation>Pakete von %1 an %2, Sekunden seit %3</translation>
+    </message>
+    <message>
+        <source>%1 older exchanges are not in this file.</source>
+        <translation>%1 ältere Übertragungen sind nicht in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>Exchanges before this one were not recorded.</source>
+        <translation>Übertragungen vor dieser wurden nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 exchanges saved to %2.</source>
+        <translation>%1 Übertragungen in %2 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2. Choose another folder, or make room.</source>
+        <translation>%1 konnte nicht geschrieben werden: %2. Einen anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
         <source>looking for modules</source>
         <translation>suche Module</translation>
     </message>
@@ -1320,6 +1480,77 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>Antwort des Simulators</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CounterTable</name>
+    <message>
+        <source>Counters of the link</source>
+        <translation>Zähler der Verbindung</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Since the chain was found</source>
+        <translation>Seit die Kette gefunden wurde</translation>
+    </message>
+    <message>
+        <source>sent: commands that asked for an answer</source>
+        <translation>gesendet: Befehle, die eine Antwort verlangten</translation>
+    </message>
+    <message>
+        <source>accepted: answers that were believed</source>
+        <translation>angenommen: Antworten, denen geglaubt wurde</translation>
+    </message>
+    <message>
+        <source>mean round trip, from sending a command to its whole answer</source>
+        <translation>mittlere Antwortzeit, vom Senden eines Befehls bis zu seiner ganzen Antwort</translation>
+    </message>
+    <message>
+        <source>longest round trip</source>
+        <translation>längste Antwortzeit</translation>
+    </message>
+    <message>
+        <source>retried: commands that were sent again</source>
+        <translation>wiederholt: Befehle, die noch einmal gesendet wurden</translation>
+    </message>
+    <message>
+        <source>time-outs: no answer, or too few bytes</source>
+        <translation>Zeitüberschreitungen: keine Antwort oder zu wenige Bytes</translation>
+    </message>
+    <message>
+        <source>refused by the module: the command reached it with a wrong checksum</source>
+        <translation>vom Modul abgewiesen: der Befehl erreichte es mit falscher Prüfsumme</translation>
+    </message>
+    <message>
+        <source>wrong sums: the answer was damaged on its way</source>
+        <translation>falsche Prüfsummen: die Antwort wurde unterwegs beschädigt</translation>
+    </message>
+    <message>
+        <source>surplus bytes: nobody had asked for them</source>
+        <translation>überzählige Bytes: niemand hatte sie angefordert</translation>
+    </message>
+    <message>
+        <source>of them stale: discarded while late answers were waited out</source>
+        <translation>davon veraltet: verworfen, während späte Antworten abgewartet wurden</translation>
+    </message>
+    <message>
+        <source>resyncs: the link had to prove itself again</source>
+        <translation>Neuabgleiche: die Verbindung musste sich neu beweisen</translation>
+    </message>
+    <message>
+        <source>rejected by a rule: the sum was right, but the answer was not believed</source>
+        <translation>durch eine Regel verworfen: die Prüfsumme stimmte, aber der Antwort wurde nicht geglaubt</translation>
+    </message>
+    <message>
+        <source>  of them: %1</source>
+        <translation>  davon: %1</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
@@ -2083,6 +2314,175 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1 needs a whole number.</source>
         <translation>%1 braucht eine ganze Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PacketModel</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Sent to</source>
+        <translation>Gesendet an</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Zweck</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PacketMonitor</name>
+    <message>
+        <source>Packet monitor</source>
+        <translation>Paketmonitor</translation>
+    </message>
+    <message>
+        <source>Packets of which module</source>
+        <translation>Pakete welches Moduls</translation>
+    </message>
+    <message>
+        <source>Shows the packets of one module only (Ctrl+M).</source>
+        <translation>Zeigt nur die Pakete eines Moduls (Strg+M).</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Alle Module</translation>
+    </message>
+    <message>
+        <source>Packets of which kind</source>
+        <translation>Pakete welcher Art</translation>
+    </message>
+    <message>
+        <source>Shows packets of one kind only (Ctrl+T).</source>
+        <translation>Zeigt nur Pakete einer Art (Strg+T).</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>Polls</source>
+        <translation>Abfragen</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stopps</translation>
+    </message>
+    <message>
+        <source>Connecting and link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Nur Fehler</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stops recording; what is shown stays (%1).</source>
+        <translation>Hält die Aufzeichnung an; das Gezeigte bleibt (%1).</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Forgets the packets shown so far (%1).</source>
+        <translation>Vergisst die bisher gezeigten Pakete (%1).</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected rows as text, or all when none is selected (%1).</source>
+        <translation>Kopiert die gewählten Zeilen als Text, oder alle, wenn keine gewählt ist (%1).</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Saves everything recorded as a text, or as a log that can be replayed (%1).</source>
+        <translation>Speichert alles Aufgezeichnete als Text oder als Protokoll, das wieder abgespielt werden kann (%1).</translation>
+    </message>
+    <message>
+        <source>Packets and counters</source>
+        <translation>Pakete und Zähler</translation>
+    </message>
+    <message>
+        <source>Packets</source>
+        <translation>Pakete</translation>
+    </message>
+    <message>
+        <source>Counters</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Save packets</source>
+        <translation>Pakete speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Replayable log (*%1)</source>
+        <translation>Abspielbares Protokoll (*%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shown</source>
+        <translation>%1 von %2 gezeigt</translation>
+    </message>
+    <message>
+        <source>%1, %2 older dropped</source>
+        <translation>%1, %2 ältere verworfen</translation>
+    </message>
+    <message>
+        <source>%1, paused</source>
+        <translation>%1, angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PacketView</name>
+    <message>
+        <source>Packets, the newest last</source>
+        <translation>Pakete, die neuesten zuletzt</translation>
+    </message>
+    <message>
+        <source>No packets. Every exchange is recorded while this can be seen.</source>
+        <translation>Keine Pakete. Jede Übertragung wird aufgezeichnet, solange dies zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>No packet of this module and kind has been recorded.</source>
+        <translation>Kein Paket dieses Moduls und dieser Art wurde aufgezeichnet.</translation>
     </message>
 </context>
 <context>

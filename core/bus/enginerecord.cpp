@@ -70,9 +70,9 @@ void Engine::Private::recordUnanswered() {
         entry.sent = entry.ended = sent.sent;
         const bool nulls =
             std::all_of(sent.bytes.begin(), sent.bytes.end(), [](std::uint8_t b) { return b == 0; });
-        entry.purpose = nulls                           ? Purpose::Flush
-                        : m_phase == Phase::Discovering ? Purpose::Connect
-                                                        : Purpose::Stop;
+        entry.purpose = m_phase == Phase::Discovering ? Purpose::Connect
+                        : nulls                       ? Purpose::Flush
+                                                      : Purpose::Stop;
         entry.baud = line.baud();
         entry.command = std::move(sent.bytes);
         entry.end = ExchangeEnd::NotAsked;

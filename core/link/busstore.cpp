@@ -64,6 +64,7 @@ LinkFigures BusStore::pullFigures(TimePoint now) {
                 1e3 * toSeconds(statistics.roundTripSum - m_lastStatistics.roundTripSum) / answered;
     }
     figures.errors = statistics.errors();
+    figures.counters = statistics;
     m_lastStatistics = statistics;
     m_lastPull = now;
     return figures;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <utility>
 
 #include "link/clock.h"
 #include "link/crashburst.h"
@@ -16,6 +17,8 @@ namespace {
 /// What the GUI may fall behind before the oldest samples are dropped: a minute at the wire's limit.
 constexpr std::size_t kEventCapacity = 1U << 17U;
 constexpr std::size_t kRequestCapacity = 1'024;
+/// Half a minute of exchanges at the wire's limit.
+constexpr std::size_t kRecordCapacity = 1U << 14U;
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
 /// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
@@ -35,7 +38,11 @@ bool descriptorsLeft() {
 }  // namespace
 
 BusWorker::BusWorker(QObject* parent)
-    : QObject(parent), m_asleepSoFar(asleepSoFar), m_requests(kRequestCapacity), m_events(kEventCapacity) {
+    : QObject(parent),
+      m_asleepSoFar(asleepSoFar),
+      m_requests(kRequestCapacity),
+      m_events(kEventCapacity),
+      m_records(kRecordCapacity) {
     m_beatTimer.setInterval(std::chrono::duration_cast<std::chrono::milliseconds>(Heartbeat::kInterval));
     connect(&m_beatTimer, &QTimer::timeout, this, &BusWorker::beat);
 }
@@ -48,6 +55,7 @@ BusWorker::~BusWorker() {
 void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     joinThread();
     (void)m_requests.takeAll();
+    (void)m_records.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
     if (!descriptorsLeft()) {
@@ -101,6 +109,10 @@ void BusWorker::control(std::string line) {
     ask(ControlLine{std::move(line)});
 }
 
+void BusWorker::setRecording(bool on) {
+    m_recording = on;
+}
+
 std::vector<WorkerEvent> BusWorker::takeEvents() {
     std::vector<WorkerEvent> events = m_events.takeAll();
     for (const WorkerEvent& event : events)
@@ -123,6 +135,8 @@ void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& co
     }
     post(PortOpened{});
     bus::Engine engine(config);
+    m_engineRecords = false;
+    record(engine);
     engine.connect(monotonicNow());
     converse(*transport, engine);
     crashburst::disarm();
@@ -148,6 +162,7 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         const bool stopped = publish(engine);
         if (stopped && std::exchange(m_restartWhenStopped, false))
             engine.restart(now);
+        record(engine);
         if (closeBy && (stopped || now >= *closeBy)) {
             post(PortClosed{});
             return;
@@ -246,6 +261,15 @@ bool BusWorker::publish(bus::Engine& engine) {
 void BusWorker::beat() {
     if (const auto gap = m_heartbeat.beat(monotonicNow()); gap && isOpen())
         post(PanelFroze{gap->length, gap->stopped});
+}
+
+void BusWorker::record(bus::Engine& engine) {
+    if (m_engineRecords)
+        for (bus::ExchangeRecord& exchange : engine.takeRecords())
+            m_records.push(std::move(exchange));
+    const bool wanted = m_recording.load(std::memory_order_relaxed);
+    if (wanted != std::exchange(m_engineRecords, wanted))
+        engine.setRecording(wanted);
 }
 
 void BusWorker::post(WorkerEvent event) {

@@ -88,10 +88,16 @@ public:
     /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
     /// neither hears nor answers it.
     void control(std::string line);
+    /// Records every exchange from now on, of this connection and the next ones, for takeRecords(); off at
+    /// first.
+    void setRecording(bool on);
 
     /// Everything since the last call, oldest first.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
     [[nodiscard]] bus::LinkStatistics statistics() const;
+    /// The exchanges recorded since the last call, oldest first; when too many wait, the oldest are gone,
+    /// which shows in their numbers. Nothing announces them: whoever shows them asks at his own pace.
+    [[nodiscard]] std::vector<bus::ExchangeRecord> takeRecords() { return m_records.takeAll(); }
 
     /// For tests: tells how long the machine has been suspended so far, in the bus thread. Before open().
     void setSleepClock(std::function<Duration()> clock) { m_asleepSoFar = std::move(clock); }
@@ -124,6 +130,7 @@ private:
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
     void beat();
+    void record(bus::Engine& engine);
     void post(WorkerEvent event);
     void ask(Request request);
     void joinThread();
@@ -139,6 +146,9 @@ private:
     bool m_restartWhenStopped = false;  ///< bus thread
     BoundedQueue<Request> m_requests;
     BoundedQueue<WorkerEvent> m_events;
+    std::atomic<bool> m_recording{false};
+    bool m_engineRecords = false;  ///< bus thread: what the engine has been told
+    BoundedQueue<bus::ExchangeRecord> m_records;
     mutable std::mutex m_statisticsMutex;
     bus::LinkStatistics m_statistics;
 };

@@ -30,6 +30,7 @@ struct LinkFigures {
     double errorsPerSecond = 0;
     std::uint64_t errors = 0;  ///< since the connection was made
     double meanRoundTripMs = 0;
+    bus::LinkStatistics counters{};  ///< behind these figures, since the chain was found
 };
 
 }  // namespace nmc

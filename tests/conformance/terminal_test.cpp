@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hosts do to a terminal besides talking, in real time.
+// What hosts do to a terminal besides talking. Time is stepped: no scheduler can upset it.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <array>
+#include <cstdlib>
 #include <fstream>
-#include <thread>
+#include <optional>
 
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
@@ -21,43 +25,82 @@ const Bytes kNop{0xAA, 0x01, 0x0E, 0x0F};
 const Bytes kSetAddress{0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21};
 const Bytes kIdle{0x19, 0x19};
 
-void pause(int ms) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(ms));
-}
+constexpr int kPatienceMs = 10'000;
 
-/// What is answered, up to `count` bytes; a tenth of a second of silence is the end.
-Bytes answer(Port& port, const Bytes& command, std::size_t count = 2) {
-    port.flush();
-    port.write(command);
-    Bytes all;
-    while (all.size() < count) {
-        const Bytes more = port.read(count - all.size(), 100);
-        if (more.empty())
-            break;
-        all.insert(all.end(), more.begin(), more.end());
+/// nmcsim with its time stepped, and a host that opens its terminal, writes, reads, hangs up and comes back.
+class Host {
+public:
+    explicit Host(const std::vector<std::string>& options = {})
+        : sim("servo", withStepped(options)), m_port(sim.terminal()) {}
+
+    SimProcess sim;
+
+    [[nodiscard]] speed_t rate() const { return m_port->rate(); }
+    void setRate(speed_t rate) {
+        m_port->setRate(rate);
+        sim.control("time");  // the simulator looks at the rate before it answers
     }
-    return all;
-}
+    void hangUp() { m_port.reset(); }
+    void comeBack() { m_port.emplace(sim.terminal()); }
 
-/// As hosts do it: with nulls, and again when there was no answer.
-bool answers(Port& port, const Bytes& command, const Bytes& wanted = kIdle) {
-    for (int i = 0; i < 20; ++i) {
-        if (answer(port, command, wanted.size()) == wanted)
-            return true;
-        port.write(Bytes(30, 0));
-        pause(50);
+    /// The simulator has the bytes; they leave when time passes.
+    void write(const Bytes& bytes) {
+        m_port->write(bytes);
+        m_written += bytes.size();
+        while (sim.control("time")["received"] < m_written) {
+        }
     }
-    return false;
-}
+    void pass(double seconds) { sim.control("advance " + std::to_string(seconds)); }
 
-void waitUntilHeard(SimProcess& sim, std::size_t bytes) {
-    while (sim.control("time")["received"] < bytes)
-        pause(1);
-}
+    /// All that is answered within a tenth of a second.
+    Bytes answer(const Bytes& command) {
+        const std::size_t before = sim.control("time")["sent"];
+        write(command);
+        pass(0.1);
+        Bytes all;
+        for (std::size_t coming = sim.control("time")["sent"].get<std::size_t>() - before; coming > 0;) {
+            const Bytes more = m_port->read(coming, kPatienceMs);
+            if (more.empty())
+                throw std::runtime_error("the terminal lost bytes");
+            all.insert(all.end(), more.begin(), more.end());
+            coming -= more.size();
+        }
+        return all;
+    }
+    /// As hosts do it: with nulls, and again when there was no answer.
+    bool answers(const Bytes& command, const Bytes& wanted = kIdle) {
+        for (int i = 0; i < 3; ++i) {
+            if (answer(command) == wanted)
+                return true;
+            answer(Bytes(30, 0));
+        }
+        return false;
+    }
+    /// Throws away whatever came unread: until the answer to `command` is the last that there is.
+    bool answersAfterAFlood(const Bytes& command, const Bytes& wanted = kIdle) {
+        for (int i = 0; i < 1000; ++i) {
+            m_port->flush();
+            write(command);
+            pass(0.1);
+            if (m_port->read(kPatienceMs, kPatienceMs) == wanted)
+                return true;
+        }
+        return false;
+    }
 
-unsigned nops(SimProcess& sim) {
-    return sim.control("stats")["modules"][0]["executed"].value("nop", 0U);
-}
+    unsigned nops() { return sim.control("stats")["modules"][0]["executed"].value("nop", 0U); }
+    /// Bytes that were heard wrong.
+    unsigned garbled() { return sim.control("stats")["modules"][0]["bytes_garbled"]; }
+
+private:
+    static std::vector<std::string> withStepped(std::vector<std::string> options) {
+        options.emplace_back("--stepped");
+        return options;
+    }
+
+    std::optional<Port> m_port;
+    std::size_t m_written = 0;
+};
 
 /// Resident memory in bytes.
 std::size_t memory(const SimProcess& sim) {
@@ -66,92 +109,119 @@ std::size_t memory(const SimProcess& sim) {
     return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
+/// A pipe with a name, for what a process says on standard error.
+class NamedPipe {
+public:
+    NamedPipe() : m_path(testing::TempDir() + "nmc-said-" + std::to_string(::getpid())) {
+        ::unlink(m_path.c_str());
+        if (::mkfifo(m_path.c_str(), S_IRUSR | S_IWUSR) != 0)
+            throw std::runtime_error("mkfifo");
+        m_fd = ::open(m_path.c_str(), O_RDWR | O_CLOEXEC);
+    }
+    ~NamedPipe() {
+        ::close(m_fd);
+        ::unlink(m_path.c_str());
+    }
+    NamedPipe(const NamedPipe&) = delete;
+    NamedPipe& operator=(const NamedPipe&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    /// Reads until the words have come; false when nothing more is said for a minute.
+    bool waitUntilSaid(const std::string& words) {
+        while (m_said.find(words) == std::string::npos) {
+            pollfd readable{m_fd, POLLIN, 0};
+            std::array<char, 512> buffer{};
+            if (::poll(&readable, 1, 60'000) != 1)
+                return false;
+            const auto got = ::read(m_fd, buffer.data(), buffer.size());
+            if (got <= 0)
+                return false;
+            m_said.append(buffer.data(), static_cast<std::size_t>(got));
+        }
+        return true;
+    }
+
+private:
+    std::string m_path;
+    std::string m_said;
+    int m_fd = -1;
+};
+
 TEST(Terminal, AHostThatNeverSetsARateIsUnderstood) {
-    SimProcess sim("servo");
-    Port port(sim.terminal());
-    EXPECT_EQ(port.rate(), speed_t{B19200});
-    EXPECT_TRUE(answers(port, kSetAddress));
-    EXPECT_EQ(sim.control("stats")["modules"][0]["bytes_garbled"], 0);
+    Host host;
+    EXPECT_EQ(host.rate(), speed_t{B19200});
+    EXPECT_TRUE(host.answers(kSetAddress));
+    EXPECT_EQ(host.garbled(), 0U);
 }
 
 TEST(Terminal, AHostThatChooses38400IsTakenAtItsWord) {
-    SimProcess sim("servo");
-    Port port(sim.terminal());
-    ASSERT_TRUE(answers(port, kSetAddress));
-    port.setRate(B38400);
-    EXPECT_TRUE(answer(port, kNop).empty()) << "the module is at 19 200 Bd";
-    port.setRate(B19200);
-    ASSERT_TRUE(answers(port, kNop));
-    port.write({0xAA, 0xFF, 0x1A, 32, 0x39});
-    port.setRate(B38400);
-    pause(20);
-    EXPECT_TRUE(answers(port, kNop));
-    EXPECT_EQ(sim.state(1)["baud"], 37'879) << "1 250 000 / 33";
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
+    host.setRate(B38400);
+    EXPECT_TRUE(host.answer(kNop).empty()) << "the module is at 19 200 Bd";
+    host.setRate(B19200);
+    ASSERT_TRUE(host.answers(kNop));
+    host.write({0xAA, 0xFF, 0x1A, 32, 0x39});
+    host.setRate(B38400);
+    host.pass(0.02);
+    EXPECT_TRUE(host.answers(kNop));
+    EXPECT_EQ(host.sim.state(1)["baud"], 37'879) << "1 250 000 / 33";
 }
 
 TEST(Terminal, ANewRateIsNoticedWithoutABytesHelp) {
-    SimProcess sim("servo");
-    Port port(sim.terminal());
-    ASSERT_TRUE(answers(port, kSetAddress));
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
     // Nothing but Set Baud at 115 200 Bd, and back at once.
-    port.write({0xAA, 0xFF, 0x1A, 10, 0x23});
-    port.setRate(B115200);
-    pause(200);
-    EXPECT_EQ(sim.state(1)["baud"], 113'636);
-    port.write({0xAA, 0xFF, 0x1A, 63, 0x58});
-    port.setRate(B19200);
-    pause(50);
-    EXPECT_TRUE(answers(port, kNop));
-    EXPECT_EQ(sim.control("stats")["modules"][0]["bytes_garbled"], 0);
+    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.setRate(B115200);
+    host.pass(0.2);
+    EXPECT_EQ(host.sim.state(1)["baud"], 113'636);
+    host.write({0xAA, 0xFF, 0x1A, 63, 0x58});
+    host.setRate(B19200);
+    host.pass(0.05);
+    EXPECT_TRUE(host.answers(kNop));
+    EXPECT_EQ(host.garbled(), 0U);
 }
 
 TEST(Terminal, AHostMayCloseItAndComeBack) {
-    SimProcess sim("servo");
-    {
-        Port port(sim.terminal());
-        ASSERT_TRUE(answers(port, kSetAddress));
-        port.write({0xAA, 0xFF, 0x1A, 10, 0x23});
-        port.setRate(B115200);
-        pause(20);
-        ASSERT_TRUE(answers(port, kNop));
-    }
-    Port port(sim.terminal());
-    EXPECT_EQ(port.rate(), speed_t{B115200}) << "as a terminal keeps it";
-    EXPECT_TRUE(answers(port, kNop));
-    EXPECT_EQ(sim.state(1)["address"], 1);
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
+    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.setRate(B115200);
+    host.pass(0.02);
+    ASSERT_TRUE(host.answers(kNop));
+    host.hangUp();
+    host.comeBack();
+    EXPECT_EQ(host.rate(), speed_t{B115200}) << "as a terminal keeps it";
+    EXPECT_TRUE(host.answers(kNop));
+    EXPECT_EQ(host.sim.state(1)["address"], 1);
 }
 
 TEST(Terminal, BytesThatAreStillLeavingKeepTheRateTheyWereWrittenAt) {
-    SimProcess sim("servo");
-    Port port(sim.terminal());
-    ASSERT_TRUE(answers(port, kSetAddress));
-    const std::size_t before = sim.control("time")["received"];
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
     // 500 nulls are 260 ms at 19 200 Bd; read they are at once.
     Bytes bytes(500, 0);
     bytes.insert(bytes.end(), kNop.begin(), kNop.end());
-    port.write(bytes);
-    waitUntilHeard(sim, before + bytes.size());
-    port.setRate(B115200);
-    for (int i = 0; i < 100 && nops(sim) == 0; ++i)
-        pause(20);
-    EXPECT_EQ(nops(sim), 1U);
-    port.setRate(B19200);
-    EXPECT_TRUE(answers(port, kNop));
+    host.write(bytes);
+    host.setRate(B115200);
+    host.pass(0.2);
+    EXPECT_EQ(host.nops(), 0U);
+    host.pass(0.1);
+    EXPECT_EQ(host.nops(), 1U);
+    host.setRate(B19200);
+    EXPECT_TRUE(host.answersAfterAFlood(kNop));
 }
 
 TEST(Terminal, AHostThatHangsUpInAPacketLeavesAModuleThatWaitsForTheRest) {
-    SimProcess sim("servo");
-    {
-        Port port(sim.terminal());
-        ASSERT_TRUE(answers(port, kSetAddress));
-        const std::size_t before = sim.control("time")["received"];
-        port.write({0xAA, 0x01, 0x74});
-        waitUntilHeard(sim, before + 3);
-    }
-    Port port(sim.terminal());
-    EXPECT_TRUE(answer(port, kNop).empty()) << "four of the eight bytes that are wanted";
-    EXPECT_TRUE(answers(port, kNop));
-    EXPECT_EQ(sim.control("stats")["modules"][0]["executed"].contains("load_trajectory"), false);
+    Host host;
+    ASSERT_TRUE(host.answers(kSetAddress));
+    host.write({0xAA, 0x01, 0x74});
+    host.hangUp();
+    host.comeBack();
+    EXPECT_TRUE(host.answer(kNop).empty()) << "four of the eight bytes that are wanted";
+    EXPECT_TRUE(host.answers(kNop));
+    EXPECT_EQ(host.sim.control("stats")["modules"][0]["executed"].contains("load_trajectory"), false);
 }
 
 TEST(Terminal, AMegabyteOfRepliesThatNobodyReadsHarmsNothing) {
@@ -159,26 +229,22 @@ TEST(Terminal, AMegabyteOfRepliesThatNobodyReadsHarmsNothing) {
     const Bytes query{0xAA, 0x01, 0x13, 0x3F, 0x53, 0, 0};
     constexpr unsigned kQueries = 65'536;  // of 16 bytes each
     constexpr unsigned kAtOnce = 2'048;
-    SimProcess sim("servo", {"--unpaced", "--speed", "1000"});
-    Port port(sim.terminal());
-    ASSERT_TRUE(answers(port, kSetAddress));
+    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=1", 0);  // which would be memory as well
+    Host host({"--unpaced"});
+    ASSERT_TRUE(host.answers(kSetAddress));
     Bytes queries;
     for (unsigned i = 0; i < kAtOnce; ++i)
         queries.insert(queries.end(), query.begin(), query.end());
     std::size_t before = 0;
     for (unsigned asked = 0; asked < kQueries; asked += kAtOnce) {
-        const std::size_t wanted = sim.control("stats")["bytes_in"].get<std::size_t>() + queries.size();
-        port.write(queries);
-        while (sim.control("stats")["bytes_in"] < wanted)
-            pause(1);
+        host.write(queries);
+        host.pass(0.53e-3 * static_cast<double>(queries.size()));
         if (asked == 0)
-            before = memory(sim);
+            before = memory(host.sim);
     }
-    EXPECT_GE(sim.control("time")["sent"], 1'000'000);
-    EXPECT_LT(memory(sim), before + 2'000'000);
-    port.flush();
-    pause(50);
-    EXPECT_TRUE(answers(port, kNop));
+    EXPECT_GE(host.sim.control("time")["sent"], 1'000'000);
+    EXPECT_LT(memory(host.sim), before + 2'000'000);
+    EXPECT_TRUE(host.answersAfterAFlood(kNop));
 }
 
 Bytes command(unsigned address, unsigned code, const Bytes& data) {
@@ -198,34 +264,30 @@ TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     std::string chain = "servo";
     for (int i = 1; i < kServos; ++i)
         chain += ",servo";
-    const std::string errors = testing::TempDir() + "nmc-lag-" + std::to_string(::getpid());
-    SimProcess sim(chain, {"--speed", "1000"}, errors);
-    const auto said = [&] {
-        std::ifstream file(errors);
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    };
-    const auto waitUntilSaid = [&](const char* words) {
-        for (int i = 0; i < 6'000 && said().find(words) == std::string::npos; ++i)
-            pause(10);
-        return said().find(words) != std::string::npos;
-    };
+    NamedPipe errors;
+    SimProcess sim(chain, {"--speed", "1000"}, errors.path());
     Port port(sim.terminal());
-    for (std::uint8_t i = 1; sim.state(kServos)["address"] == 0; ++i)
-        answer(port, command(0, 0x21, {i, 0xFF}));
-    // To all: gains, amplifier and servo on, velocity mode.
-    for (const Bytes& bytes :
-         {command(0xFF, 0xE6, {200, 0, 0xD0, 7, 0, 0, 0, 0, 255, 0, 0xFF, 0x3F, 1, 0}),
-          command(0xFF, 0x17, {0x05}), command(0xFF, 0x94, {0xB6, 0, 0, 5, 0, 0, 1, 0, 0})}) {
-        port.write(bytes);
-        pause(50);
+    for (int i = 1; i <= kServos; ++i) {
+        port.write(command(0, 0x21, {static_cast<std::uint8_t>(i), 0xFF}));
+        while (sim.state(i)["address"] == 0) {
+        }
     }
-    EXPECT_TRUE(waitUntilSaid("s behind real time; use fewer modules or a lower --speed.\n"));
+    // To all: gains, amplifier and servo on, velocity mode.
+    const std::array<std::pair<const char*, Bytes>, 3> toAll{
+        {{"set_gain", command(0xFF, 0xE6, {200, 0, 0xD0, 7, 0, 0, 0, 0, 255, 0, 0xFF, 0x3F, 1, 0})},
+         {"stop_motor", command(0xFF, 0x17, {0x05})},
+         {"load_trajectory", command(0xFF, 0x94, {0xB6, 0, 0, 5, 0, 0, 1, 0, 0})}}};
+    for (const auto& [name, bytes] : toAll) {
+        port.write(bytes);
+        while (!sim.control("stats")["modules"][kServos - 1]["executed"].contains(name)) {
+        }
+    }
+    EXPECT_TRUE(errors.waitUntilSaid("s behind real time; use fewer modules or a lower --speed.\n"));
     const double before = sim.control("time")["time"];
     for (int i = 1; i <= kServos; ++i)
         EXPECT_TRUE(sim.control("set " + std::to_string(i) + " power 0")["ok"]);
     EXPECT_GT(sim.control("time")["time"], before);
-    EXPECT_TRUE(waitUntilSaid("nmcsim: caught up with real time.\n"));
-    ::unlink(errors.c_str());
+    EXPECT_TRUE(errors.waitUntilSaid("nmcsim: caught up with real time.\n"));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "link/simulatortransport.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
@@ -119,6 +121,37 @@ TEST(BusWorker, RestartFindsTheChainAnew) {
     EXPECT_FALSE(connection.module(0).gains.has_value()) << "a restarted module has lost them";
 }
 
+TEST(BusWorker, RecordsNothingUnlessAsked) {
+    Connection connection;
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    EXPECT_TRUE(connection.worker().takeRecords().empty());
+}
+
+TEST(BusWorker, RecordsEveryExchangeWhileAsked) {
+    Connection connection;
+    connection.worker().setRecording(true);
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    std::vector<bus::ExchangeRecord> records = connection.worker().takeRecords();
+    ASSERT_FALSE(records.empty());
+    EXPECT_EQ(records.front().number, 1U) << "the first packet of the connection is there";
+    EXPECT_EQ(records.front().purpose, bus::Purpose::Connect);
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    records = connection.worker().takeRecords();
+    const auto gains = [](const bus::ExchangeRecord& r) {
+        return r.command.size() > 2 && r.command[2] == 0xE6;
+    };
+    EXPECT_EQ(std::count_if(records.begin(), records.end(), gains), 1);
+    // Off: what is under way may still come, and nothing after it.
+    connection.worker().setRecording(false);
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    (void)connection.worker().takeRecords();
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    EXPECT_TRUE(connection.worker().takeRecords().empty());
+}
+
 TEST(BusStore, FiguresAreRatesSinceTheLastPull) {
     Connection connection;
     connection.open(simulator(1));
@@ -132,6 +165,7 @@ TEST(BusStore, FiguresAreRatesSinceTheLastPull) {
     EXPECT_GE(figures.exchangesPerSecond, static_cast<double>(least) / 2.0 - 1.0);
     EXPECT_GT(figures.meanRoundTripMs, 0.0);
     EXPECT_EQ(figures.errors, 0U);
+    EXPECT_GE(figures.counters.answered, before + 30);
 }
 
 }  // namespace

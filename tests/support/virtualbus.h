@@ -40,6 +40,7 @@ public:
     TimePoint now{};
     std::vector<bus::Event> events;
     std::vector<Sent> sent;
+    std::uint32_t hostBaud = 19'200;  ///< what the engine has set the port to
     /// Bytes reach the host this much later: the latency of a serial adapter.
     Duration adapterDelay{};
     /// Changes what goes to the chain; emptied means lost.
@@ -48,6 +49,10 @@ public:
     std::function<bool(ByteSpan command)> losesReply;
     /// Asked for each byte to the host: true loses it.
     std::function<bool(std::uint8_t byte)> losesByte;
+    /// May change a byte on its way to the host, and says how often it arrives there.
+    std::function<unsigned(std::uint8_t& byte)> onHostByte;
+    /// Called whenever time has passed, before the engine hears of it.
+    std::function<void()> onTime;
 
     void runFor(Duration time) { run(now + time); }
 
@@ -184,9 +189,13 @@ private:
         }
         now = std::max(now, next);
         chain.advanceTo(now);
-        for (const sim::HostByte& byte : chain.takeHostBytes())
-            if (!m_losesReply && (!losesByte || !losesByte(byte.value)))
+        if (onTime)
+            onTime();
+        for (sim::HostByte& byte : chain.takeHostBytes()) {
+            const bool lost = m_losesReply || (losesByte && losesByte(byte.value));
+            for (unsigned n = lost ? 0 : onHostByte ? onHostByte(byte.value) : 1; n > 0; --n)
                 m_arriving.push_back({byte.due + adapterDelay, byte.value});
+        }
         std::vector<std::uint8_t> bytes;
         for (; !m_arriving.empty() && m_arriving.front().due <= now; m_arriving.pop_front())
             bytes.push_back(m_arriving.front().value);
@@ -211,6 +220,7 @@ private:
 
     void carryOut(bus::Output& output) {
         if (const auto* rate = std::get_if<bus::SetHostBaud>(&output)) {
+            hostBaud = rate->baud;
             chain.setHostBaud(rate->baud);
         } else if (auto* send = std::get_if<bus::Send>(&output)) {
             sent.push_back({now, send->bytes});

@@ -14,8 +14,10 @@ namespace {
 
 class Controls : public WindowTest {
 protected:
-    /// With the simulator's dock, which has controls of its own.
+    /// With the simulator's dock and the packet monitor's, which have controls of their own.
     void showSimulatedServo() {
+        find(u"monitorDock"_s)->show();
+        find(u"monitorDock"_s)->raise();
         LinkState link = connectedTo({Servo{}.state()});
         link.simulated = true;
         window->showLink(link);
@@ -33,7 +35,7 @@ protected:
             bool ours = !widget->objectName().startsWith(u"qt_"_s);
             for (const QWidget* p = widget->parentWidget(); p != nullptr; p = p->parentWidget())
                 ours = ours && !p->inherits("QComboBoxPrivateContainer") && !p->inherits("QComboBox") &&
-                       !p->inherits("QTabBar") && !p->inherits("QMenuBar");
+                       !p->inherits("QTabBar") && !p->inherits("QMenuBar") && !p->inherits("QTableView");
             if (operates && ours)
                 found << widget;
         }
@@ -108,6 +110,17 @@ TEST_F(Controls, EachDockHasAMenuEntry) {
         toggle->trigger();
         EXPECT_TRUE(find(dock)->isVisible());
     }
+}
+
+TEST_F(Controls, TheMonitorsDockIsClosedAtFirstAndHasAMenuEntry) {
+    QAction* toggle = window->findChild<QAction*>(u"monitorDockAction"_s);
+    ASSERT_NE(toggle, nullptr);
+    EXPECT_FALSE(find(u"monitorDock"_s)->isVisible());
+    toggle->trigger();
+    EXPECT_TRUE(find(u"monitorDock"_s)->isVisible());
+    window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
+    EXPECT_FALSE(find(u"monitorDock"_s)->isVisible());
+    EXPECT_TRUE(find(u"messagesDock"_s)->isVisible());
 }
 
 TEST_F(Controls, HelpSaysToFitAHardwareStop) {

@@ -6,12 +6,15 @@
 #include <QStringList>
 #include <optional>
 
+#include "bus/exchangerecord.h"
 #include "bus/types.h"
 #include "link/linktypes.h"
 #include "model/modulestate.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
+
+struct PacketSession;
 
 /// Something to tell the user: one cause, whose repeats are counted under its key (interface.md, "Words").
 struct Message {
@@ -100,6 +103,20 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] QString simulatorDid(const QString& line);
 [[nodiscard]] QString simulatorRefused(const QString& line);
 [[nodiscard]] QString simulatorTold(const QString& line);
+
+// ---- the packet monitor ----
+/// What became of an exchange; a rejected one says why.
+[[nodiscard]] QString verdict(const bus::ExchangeRecord& record);
+/// Why a reply with a right sum was not believed; finishes "rejected: ".
+[[nodiscard]] QString rejection(bus::Rejection rejection);
+[[nodiscard]] QString purpose(bus::Purpose purpose);
+/// "Module 1", "Group FF", "Address 3", or a dash.
+[[nodiscard]] QString packetTarget(const bus::ExchangeRecord& record);
+/// What stands above the lines of a saved text.
+[[nodiscard]] QString packetTextHead(const PacketSession& session, quint64 dropped);
+[[nodiscard]] QString packetGap();
+[[nodiscard]] QString packetsSaved(const QString& path, quint64 exchanges);
+[[nodiscard]] QString packetsNotSaved(const QString& path, const QString& reason);
 
 // ---- the command line ----
 [[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);

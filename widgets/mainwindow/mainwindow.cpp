@@ -20,8 +20,10 @@
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
+#include "widgets/mainwindow/monitorplace.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
+#include "widgets/monitor/packetmonitor.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/panels/servopanel.h"
 #include "widgets/scope/scopepanel.h"
@@ -59,7 +61,12 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent) : QMainWindow(paren
     showSafetyOnce();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The field that has the focus loses it on the way out and tells what was typed into it. By then this is
+    // no main window any more.
+    for (QObject* child : findChildren<QObject*>())
+        child->disconnect(this);
+}
 
 void MainWindow::buildTop() {
     // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
@@ -128,6 +135,9 @@ void MainWindow::buildDocks() {
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
     resizeDocks({scope}, {em * 28}, Qt::Vertical);
     addSimulatorDock();
+    m_monitor = new PacketMonitor(this);
+    placeMonitor(*this, *m_monitor, *messages, *scope);
+    m_docks.append(m_monitor);
 }
 
 void MainWindow::addSimulatorDock() {
@@ -173,6 +183,7 @@ void MainWindow::connectParts() {
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
+    connect(m_monitor, &PacketMonitor::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
@@ -201,6 +212,7 @@ void MainWindow::showLink(const LinkState& state) {
     m_linkBar->showLink(state);
     m_chain->showLink(state);
     m_simulator->showLink(state);
+    m_monitor->showLink(state);
     showSelected();
 }
 
@@ -261,6 +273,15 @@ std::optional<ModuleIndex> MainWindow::selectedModule() const {
 
 void MainWindow::showFigures(const LinkFigures& figures) {
     m_linkBar->showFigures(figures);
+    m_monitor->showFigures(figures);
+}
+
+void MainWindow::beginPackets(const PacketSession& session) {
+    m_monitor->begin(session);
+}
+
+void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
+    m_monitor->showPackets(std::move(records));
 }
 
 void MainWindow::showHistory(const ModuleHistory& history, TimePoint now) {
@@ -419,7 +440,7 @@ void MainWindow::saveLayout() {
 void MainWindow::resetLayout() {
     restoreState(m_firstState);
     for (QDockWidget* dock : m_docks)
-        dock->show();
+        dock->setVisible(dock != m_monitor);  // which is closed at first
     m_simulator->setWanted(true);
 }
 

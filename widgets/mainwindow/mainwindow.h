@@ -9,6 +9,7 @@
 #include "link/linktypes.h"
 #include "model/intent.h"
 #include "model/linkstate.h"
+#include "model/packetlog.h"
 #include "model/series.h"
 #include "widgets/common/texts.h"
 
@@ -24,6 +25,7 @@ class ConnectionBar;
 class LinkBar;
 class MessageList;
 class ModulePanel;
+class PacketMonitor;
 class ScopePanel;
 class SimulatorDock;
 
@@ -54,6 +56,10 @@ public:
     void showStopResult(const bus::StopFinished& finished);
     /// The built-in simulator's answer, in JSON, to a line of simulatorLineEntered().
     void showSimulatorAnswer(const QString& line, const QByteArray& json);
+    /// A connection is being opened: the packet monitor forgets the one before.
+    void beginPackets(const PacketSession& session);
+    /// What was recorded since the last call, once a frame while packetRecordingWanted().
+    void showPackets(std::vector<bus::ExchangeRecord> records);
     /// How often a held button says so; 100 ms.
     void setHoldInterval(int milliseconds);
 
@@ -79,6 +85,8 @@ signals:
     void holdReleased();
     /// A control line for the built-in simulator; only while attached to it.
     void simulatorLineEntered(const QString& line);
+    /// The packet monitor wants every exchange from now on, or no more.
+    void packetRecordingWanted(bool wanted);
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
@@ -127,6 +135,7 @@ private:
     ScopePanel* m_scope = nullptr;
     MessageList* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
+    PacketMonitor* m_monitor = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy

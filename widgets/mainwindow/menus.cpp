@@ -59,15 +59,13 @@ QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
 void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& docks) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
+    QObject::connect(add(file, Menus::tr("&Restart the network: positions and gains are lost…"),
+                         u"restartNetworkAction"_s),
+                     &QAction::triggered, &window, &MainWindow::askBeforeRestart);
+    file->addSeparator();
     QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
-
-    QMenu* network = bar.addMenu(Menus::tr("Networ&k"));
-    look::name(network, u"networkMenu"_s, Menus::tr("Network"));
-    QObject::connect(add(network, Menus::tr("&Restart the network: positions and gains are lost…"),
-                         u"restartNetworkAction"_s),
-                     &QAction::triggered, &window, &MainWindow::askBeforeRestart);
 
     QMenu* view = bar.addMenu(Menus::tr("&View"));
     look::name(view, u"viewMenu"_s, Menus::tr("View"));

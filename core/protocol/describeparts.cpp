@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/describeparts.h"
+
+#include <array>
+#include <charconv>
+
+namespace nmc::describe {
+
+namespace {
+
+/// A 16.16 fixed-point number with six significant digits.
+std::string fixedPoint(std::uint32_t value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(),
+                                   static_cast<double>(value) / 65'536.0, std::chars_format::general, 6);
+    return {text.data(), end.ptr};
+}
+
+std::string number(std::string_view name, std::int64_t value) {
+    return std::string(name) + ' ' + std::to_string(value);
+}
+
+std::string_view amplifier(bool enabled) {
+    return enabled ? "amplifier on" : "amplifier off";
+}
+
+}  // namespace
+
+Phrases& Phrases::add(std::string_view phrase) {
+    if (!m_text.empty())
+        m_text += m_separator;
+    m_text += phrase;
+    return *this;
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
+}
+
+std::string servoTrajectory(const servo::LoadTrajectory& load) {
+    Phrases phrases;
+    if (load.position)
+        phrases.add(number("position", load.position->value()));
+    if (load.velocity)
+        phrases.add("velocity " + fixedPoint(load.velocity->value()));
+    if (load.acceleration)
+        phrases.add("acceleration " + fixedPoint(load.acceleration->value()));
+    if (load.pwm)
+        phrases.add(number("PWM", *load.pwm));
+    const bool trapezoidal = load.profile == servo::ProfileMode::Trapezoidal;
+    phrases.add(!load.servo ? "PWM mode" : trapezoidal ? "trapezoidal" : "velocity mode");
+    return phrases.addIf(load.reverse, "reverse").addIf(load.startNow, "start now").text();
+}
+
+std::string servoGains(const servo::SetGain& gains) {
+    Phrases phrases;
+    phrases.add(number("Kp", gains.kp)).add(number("Kd", gains.kd)).add(number("Ki", gains.ki));
+    phrases.add(number("IL", gains.il)).add(number("OL", gains.ol)).add(number("CL", gains.cl));
+    phrases.add(number("EL", gains.el)).add(number("SR", gains.sr));
+    if (gains.db)
+        phrases.add(number("DB", *gains.db));
+    return phrases.text();
+}
+
+std::string servoStop(const servo::StopMotor& stop) {
+    Phrases phrases;
+    switch (stop.manner) {
+        case servo::StopManner::AmplifierOnly:
+            break;
+        case servo::StopManner::MotorOff:
+            phrases.add("motor off");
+            break;
+        case servo::StopManner::Abruptly:
+            phrases.add("stop abruptly");
+            break;
+        case servo::StopManner::Smoothly:
+            phrases.add("stop smoothly");
+            break;
+        case servo::StopManner::Here:
+            phrases.add(number("stop here, position", stop.here.value()));
+            break;
+    }
+    return phrases.add(amplifier(stop.amplifierEnable)).text();
+}
+
+std::string servoIo(const servo::IoControl& io) {
+    const auto pin = [](bool input, bool output) {
+        return input ? "input" : output ? "output 1" : "output 0";
+    };
+    return Phrases()
+        .add(std::string("limit1 ") + pin(io.limit1IsInput, io.limit1Output))
+        .add(std::string("limit2 ") + pin(io.limit2IsInput, io.limit2Output))
+        .text();
+}
+
+std::string servoHoming(const servo::SetHoming& homing) {
+    Phrases phrases;
+    phrases.addIf(homing.onLimit1Change, "change of limit1").addIf(homing.onLimit2Change, "change of limit2");
+    phrases.addIf(homing.onIndexChange, "change of index").addIf(homing.onPositionError, "position error");
+    phrases.addIf(homing.onCurrentLimit, "current limiting").addIf(homing.motorOff, "motor off");
+    phrases.addIf(homing.stopAbruptly, "stop abruptly").addIf(homing.stopSmoothly, "stop smoothly");
+    return phrases.empty() ? "cancel" : phrases.text();
+}
+
+std::string stepTrajectory(const step::LoadTrajectory& load) {
+    Phrases phrases;
+    if (load.position)
+        phrases.add(number("position", load.position->value()));
+    if (load.speed)
+        phrases.add(number("speed", *load.speed));
+    if (load.accelerationTime)
+        phrases.add(number("acceleration time", *load.accelerationTime));
+    if (load.timer) {
+        phrases.add(number("timer count", load.timer->count));
+        phrases.add(number("nearest speed", load.timer->nearestSpeed));
+    }
+    phrases.addIf(load.reverse, "reverse").addIf(load.startNow, "start now");
+    return phrases.empty() ? "nothing loaded" : phrases.text();
+}
+
+std::string stepParameters(const step::SetParameters& parameters) {
+    Phrases phrases;
+    switch (parameters.speedMode) {
+        case step::SpeedMode::X8:
+            phrases.add("8x");
+            break;
+        case step::SpeedMode::X4:
+            phrases.add("4x");
+            break;
+        case step::SpeedMode::X2:
+            phrases.add("2x");
+            break;
+        case step::SpeedMode::X1:
+            phrases.add("1x");
+            break;
+    }
+    phrases.addIf(parameters.ignoreLimits, "ignore limits").addIf(parameters.ignoreEstop, "ignore E-stop");
+    phrases.addIf(parameters.motorOffOnLimitOrEstop, "motor off on limit or E-stop");
+    phrases.add(number("minimum profile speed", parameters.minimumProfileSpeed));
+    phrases.add(number("run current", parameters.runCurrent))
+        .add(number("hold current", parameters.holdCurrent));
+    return phrases.add(number("thermal limit", parameters.thermalLimit)).text();
+}
+
+std::string stepStop(const step::StopMotor& stop) {
+    Phrases phrases;
+    switch (stop.manner) {
+        case step::StopManner::AmplifierOnly:
+            break;
+        case step::StopManner::Abruptly:
+            phrases.add("stop abruptly");
+            break;
+        case step::StopManner::Smoothly:
+            phrases.add("stop smoothly");
+            break;
+    }
+    return phrases.add(amplifier(stop.amplifierEnable)).text();
+}
+
+std::string stepOutputs(const step::SetOutputs& outputs) {
+    static constexpr std::array<std::string_view, 5> kNames{"OUT1", "OUT2", "OUT3", "OUT4", "OUT5"};
+    Phrases phrases;
+    for (unsigned i = 0; i < kNames.size(); ++i)
+        phrases.addIf((outputs.outputs & (1U << i)) != 0, kNames[i]);
+    return phrases.empty() ? "all low" : phrases.text() + " high";
+}
+
+std::string stepHoming(const step::SetHoming& homing) {
+    Phrases phrases;
+    phrases.addIf(homing.onLimit1Change, "change of limit1").addIf(homing.onLimit2Change, "change of limit2");
+    phrases.addIf(homing.onHomeSwitchChange, "change of home switch").addIf(homing.motorOff, "motor off");
+    phrases.addIf(homing.stopAbruptly, "stop abruptly").addIf(homing.stopSmoothly, "stop smoothly");
+    return phrases.empty() ? "cancel" : phrases.text();
+}
+
+}  // namespace nmc::describe

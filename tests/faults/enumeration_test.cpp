@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Thirty-two modules, and one fault at one byte while they are given their addresses: unique addresses and
+// the right count, or a refusal. Every byte of every packet and of every reply with NMC_ENUMERATION_STRIDE=1
+// (scripts/test nightly), every so many in the other tiers.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "tests/faults/faultybus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+
+constexpr std::uint8_t kModules = 32;
+
+enum class Damage : std::uint8_t { Drop, Dup, Flip };
+enum class Way : std::uint8_t { ToModules, ToHost };
+
+struct Case {
+    Damage damage;
+    Way way;
+    bool restart;
+
+    friend void PrintTo(const Case& c, std::ostream* stream) {
+        static constexpr std::array kDamages{"Drop", "Dup", "Flip"};
+        *stream << kDamages.at(static_cast<std::size_t>(c.damage))
+                << (c.way == Way::ToModules ? "ToModules" : "ToHost")
+                << (c.restart ? "AtRestart" : "AtConnect");
+    }
+};
+
+[[nodiscard]] std::size_t stride() {
+    const char* text = std::getenv("NMC_ENUMERATION_STRIDE");
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : 3;
+}
+
+/// A chain that is looked for, with the damage done to the byte of that number; none beyond the last.
+class Attempt {
+public:
+    Attempt(const Case& c, std::size_t strikeAt) : m_strikeAt(strikeAt) {
+        if (c.way == Way::ToModules)
+            bus.onCommand = [this, &c](std::vector<std::uint8_t>& command) {
+                std::vector<std::uint8_t> arrives;
+                for (std::uint8_t byte : command) {
+                    const unsigned copies = damaged(c.damage, byte);
+                    arrives.insert(arrives.end(), copies, byte);
+                }
+                command = arrives;
+            };
+        else
+            bus.onHostByte = [this, &c](std::uint8_t& byte) { return damaged(c.damage, byte); };
+        found = c.restart ? bus.restart() : bus.connect();
+    }
+
+    FaultyBus bus{servos(kModules)};
+    bool found = false;
+    std::size_t bytes = 0;
+
+private:
+    unsigned damaged(Damage damage, std::uint8_t& byte) {
+        if (bytes++ != m_strikeAt)
+            return 1;
+        if (damage == Damage::Flip)
+            byte = static_cast<std::uint8_t>(byte ^ (1U << m_strikeAt % 8));
+        return damage == Damage::Drop ? 0 : damage == Damage::Dup ? 2 : 1;
+    }
+
+    std::size_t m_strikeAt;
+};
+
+void expectUniqueAddresses(Attempt& attempt) {
+    std::set<int> addresses;
+    for (std::uint8_t i = 0; i < kModules; ++i)
+        addresses.insert(attempt.bus.chain.snapshot(ModuleIndex(i), attempt.bus.now).address);
+    EXPECT_EQ(addresses.size(), std::size_t{kModules});
+    EXPECT_EQ(*addresses.begin(), 1);
+    EXPECT_EQ(*addresses.rbegin(), int{kModules});
+    const auto found = attempt.bus.last<ChainFound>();
+    ASSERT_EQ(found->modules.size(), std::size_t{kModules});
+    for (const ModuleInfo& info : found->modules) {
+        EXPECT_EQ(info.address.value(), attempt.bus.chain.snapshot(info.index, attempt.bus.now).address);
+        EXPECT_EQ(info.identity, (ModuleIdentity{ModuleType::Servo, 4}));
+    }
+}
+
+class Enumeration : public testing::TestWithParam<Case> {};
+
+TEST_P(Enumeration, GivesUniqueAddressesOrRefuses) {
+    const std::size_t bytes = Attempt(GetParam(), SIZE_MAX).bytes;
+    ASSERT_GT(bytes, 100U);
+    unsigned tried = 0;
+    unsigned refused = 0;
+    for (std::size_t at = 0; at < bytes && !HasFailure(); at += stride()) {
+        SCOPED_TRACE("byte " + std::to_string(at));
+        Attempt attempt(GetParam(), at);
+        ++tried;
+        if (attempt.found) {
+            expectUniqueAddresses(attempt);
+        } else {
+            ++refused;
+            EXPECT_EQ(attempt.bus.count<ConnectFailed>(), 1U) << "neither found nor refused";
+        }
+    }
+    std::printf("%zu bytes, %u tried, %u refused\n", bytes, tried, refused);
+    EXPECT_LE(refused, tried / 4) << "one wrong byte is no reason to give up";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneByte, Enumeration,
+    testing::Values(Case{Damage::Drop, Way::ToModules, false}, Case{Damage::Drop, Way::ToModules, true},
+                    Case{Damage::Dup, Way::ToModules, false}, Case{Damage::Dup, Way::ToModules, true},
+                    Case{Damage::Flip, Way::ToModules, false}, Case{Damage::Flip, Way::ToModules, true},
+                    Case{Damage::Drop, Way::ToHost, false}, Case{Damage::Drop, Way::ToHost, true},
+                    Case{Damage::Dup, Way::ToHost, false}, Case{Damage::Dup, Way::ToHost, true},
+                    Case{Damage::Flip, Way::ToHost, false}, Case{Damage::Flip, Way::ToHost, true}),
+    testing::PrintToStringParamName());
+
+}  // namespace
+
+}  // namespace nmc::test

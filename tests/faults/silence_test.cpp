@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// F-10 to F-14, F-18 to F-20: nobody answers, or not in time, or always the same.
+#include <gtest/gtest.h>
+
+#include "tests/faults/faultybus.h"
+#include "tests/faults/truth.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t kFast = 115'200;
+constexpr std::uint32_t kOnePerTick = 65'536;
+
+/// Packets to stop something since the given entry: a stop may go to one module or to all.
+[[nodiscard]] std::size_t stops(const FaultyBus& bus, std::size_t from) {
+    std::size_t n = 0;
+    for (std::size_t i = from; i < bus.sent.size(); ++i)
+        n += codeOf(bus.sent[i].bytes) == CommandCode::StopMotor ? 1U : 0U;
+    return n;
+}
+
+[[nodiscard]] bool turns(FaultyBus& bus, std::uint8_t module) {
+    if (!bus.connectAndEnable() ||
+        bus.perform({loadVelocity(module, 2 * kOnePerTick, true)}) != Outcome::Done)
+        return false;
+    bus.runFor(500ms);
+    return bus.servo(module).commandVelocity > 1.9;
+}
+
+[[nodiscard]] bool becomesLost(FaultyBus& bus) {
+    return bus.runUntil([&] { return bus.count<LinkLost>() > 0 || bus.health() == LinkHealth::Lost; }, 10s);
+}
+
+// ---- F-10: one module ----
+
+TEST(F10_ModuleSilent, CostsTheOthersLessThanATenth) {
+    FaultyBus bus(servos(3), kFast);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    std::size_t before = bus.samplesOf(0) + bus.samplesOf(2);
+    bus.runFor(5s);
+    const std::size_t inHealth = bus.samplesOf(0) + bus.samplesOf(2) - before;
+    bus.fault("module 2 silent");
+    bus.runFor(5s);
+    const auto silences = bus.all<ModuleSilence>();
+    ASSERT_EQ(silences.size(), 1U);
+    EXPECT_EQ(silences[0].module, ModuleIndex(1));
+    EXPECT_TRUE(silences[0].silent);
+    before = bus.samplesOf(0) + bus.samplesOf(2);
+    bus.runFor(5s);
+    EXPECT_GT(bus.samplesOf(0) + bus.samplesOf(2) - before, inHealth * 9 / 10);
+    EXPECT_NE(bus.health(), LinkHealth::Lost) << "two of three answer";
+}
+
+TEST(F10_ModuleSilent, IsAskedOnceASecondAtMost) {
+    FaultyBus bus(servos(3), kFast);
+    ASSERT_TRUE(bus.connect());
+    bus.fault("module 2 silent");
+    bus.runFor(10s);
+    const std::size_t from = bus.sent.size();
+    bus.runFor(10s);
+    EXPECT_LE(bus.sends("AA 02", from), 11U);
+    EXPECT_GE(bus.sends("AA 02", from), 1U);
+    bus.expectOnlyQuestions(from);
+}
+
+TEST(F10_ModuleSilent, IsOfferedAStopAndNamedByIt) {
+    FaultyBus bus(servos(3), kFast);
+    ASSERT_TRUE(turns(bus, 1));
+    bus.fault("module 2 silent");
+    bus.runFor(3s);
+    EXPECT_EQ(bus.engine.stopReach(), 2U);
+    const auto stop = bus.stopAll();
+    ASSERT_TRUE(stop);
+    EXPECT_EQ(stop->unreached, std::vector{ModuleIndex(1)});
+    EXPECT_TRUE(bus.stands(1)) << "it hears, and does not answer";
+}
+
+// ---- F-11, F-19, F-20: all of them ----
+
+TEST(F11_BusSilent, IsToldOnceAndAskedRarely) {
+    FaultyBus bus(servos(3), kFast);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    bus.fault("bus silent");
+    ASSERT_TRUE(becomesLost(bus));
+    const std::size_t samples = bus.count<Sample>();
+    bus.runFor(10s);
+    const std::size_t from = bus.sent.size();
+    bus.runFor(20s);
+    EXPECT_LE(bus.packets(from), 21U);
+    EXPECT_EQ(bus.count<Sample>(), samples);
+    EXPECT_EQ(bus.count<LinkLost>(), 1U);
+    // That they answer again moves nothing.
+    bus.clearFaults();
+    bus.runFor(5s);
+    bus.expectOnlyQuestions(from);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    EXPECT_GT(bus.count<Sample>(), samples + 100);
+}
+
+TEST(F11_BusSilent, GoesOnStoppingForFiveSeconds) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(turns(bus, 0));
+    bus.fault("bus silent");
+    ASSERT_TRUE(becomesLost(bus));
+    const std::size_t from = bus.sent.size();
+    bus.runFor(6s);
+    EXPECT_GE(stops(bus, from), 9U) << "every half second for five seconds";
+    const std::size_t later = bus.sent.size();
+    bus.runFor(10s);
+    EXPECT_EQ(stops(bus, later), 0U);
+    bus.engine.stopAll(bus.now);
+    bus.runFor(3s);
+    EXPECT_GT(stops(bus, later), 0U) << "on demand it is sent all the same";
+}
+
+/// Time-outs alone, without a single answer: F-19's motors must not go on.
+TEST(F19_ReceiveLineCut, StopsTheMotorsAllTheSame) {
+    FaultyBus bus(servos(3), kFast);
+    ASSERT_TRUE(turns(bus, 1));
+    bus.fault("bus mute rx");
+    ASSERT_TRUE(becomesLost(bus));
+    bus.runFor(1s);
+    EXPECT_TRUE(bus.stands(1));
+}
+
+TEST(F19_ReceiveLineCut, LetsAStopThroughThatReportsNobody) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(turns(bus, 0));
+    bus.fault("bus mute rx");
+    const auto stop = bus.stopAll();
+    ASSERT_TRUE(stop);
+    EXPECT_TRUE(stop->stopped.empty());
+    EXPECT_EQ(stop->unreached.size(), 2U);
+    EXPECT_TRUE(bus.stands(0));
+}
+
+/// Here nothing helps but the hardware stop, and nothing may say otherwise.
+TEST(F20_TransmitLineCut, NeverClaimsAStop) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(turns(bus, 0));
+    bus.fault("bus mute tx");
+    const auto stop = bus.stopAll();
+    ASSERT_TRUE(stop);
+    EXPECT_FALSE(FaultyBus::stopped(*stop, 0));
+    EXPECT_EQ(stop->unreached.size(), 2U);
+    EXPECT_FALSE(bus.stands(0));
+    ASSERT_TRUE(becomesLost(bus));
+    const std::size_t samples = bus.count<Sample>();
+    bus.runFor(5s);
+    EXPECT_EQ(bus.count<Sample>(), samples);
+}
+
+// ---- F-12 ----
+
+TEST(F12_SameFrameForEver, WhileMovingStopsTheModule) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(turns(bus, 0));
+    const std::size_t samples = bus.samplesOf(0);
+    bus.fault("module 1 stuck");
+    ASSERT_TRUE(bus.runUntil([&] { return bus.motionSuspects(0) > 0; }, 2s));
+    // One frame of each layout is the one that is repeated; then more than five alike.
+    EXPECT_LE(bus.samplesOf(0), samples + 9);
+    EXPECT_EQ(bus.last<MotionSuspect>()->reason, MotionSuspect::Reason::Frozen);
+    bus.runFor(500ms);
+    EXPECT_TRUE(bus.stands(0));
+    EXPECT_EQ(bus.motionSuspects(1), 0U);
+}
+
+TEST(F12_SameFrameForEver, IsNoConcernAtStandstill) {
+    FaultyBus bus(servos(1), kFast);
+    ASSERT_TRUE(bus.connectAndEnable());
+    bus.runFor(200ms);
+    bus.fault("module 1 stuck");
+    bus.runFor(3s);
+    EXPECT_EQ(bus.motionSuspects(0), 0U);
+}
+
+// ---- F-13, F-14 ----
+
+/// Two servos on the move, at different places: a reply that is taken for another's is seen at once.
+void askWhileRepliesAreLate(Truth& truth, FaultyBus& bus, Duration time) {
+    const TimePoint end = bus.now + time;
+    for (std::int32_t way = 1'500; bus.now < end; way = -way) {
+        bus.submit({loadMove(0, way), start(0)});
+        bus.submit({loadMove(1, Truth::placeOf(1) - way), start(1)});
+        bus.runFor(1s);
+        truth.look();
+    }
+}
+
+TEST(F13_LateReply, IsNeverTakenForTheAnswerToTheNextCommand) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(bus.connectAndEnable());
+    ASSERT_TRUE(Truth::spreadOut(bus));
+    Truth truth(bus);
+    // 1.05 to 5 times the time-out of a poll: 16 ms with this adapter's latency and margin.
+    bus.fault("bus delay status p=.01 t=17ms..80ms");
+    askWhileRepliesAreLate(truth, bus, 60s);
+    EXPECT_GT(bus.struck(), 100U);
+    EXPECT_GT(bus.engine.statistics().staleBytes, 500U) << "they are counted as what they are";
+    truth.expectAllTrue();
+}
+
+TEST(F14_ReplyLaterThanTheQuarantine, IsHardlyEverBelievedAndPermitsNothing) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(bus.connectAndEnable());
+    ASSERT_TRUE(Truth::spreadOut(bus));
+    Truth truth(bus);
+    bus.fault("bus delay status p=.01 t=100ms..200ms");
+    askWhileRepliesAreLate(truth, bus, 60s);
+    EXPECT_GT(bus.struck(), 50U);
+    EXPECT_LE(truth.wrong() * 1'000, truth.samples() * 3) << truth.first();
+    EXPECT_EQ(truth.wrongPermissions(), 0U) << truth.first();
+}
+
+// ---- F-18 ----
+
+TEST(F18_LineHeldLow, MakesNoSample) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(500ms);
+    bus.fault("bus break status for=2s");
+    bus.runFor(20ms);  // what was under way
+    const std::size_t samples = bus.count<Sample>();
+    bus.runFor(1900ms);
+    EXPECT_EQ(bus.count<Sample>(), samples);
+    EXPECT_GT(bus.engine.statistics().rejections[static_cast<std::size_t>(Rejection::Uniform)], 0U)
+        << "the sum of zeros is zero";
+}
+
+TEST(F18_LineHeldLow, IsNamedWhenConnecting) {
+    FaultyBus bus(servos(2));
+    bus.fault("bus break status");
+    EXPECT_FALSE(bus.connect());
+    ASSERT_EQ(bus.count<ConnectFailed>(), 1U);
+    EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::HeldLow);
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a packet log, and as packets: a log that is read is read the same again after it was written,
+// every other is refused with a sentence, and whatever the bytes are, something is said of them.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "model/packetfile.h"
+#include "protocol/describe.h"
+
+namespace {
+
+void require(bool condition) {
+    if (!condition)
+        std::abort();
+}
+
+void readAgain(const nmc::PacketFile& file) {
+    nmc::PacketLog log;
+    log.begin(file.session);
+    for (const nmc::PacketEntry& entry : file.entries) {
+        if (entry.afterGap)
+            log.interrupt();
+        log.append(entry.record);
+    }
+    const std::string text = nmc::writePacketFile(log);
+    const auto again = nmc::parsePacketFile(text);
+    require(again.has_value() && again->entries.size() == file.entries.size());
+    for (std::size_t i = 0; i < file.entries.size(); ++i) {
+        require(again->entries[i].afterGap == file.entries[i].afterGap);
+        require(again->entries[i].record.command == file.entries[i].record.command);
+        require(again->entries[i].record.reply == file.entries[i].record.reply);
+        require(again->entries[i].record.sent == file.entries[i].record.sent);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const nmc::ByteSpan bytes(data, size);
+    const std::string text(bytes.begin(), bytes.end());
+    if (const auto file = nmc::parsePacketFile(text))
+        readAgain(*file);
+    else
+        require(file.error().ends_with('.'));
+    const nmc::StatusItems items(bytes.empty() ? std::uint8_t{0} : bytes[0]);
+    for (const nmc::ModuleType type : {nmc::ModuleType::Servo, nmc::ModuleType::Step, nmc::ModuleType::Io}) {
+        require(nmc::describeCommand(type, bytes).empty() == bytes.empty());
+        require(nmc::describeReply(type, items, bytes).empty() == bytes.empty());
+    }
+    return 0;
+}

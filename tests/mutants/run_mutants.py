@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Breaks the bus engine on purpose, one way after the other, and says whether a test notices.
+
+usage: run_mutants.py [--check | --list] [-j JOBS] [NAME...]
+
+The tree is copied to build/mutants and stays as it is. A mutant is killed by a test that passes without it and
+fails with it, by a crash, or by a program that does not end. With --check the edits are only tried: each must
+fit its file exactly once.
+"""
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from mutants import MUTANTS
+
+ROOT = Path(__file__).resolve().parents[2]
+WORK = ROOT / "build" / "mutants"
+PROGRAMS = ("bus_tests", "fault_tests")
+LONGEST = 300  # seconds for a test program
+
+
+def misfits(mutant):
+    """Why its edits cannot be made."""
+    for edit in mutant.edits:
+        path = ROOT / edit.file
+        times = path.read_text(encoding="utf-8").count(edit.old) if path.exists() else 0
+        if times != 1:
+            yield f"{mutant.name}: {edit.file} has {times} times: {edit.old.strip()}"
+
+
+def copy_tree(tree):
+    """What git knows or would, as it is now; what has not changed keeps its time, so that little is built."""
+    listing = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
+                             capture_output=True, text=True).stdout
+    names = {name for name in listing.split("\0") if name and (ROOT / name).is_file()}
+    for name in names:
+        source, target = ROOT / name, tree / name
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+            shutil.copymode(source, target)
+    for old in [path for path in tree.rglob("*") if path.is_file()]:
+        if str(old.relative_to(tree)) not in names:
+            old.unlink()
+
+
+def configure(tree, build):
+    # What a mutant leaves unused is no error.
+    subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+                    "-DNMC_BUILD_GUI=OFF", "-DCMAKE_CXX_FLAGS=-w"], check=True, capture_output=True)
+
+
+def compiles(build, jobs):
+    command = ["cmake", "--build", build, "-j", str(jobs), "--target", *PROGRAMS]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        print(done.stdout[-3000:], file=sys.stderr)
+    return done.returncode == 0
+
+
+def failures(build, program):
+    """The names of the tests that fail; and one for the program when it does not come to its end."""
+    report = build / f"{program}.json"
+    report.unlink(missing_ok=True)
+    try:
+        subprocess.run([build / "bin" / program, f"--gtest_output=json:{report}"], timeout=LONGEST,
+                       capture_output=True, env={**os.environ, "RC_PARAMS": "seed=1"})
+    except subprocess.TimeoutExpired:
+        return {f"{program} does not end"}
+    if not report.exists():
+        return {f"{program} crashes"}
+    suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
+    return {f"{suite['name']}.{test['name']}" for suite in suites for test in suite["testsuite"]
+            if test.get("failures")}
+
+
+def all_failures(build):
+    return set().union(*(failures(build, program) for program in PROGRAMS))
+
+
+def run(mutant, tree, build, jobs, before):
+    """Names of the tests that noticed it; nothing when it does not compile."""
+    originals = {edit.file: (tree / edit.file).read_text(encoding="utf-8") for edit in mutant.edits}
+    try:
+        for edit in mutant.edits:
+            path = tree / edit.file
+            path.write_text(path.read_text(encoding="utf-8").replace(edit.old, edit.new), encoding="utf-8")
+        return all_failures(build) - before if compiles(build, jobs) else None
+    finally:
+        for name, text in originals.items():
+            (tree / name).write_text(text, encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="only see whether every edit fits")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("-j", "--jobs", type=int, default=2)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    arguments = parser.parse_args()
+    unknown = set(arguments.names) - {mutant.name for mutant in MUTANTS}
+    if unknown:
+        parser.error(f"no mutant {', '.join(sorted(unknown))}")
+    chosen = [mutant for mutant in MUTANTS if not arguments.names or mutant.name in arguments.names]
+    if arguments.list:
+        for mutant in chosen:
+            print(f"{mutant.name}: {mutant.breaks}")
+        return 0
+    wrong = [why for mutant in chosen for why in misfits(mutant)]
+    for why in wrong:
+        print(f"run_mutants: {why}", file=sys.stderr)
+    if wrong or arguments.check:
+        print(f"{len(chosen)} mutants, {len(wrong)} edits do not fit")
+        return 1 if wrong else 0
+
+    tree, build = WORK / "tree", WORK / "build"
+    copy_tree(tree)
+    configure(tree, build)
+    if not compiles(build, arguments.jobs):
+        print("run_mutants: the tree does not build", file=sys.stderr)
+        return 1
+    before = all_failures(build)
+    if before:
+        print(f"{len(before)} tests fail without any mutant; they count for nothing", flush=True)
+    survived = 0
+    for mutant in chosen:
+        noticed = run(mutant, tree, build, arguments.jobs, before)
+        if noticed:
+            print(f"killed    {mutant.name}: {len(noticed)} tests, such as {min(noticed)}", flush=True)
+        else:
+            survived += 1
+            print(f"{'BROKEN  ' if noticed is None else 'SURVIVED'}  {mutant.name}: {mutant.breaks}", flush=True)
+    print(f"{len(chosen)} mutants, {survived} survived")
+    return 1 if survived else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

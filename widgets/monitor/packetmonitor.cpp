@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/packetmonitor.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/monitor/countertable.h"
+#include "widgets/monitor/packetmodel.h"
+#include "widgets/monitor/packetsaving.h"
+#include "widgets/monitor/packetview.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// What the kind box means by "errors"; the others are PacketKind.
+constexpr int kErrorsOnly = 100;
+const QString kSaveDialog = u"packetSaveDialog"_s;
+}  // namespace
+
+PacketMonitor::PacketMonitor(QWidget* parent)
+    : QDockWidget(tr("Packet monitor"), parent),
+      m_model(new PacketModel(this)),
+      m_view(new PacketView(*m_model, this)),
+      m_counters(new CounterTable(this)),
+      m_module(new QComboBox(this)),
+      m_kind(new QComboBox(this)),
+      m_summary(look::newMutedLabel({}, this)),
+      m_news(new QLabel(this)) {
+    look::name(this, u"monitorDock"_s, windowTitle());
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    buildControls();
+    buildContent();
+    connect(m_module, &QComboBox::currentIndexChanged, this, &PacketMonitor::applyFilter);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &PacketMonitor::applyFilter);
+    connect(m_pause, &QPushButton::toggled, this, &PacketMonitor::pause);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        m_model->clear();
+        tell({});
+        showSummary();
+    });
+    connect(m_copy, &QPushButton::clicked, this, &PacketMonitor::copy);
+    connect(m_view, &PacketView::copyRequested, this, &PacketMonitor::copy);
+    connect(m_save, &QPushButton::clicked, this, &PacketMonitor::chooseFile);
+    // Not showEvent: a dock behind another's tab is shown, but not seen.
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
+        m_seen = seen;
+        updateRecording();
+    });
+    showSummary();
+}
+
+QPushButton* PacketMonitor::newButton(const QString& objectName, const QString& text, const QString& toolTip,
+                                      const QKeySequence& shortcut) {
+    auto* button = new QPushButton(text, this);
+    look::name(button, objectName, text);
+    button->setShortcut(shortcut);
+    button->setToolTip(toolTip.arg(shortcut.toString(QKeySequence::NativeText)));
+    return button;
+}
+
+void PacketMonitor::buildControls() {
+    look::name(m_module, u"packetModuleBox"_s, tr("Packets of which module"));
+    m_module->setToolTip(tr("Shows the packets of one module only (Ctrl+M)."));
+    m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_module->addItem(tr("All modules"));
+    look::name(m_kind, u"packetKindBox"_s, tr("Packets of which kind"));
+    m_kind->setToolTip(tr("Shows packets of one kind only (Ctrl+T)."));
+    m_kind->addItem(tr("All kinds"), -1);
+    m_kind->addItem(tr("Polls"), static_cast<int>(PacketKind::Poll));
+    m_kind->addItem(tr("Commands"), static_cast<int>(PacketKind::Command));
+    m_kind->addItem(tr("Stops"), static_cast<int>(PacketKind::Stop));
+    m_kind->addItem(tr("Connecting and link"), static_cast<int>(PacketKind::Link));
+    m_kind->addItem(tr("Errors only"), kErrorsOnly);
+    m_pause = newButton(u"packetPause"_s, tr("Pause"), tr("Stops recording; what is shown stays (%1)."),
+                        Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    m_pause->setCheckable(true);
+    m_clear = newButton(u"packetClear"_s, tr("Clear"), tr("Forgets the packets shown so far (%1)."),
+                        Qt::CTRL | Qt::Key_K);
+    m_copy = newButton(u"packetCopy"_s, tr("Copy"),
+                       tr("Copies the selected rows as text, or all when none is selected (%1)."),
+                       Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+    m_save = newButton(u"packetSave"_s, tr("Save as…"),
+                       tr("Saves everything recorded as a text, or as a log that can be replayed (%1)."),
+                       Qt::CTRL | Qt::Key_S);
+    for (auto& [key, box] : {std::pair{Qt::Key_M, m_module}, std::pair{Qt::Key_T, m_kind}})
+        connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, box,
+                [box = box] { box->setFocus(Qt::ShortcutFocusReason); });
+    m_summary->setObjectName(u"packetSummary"_s);
+    m_news->setObjectName(u"packetNews"_s);
+    m_news->setTextFormat(Qt::PlainText);
+    m_news->setWordWrap(true);
+    m_news->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_news->hide();
+}
+
+void PacketMonitor::buildContent() {
+    const int unit = look::gridUnit(this);
+    auto* controls = new QHBoxLayout;
+    controls->setContentsMargins(unit / 2, unit / 3, unit / 2, unit / 3);
+    controls->setSpacing(unit / 2);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_module), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_pause),
+          static_cast<QWidget*>(m_clear), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_save)})
+        controls->addWidget(widget);
+    controls->addStretch(1);
+    auto* packets = new QWidget(this);
+    auto* layout = new QVBoxLayout(packets);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(controls);
+    layout->addWidget(m_news);
+    layout->addWidget(m_view, 1);
+    m_news->setMargin(unit / 2);
+    auto* tabs = new QTabWidget(this);
+    look::name(tabs, u"monitorTabs"_s, tr("Packets and counters"));
+    tabs->setDocumentMode(true);
+    tabs->addTab(packets, tr("Packets"));
+    tabs->addTab(m_counters, tr("Counters"));
+    m_summary->setMargin(unit / 3);
+    tabs->setCornerWidget(m_summary);
+    setWidget(tabs);
+}
+
+void PacketMonitor::begin(const PacketSession& session) {
+    m_model->begin(session);
+    m_counters->showStatistics({});
+    tell({});
+    showSummary();
+}
+
+void PacketMonitor::showPackets(std::vector<bus::ExchangeRecord> records) {
+    if (records.empty())
+        return;
+    m_view->append(std::move(records));
+    showSummary();
+}
+
+void PacketMonitor::showLink(const LinkState& link) {
+    offerModules(qMax(m_module->count() - 1, static_cast<int>(link.modules.size())));
+}
+
+void PacketMonitor::offerModules(int count) {
+    const QSignalBlocker blocker(m_module);
+    while (m_module->count() < count + 1)
+        m_module->addItem(texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(m_module->count() - 1))));
+}
+
+void PacketMonitor::showFigures(const LinkFigures& figures) {
+    m_counters->showStatistics(figures.counters);
+}
+
+void PacketMonitor::applyFilter() {
+    PacketFilter filter;
+    if (m_module->currentIndex() > 0)
+        filter.module = ModuleIndex(static_cast<std::uint8_t>(m_module->currentIndex() - 1));
+    const int kind = m_kind->currentData().toInt();
+    filter.onlyErrors = kind == kErrorsOnly;
+    if (kind >= 0 && kind != kErrorsOnly)
+        filter.kind = static_cast<PacketKind>(kind);
+    m_model->setFilter(filter);
+    m_view->scrollToBottom();
+    showSummary();
+}
+
+void PacketMonitor::pause(bool paused) {
+    m_pause->setText(paused ? tr("Resume") : tr("Pause"));
+    m_pause->setAccessibleName(m_pause->text());
+    m_pause->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);  // a new text takes it away
+    updateRecording();
+    showSummary();
+}
+
+void PacketMonitor::updateRecording() {
+    const bool recording = m_seen && !m_pause->isChecked();
+    if (recording == m_recording)
+        return;
+    m_recording = recording;
+    if (recording)
+        m_model->interrupt();
+    emit recordingChanged(recording);
+}
+
+void PacketMonitor::copy() {
+    const QString text = m_view->selectedText();
+    if (!text.isEmpty())
+        QGuiApplication::clipboard()->setText(text);
+}
+
+void PacketMonitor::chooseFile() {
+    if (auto* open = findChild<QFileDialog*>(kSaveDialog)) {
+        open->activateWindow();
+        return;
+    }
+    auto* dialog = new QFileDialog(this, tr("Save packets"));
+    look::name(dialog, kSaveDialog, dialog->windowTitle());
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    const QString text = tr("Text (*.txt)");
+    const QString log = tr("Replayable log (*%1)").arg(kPacketLogSuffix);
+    dialog->setNameFilters({text, log});
+    dialog->setDefaultSuffix(u"txt"_s);
+    dialog->setDirectory(QDir::homePath());
+    dialog->selectFile(u"packets"_s);
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, log](const QString& filter) {
+        dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
+    });
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, &PacketMonitor::saveAs);
+    // Not modal: the panel stays usable, and STOP ALL with it.
+    dialog->setModal(false);
+    dialog->show();
+}
+
+void PacketMonitor::saveAs(const QString& path) {
+    if (const auto saved = savePackets(m_model->log(), path); saved)
+        tell(texts::packetsSaved(path, m_model->log().size()));
+    else
+        tell(texts::packetsNotSaved(path, saved.error()));
+}
+
+void PacketMonitor::tell(const QString& text) {
+    look::setText(m_news, text);
+    m_news->setVisible(!text.isEmpty());
+}
+
+void PacketMonitor::showSummary() {
+    const PacketLog& log = m_model->log();
+    QString text =
+        tr("%1 of %2 shown")
+            .arg(texts::grouped(m_model->rowCount()), texts::grouped(static_cast<qint64>(log.size())));
+    if (log.dropped() > 0)
+        text = tr("%1, %2 older dropped").arg(text, texts::grouped(static_cast<qint64>(log.dropped())));
+    if (m_pause->isChecked())
+        text = tr("%1, paused").arg(text);
+    look::setText(m_summary, text);
+}
+
+}  // namespace nmc

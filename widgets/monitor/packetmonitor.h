@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <vector>
+
+#include "bus/exchangerecord.h"
+#include "model/linkstate.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class CounterTable;
+class PacketModel;
+class PacketView;
+struct PacketSession;
+
+/// Every exchange with time, bytes, meaning and verdict; and the counters of the link. It wants records only
+/// while it can be seen and is not paused, so that it costs nothing when closed.
+class PacketMonitor : public QDockWidget {
+    Q_OBJECT
+
+public:
+    explicit PacketMonitor(QWidget* parent = nullptr);
+
+    /// A connection is being opened: the packets of the one before are forgotten.
+    void begin(const PacketSession& session);
+    /// What was recorded since the last call; once a frame.
+    void showPackets(std::vector<bus::ExchangeRecord> records);
+    void showLink(const LinkState& link);
+    /// Once a second.
+    void showFigures(const LinkFigures& figures);
+    /// Writes everything that is kept: a replayable log when the name ends in .nmclog, else a text. Tells in
+    /// place what became of it.
+    void saveAs(const QString& path);
+
+    [[nodiscard]] bool recording() const { return m_recording; }
+
+signals:
+    void recordingChanged(bool recording);
+
+private:
+    void buildControls();
+    void buildContent();
+    QPushButton* newButton(const QString& objectName, const QString& text, const QString& toolTip,
+                           const QKeySequence& shortcut);
+    void offerModules(int count);
+    void applyFilter();
+    void pause(bool paused);
+    void updateRecording();
+    void copy();
+    void chooseFile();
+    void tell(const QString& text);
+    void showSummary();
+
+    PacketModel* m_model;
+    PacketView* m_view;
+    CounterTable* m_counters;
+    QComboBox* m_module;
+    QComboBox* m_kind;
+    QPushButton* m_pause = nullptr;
+    QPushButton* m_clear = nullptr;
+    QPushButton* m_copy = nullptr;
+    QPushButton* m_save = nullptr;
+    QLabel* m_summary;
+    QLabel* m_news;  ///< what became of a copy or a save
+    bool m_seen = false;
+    bool m_recording = false;
+};
+
+}  // namespace nmc
