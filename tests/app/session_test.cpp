@@ -34,7 +34,6 @@ TEST_P(Signals, StopTheMotorsAndEndTheProgram) {
     EXPECT_FALSE(moves(sim));
     EXPECT_TRUE(sim.state(1)[QStringLiteral("servo_on")].toBool());
     EXPECT_FALSE(panel.settings().contains(QStringLiteral("session/moving")));
-    EXPECT_TRUE(sim.violations().isEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(H04, Signals, testing::Values(SIGTERM, SIGINT, SIGHUP));

