@@ -6,7 +6,6 @@
 #include <QWindow>
 
 #include "link/clock.h"
-#include "link/portlist.h"
 #include "link/serialtransport.h"
 #include "link/simulatortransport.h"
 #include "protocol/baud.h"
@@ -49,15 +48,23 @@ QString chainLengthKey(const QString& port) {
 
 }  // namespace
 
-Composition::Composition(QSettings& settings, QObject* parent)
-    : QObject(parent), m_settings(settings), m_window(settings) {
+Composition::Composition(QSettings& settings, PortController::Places places, QObject* parent)
+    : QObject(parent),
+      m_settings(settings),
+      m_window(settings),
+      m_ports(std::move(places)),
+      m_motionMarker(settings) {
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
     connect(&m_frameTimer, &QTimer::timeout, this, &Composition::showFrame);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
-    connect(&m_figuresTimer, &QTimer::timeout, this,
-            [this] { m_window.showFigures(m_store.pullFigures(monotonicNow())); });
+    connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
+        const LinkFigures figures = m_store.pullFigures(monotonicNow());
+        m_window.showFigures(figures);
+        if (m_store.link().phase == LinkPhase::Connected)
+            m_ports.noteRate(figures.exchangesPerSecond);
+    });
 }
 
 void Composition::show(const Start& start) {
@@ -69,7 +76,10 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
-    m_window.showPorts(serialPorts());
+    if (!m_motionMarker.left().empty())
+        m_window.showMessage(texts::endedWhileMoving(m_motionMarker.left()));
+    checkSettings();
+    m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
         connectTo(*start.port, start.baud);
@@ -94,12 +104,16 @@ bool Composition::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Composition::quit() {
+    m_motionMarker.clear();
     m_window.finishClose();
     QCoreApplication::quit();
 }
 
 void Composition::wireWindow() {
-    connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(serialPorts()); });
+    connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(m_ports.ports()); });
+    connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
+    connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
+    connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
     connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
@@ -114,14 +128,25 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
+    // The end of the session: at once, while the program may still run, and without a question.
+    connect(
+        qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
 }
 
 void Composition::wireStore() {
-    connect(&m_store, &BusStore::linkChanged, this, [this] { m_window.showLink(m_store.link()); });
+    connect(&m_store, &BusStore::linkChanged, this, [this] {
+        m_window.showLink(m_store.link());
+        m_motionMarker.update(m_store.link());
+    });
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
 }
 
 void Composition::connectTo(const QString& port, quint32 baud) {
+    if (m_ports.mayConnect(port, baud))
+        connectAnyway(port, baud);
+}
+
+void Composition::connectAnyway(const QString& port, quint32 baud) {
     m_openNext = Target{port, baud};
     if (m_worker.isOpen())
         m_worker.close();  // PortClosed opens the next
@@ -143,7 +168,9 @@ void Composition::openNow(const Target& target) {
             return std::make_unique<SimulatorTransport>(modules, options);
         };
     } else {
-        factory = [port] { return std::make_unique<SerialTransport>(port); };
+        config.adapterLatency = m_ports.adapterLatency(port);
+        factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
+        m_ports.opening(port, target.baud);
     }
     m_window.endMessage(texts::key::port());
     m_window.endMessage(texts::key::link());
@@ -179,7 +206,13 @@ void Composition::act(const QString& key, const QString& action) {
         m_worker.connectAgain();
     else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) && m_target)
         connectTo(m_target->port, m_target->baud);
-    else if (action == texts::action::kUseSimulator) {
+    else if (action == texts::action::kConnectOffered && m_ports.offered()) {
+        const PortController::Offer offer = *m_ports.offered();
+        m_window.choosePort(offer.port, offer.baud);
+        connectAnyway(offer.port, offer.baud);
+    } else if (action == texts::action::kHow) {
+        m_window.showMessage(texts::latencyCure(m_ports.latencyFile()));
+    } else if (action == texts::action::kUseSimulator) {
         m_window.choosePort(kSimulatorPort, kPowerUpBaud);
         connectTo(kSimulatorPort, kPowerUpBaud);
     } else if (action == texts::action::kClearAndStayOff) {
@@ -289,9 +322,12 @@ void Composition::told(const PortClosed& closed) {
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});
-    if (closed.error)
-        m_window.showMessage(texts::portProblem(*closed.error));
-    else
+    if (closed.error) {
+        PortError error = *closed.error;
+        error.port = m_target->port;
+        m_window.showMessage(texts::portProblem(error));
+        m_ports.closed(error);
+    } else
         m_window.showMessage(texts::disconnected(m_target->port));
     if (m_quitWhenClosed)
         quit();
@@ -301,6 +337,22 @@ void Composition::told(const PortClosed& closed) {
 
 void Composition::told(const SimulatorAnswered& answer) {
     m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
+}
+
+void Composition::told(const PanelFroze& froze) {
+    // The store still has what moved before.
+    if (froze.stopped || m_store.movingMotors() > 0)
+        m_window.showMessage(texts::panelFroze(toSeconds(froze.length), froze.stopped));
+}
+
+void Composition::told(const MachineSlept& slept) {
+    m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
+}
+
+void Composition::checkSettings() {
+    m_settings.sync();
+    if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
+        m_window.showMessage(texts::settingsNotSaved(m_settings.fileName()));
 }
 
 void Composition::told(const ServoWentOff& off) {

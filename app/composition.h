@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "app/commandline.h"
+#include "app/motionmarker.h"
+#include "app/portcontroller.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
 #include "model/intent.h"
@@ -22,13 +24,14 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    explicit Composition(QSettings& settings, QObject* parent = nullptr);
+    explicit Composition(QSettings& settings, PortController::Places places = {}, QObject* parent = nullptr);
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
     /// Stops the motors, closes the port, and ends the program.
     void stopAndQuit();
 
+    [[nodiscard]] BusWorker& worker() { return m_worker; }
     [[nodiscard]] MainWindow& window() { return m_window; }
     [[nodiscard]] const BusStore& store() const { return m_store; }
 
@@ -46,6 +49,8 @@ private:
     void wireWindow();
     void wireStore();
     void connectTo(const QString& port, quint32 baud);
+    /// The same without asking whether that is still the adapter it was.
+    void connectAnyway(const QString& port, quint32 baud);
     void openNow(const Target& target);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
@@ -69,11 +74,16 @@ private:
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
+    void told(const PanelFroze& froze);
+    void told(const MachineSlept& slept);
+    void checkSettings();
 
     QSettings& m_settings;
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
+    PortController m_ports;
+    MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     std::optional<Target> m_target;    ///< what is connected, or was last

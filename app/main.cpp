@@ -7,6 +7,7 @@
 #include "app/composition.h"
 #include "app/translations.h"
 #include "app/unixsignals.h"
+#include "link/crashburst.h"
 #include "link/portlist.h"
 #include "widgets/common/texts.h"
 
@@ -50,13 +51,15 @@ int main(int argc, char** argv) {
         start = std::get<nmc::Start>(asked);
     }
 
+    const nmc::crashburst::HandlerStack stack;
+    nmc::crashburst::installHandlers();
     QApplication application(argc, argv);
     // Once more: translators belong to the application object.
     nmc::installTranslations(translations, QLocale::system());
     QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));
     QSettings settings;
     nmc::Composition composition(settings);
-    const nmc::UnixSignals signalsOfTheSystem;
+    const nmc::UnixSignals signalsOfTheSystem(composition.worker());
     QObject::connect(&signalsOfTheSystem, &nmc::UnixSignals::terminationAsked, &composition,
                      &nmc::Composition::stopAndQuit);
     composition.show(start);

@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/unixsignals.h"
 
+#include <unistd.h>
+
 #include <QSocketNotifier>
+#include <atomic>
 #include <csignal>
 
+#include "link/busworker.h"
 #include "link/wakeup.h"
 
 namespace nmc {
 
 namespace {
 
-/// What the handler writes to: it may not do more. Set while a UnixSignals lives.
-const Wakeup* g_wakeup = nullptr;
+/// The stop is confirmed within 1 s; the rest is for a slow disk.
+constexpr unsigned kPatience = 3;  // s
+
+/// What the handler may touch: it may not do more than write to a descriptor. Set while a UnixSignals lives.
+std::atomic<const Wakeup*> g_wakeup{nullptr};
+std::atomic<BusWorker*> g_worker{nullptr};
 
 void onSignal(int) {
-    if (g_wakeup != nullptr)
-        g_wakeup->wake();
+    if (BusWorker* worker = g_worker)
+        worker->close();
+    if (const Wakeup* wakeup = g_wakeup)
+        wakeup->wake();
+    ::alarm(kPatience);
 }
 
 void handle(void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
-        std::signal(number, handler);
+        ::sigaction(number, &action, nullptr);
 }
 
 }  // namespace
 
-UnixSignals::UnixSignals(QObject* parent) : QObject(parent) {
+UnixSignals::UnixSignals(BusWorker& worker, QObject* parent) : QObject(parent) {
     static const Wakeup wakeup;
     g_wakeup = &wakeup;
+    g_worker = &worker;
     auto* notifier = new QSocketNotifier(wakeup.fd(), QSocketNotifier::Read, this);
     connect(notifier, &QSocketNotifier::activated, this, [this] {
         wakeup.reset();
@@ -38,7 +54,9 @@ UnixSignals::UnixSignals(QObject* parent) : QObject(parent) {
 
 UnixSignals::~UnixSignals() {
     handle(SIG_DFL);
+    ::alarm(0);
     g_wakeup = nullptr;
+    g_worker = nullptr;
 }
 
 }  // namespace nmc

@@ -5,12 +5,17 @@
 
 namespace nmc {
 
-/// SIGTERM, SIGINT and SIGHUP as a Qt signal in the GUI thread. One object a process.
+class BusWorker;
+
+/// SIGTERM, SIGINT and SIGHUP. In the handler itself the worker is told to stop the motors and to close, so a
+/// GUI thread that is blocked delays no stop; then the GUI thread hears of it as a Qt signal. A program that
+/// has not ended 3 s later is ended by the kernel. One object a process.
 class UnixSignals : public QObject {
     Q_OBJECT
 
 public:
-    explicit UnixSignals(QObject* parent = nullptr);
+    /// `worker` must outlive the object.
+    explicit UnixSignals(BusWorker& worker, QObject* parent = nullptr);
     ~UnixSignals() override;
 
 signals:

@@ -873,6 +873,118 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zustand des Motors unbekannt. Sehen Sie nach dem Motor; im Zweifel alles stoppen.</translation>
     </message>
     <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>The panel was frozen for %1; motors were stopped after 2 s.</source>
+        <translation>Das Programm reagierte %1 lang nicht; die Motoren wurden nach 2 s gestoppt.</translation>
+    </message>
+    <message>
+        <source>The panel was frozen for %1 while a motor was moving. It was not stopped.</source>
+        <translation>Das Programm reagierte %1 lang nicht, während sich ein Motor bewegte. Er wurde nicht gestoppt.</translation>
+    </message>
+    <message>
+        <source>Stop all could not be pressed meanwhile. The computer was busy, or the program hung.</source>
+        <translation>ALLES STOPP war währenddessen nicht möglich. Der Rechner war ausgelastet, oder das Programm hing.</translation>
+    </message>
+    <message>
+        <source>Resumed after %1: motors were told to stop, and all values are read again.</source>
+        <translation>Aufgewacht nach %1: die Motoren haben den Stoppbefehl bekommen, und alle Werte werden neu gelesen.</translation>
+    </message>
+    <message>
+        <source>The computer was suspended. Motors that moved went on moving meanwhile; look at them before the next move.</source>
+        <translation>Der Rechner war im Ruhezustand. Motoren, die sich bewegten, liefen währenddessen weiter; sehen Sie vor der nächsten Bewegung nach ihnen.</translation>
+    </message>
+    <message>
+        <source>The last session ended while motor %1 was moving.</source>
+        <translation>Die letzte Sitzung endete, während sich Motor %1 bewegte.</translation>
+    </message>
+    <message>
+        <source>The last session ended while motors %1 were moving.</source>
+        <translation>Die letzte Sitzung endete, während sich die Motoren %1 bewegten.</translation>
+    </message>
+    <message>
+        <source>The program was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves.</source>
+        <translation>Das Programm wurde gewaltsam beendet, oder der Rechner fiel aus. Motorzustand unbekannt: sehen Sie nach, bevor Sie verbinden; bewegt sich etwas, benutzen Sie den Hardware-Stopp.</translation>
+    </message>
+    <message>
+        <source>Settings are not saved.</source>
+        <translation>Einstellungen werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Everything else works; only the layout of the window and the last port will not be remembered.</source>
+        <translation>%1 lässt sich nicht schreiben. Alles andere funktioniert; nur die Anordnung des Fensters und der letzte Anschluss bleiben nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 is used by another program (pid %2).</source>
+        <translation>%1 wird von einem anderen Programm benutzt (PID %2).</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2 (pid %3).</source>
+        <translation>%1 wird von %2 benutzt (PID %3).</translation>
+    </message>
+    <message>
+        <source>It looks for a modem for some seconds after an adapter was plugged in; wait, and try again. To keep it away from USB adapters: %1, then plug the adapter in again.</source>
+        <translation>Es sucht einige Sekunden lang nach einem Modem, wenn ein Adapter eingesteckt wurde; warten Sie und versuchen Sie es noch einmal. Um es von USB-Adaptern fernzuhalten: %1, dann den Adapter neu einstecken.</translation>
+    </message>
+    <message>
+        <source>It takes many serial adapters for a Braille display. If you use none: %1, then plug the adapter in again.</source>
+        <translation>Es hält viele serielle Adapter für eine Braillezeile. Wenn Sie keine benutzen: %1, dann den Adapter neu einstecken.</translation>
+    </message>
+    <message>
+        <source>%1 is free, but a lock file says that it is in use.</source>
+        <translation>%1 ist frei, aber eine Sperrdatei sagt, dass es benutzt wird.</translation>
+    </message>
+    <message>
+        <source>The lock file %1 was left by %2, whose program has ended without removing it. Remove it with: %3, then try again.</source>
+        <translation>Die Sperrdatei %1 wurde von %2 hinterlassen; das Programm endete, ohne sie zu entfernen. Entfernen Sie sie mit: %3, und versuchen Sie es dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened because no lock file can be made for it.</source>
+        <translation>%1 lässt sich nicht öffnen, weil dafür keine Sperrdatei angelegt werden kann.</translation>
+    </message>
+    <message>
+        <source>Your user account may not write to %1, nor to any other folder for such files. Ask whoever looks after this computer for access to it.</source>
+        <translation>Ihr Benutzerkonto darf weder in %1 schreiben noch in einen anderen Ordner für solche Dateien. Bitten Sie die Person, die diesen Rechner betreut, um Zugriff.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: this program has too many files open.</source>
+        <translation>%1 ließ sich nicht öffnen: dieses Programm hat zu viele Dateien offen.</translation>
+    </message>
+    <message>
+        <source>Close what it does not need, or start it again.</source>
+        <translation>Schließen Sie, was nicht gebraucht wird, oder starten Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Set the latency timer of the USB adapter to 1 ms, then connect again.</source>
+        <translation>Setzen Sie den Latenz-Timer des USB-Adapters auf 1 ms, dann verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>Run %1. That lasts until it is unplugged; for good, also run %2.</source>
+        <translation>Führen Sie %1 aus. Das hält, bis er abgezogen wird; für immer zusätzlich %2.</translation>
+    </message>
+    <message>
+        <source>The adapter is back as %1 (same serial number). Reconnect?</source>
+        <translation>Der Adapter ist wieder da, als %1 (gleiche Seriennummer). Neu verbinden?</translation>
+    </message>
+    <message>
+        <source>An adapter of the same kind is there as %1. Reconnect?</source>
+        <translation>Ein Adapter der gleichen Art ist da, als %1. Neu verbinden?</translation>
+    </message>
+    <message>
+        <source>Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for before is sent again.</source>
+        <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts, und nichts, was vorher verlangt wurde, wird noch einmal gesendet.</translation>
+    </message>
+    <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
         <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
     </message>
@@ -903,6 +1015,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Reconnect</source>
         <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>A different adapter is on %1.</source>
+        <translation>An %1 ist ein anderer Adapter.</translation>
+    </message>
+    <message>
+        <source>It is not the one that this panel was connected to before. Nothing was sent.</source>
+        <translation>Es ist nicht der, mit dem dieses Programm vorher verbunden war. Es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Connect to it</source>
+        <translation>Damit verbinden</translation>
     </message>
     <message>
         <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>

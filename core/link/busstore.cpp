@@ -85,6 +85,10 @@ void BusStore::take(const WorkerEvent& event) {
         closed(*close);
     else if (const auto* answer = std::get_if<SimulatorAnswered>(&event))
         emit happened(*answer);
+    else if (const auto* froze = std::get_if<PanelFroze>(&event))
+        emit happened(*froze);
+    else if (const auto* slept = std::get_if<MachineSlept>(&event))
+        emit happened(*slept);
 }
 
 void BusStore::take(const bus::Event& event) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "link/busworker.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
 #include <utility>
 
 #include "link/clock.h"
+#include "link/crashburst.h"
 
 namespace nmc {
 
@@ -16,11 +21,31 @@ constexpr std::size_t kRequestCapacity = 1'024;
 constexpr std::size_t kRecordCapacity = 1U << 14U;
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
+/// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
+constexpr std::size_t kDescriptorsNeeded = 8;
+
+bool descriptorsLeft() {
+    std::array<int, kDescriptorsNeeded> fds{};
+    for (int& fd : fds)
+        fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool enough = fds.back() >= 0;
+    for (const int fd : fds)
+        if (fd >= 0)
+            ::close(fd);
+    return enough;
+}
 
 }  // namespace
 
 BusWorker::BusWorker(QObject* parent)
-    : QObject(parent), m_requests(kRequestCapacity), m_events(kEventCapacity), m_records(kRecordCapacity) {}
+    : QObject(parent),
+      m_asleepSoFar(asleepSoFar),
+      m_requests(kRequestCapacity),
+      m_events(kEventCapacity),
+      m_records(kRecordCapacity) {
+    m_beatTimer.setInterval(std::chrono::duration_cast<std::chrono::milliseconds>(Heartbeat::kInterval));
+    connect(&m_beatTimer, &QTimer::timeout, this, &BusWorker::beat);
+}
 
 BusWorker::~BusWorker() {
     close();
@@ -33,6 +58,13 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     (void)m_records.takeAll();
     m_stopRequested = false;
     m_closeRequested = false;
+    if (!descriptorsLeft()) {
+        post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}, 0}});
+        return;
+    }
+    m_heartbeat.begin(monotonicNow());
+    m_beatTimer.start();
+    m_suspendWatch = {};
     m_restartWhenStopped = false;
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
@@ -95,6 +127,7 @@ bus::LinkStatistics BusWorker::statistics() const {
 }
 
 void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
+    const crashburst::HandlerStack stack;
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open(); !opened) {
         post(PortClosed{opened.error()});
@@ -106,6 +139,7 @@ void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& co
     record(engine);
     engine.connect(monotonicNow());
     converse(*transport, engine);
+    crashburst::disarm();
 }
 
 void BusWorker::converse(Transport& transport, bus::Engine& engine) {
@@ -117,8 +151,10 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
             engine.stopAll(now);
         }
         takeRequests(transport, engine, now);
+        guard(engine, now);
         if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
             engine.onDeadline(now);
+        crashburst::arm(transport.fd(), engine.stopBurst());
         if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
             post(PortClosed{performed.error()});
             return;
@@ -133,8 +169,9 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         }
 
         auto until = engine.nextDeadline();
-        if (closeBy && (!until || *closeBy < *until))
-            until = closeBy;
+        for (const auto& other : {closeBy, m_heartbeat.deadline(engine.anythingMoves())})
+            if (other && (!until || *other < *until))
+                until = other;
         const auto bytes = transport.receive(until, m_wakeup.fd());
         if (!bytes) {
             post(PortClosed{bytes.error()});
@@ -167,6 +204,16 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
     }
 }
 
+void BusWorker::guard(bus::Engine& engine, TimePoint now) {
+    if (m_heartbeat.missed(now, engine.anythingMoves()))
+        engine.stopAll(now);
+    if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
+        engine.distrust(now);
+        engine.stopAll(now);
+        post(MachineSlept{*slept});
+    }
+}
+
 void BusWorker::restartNetwork(bus::Engine& engine, TimePoint now) {
     if (!engine.anythingMoves()) {
         engine.restart(now);
@@ -184,6 +231,9 @@ void BusWorker::answer(Transport& transport, ControlLine& line) {
 tl::expected<void, PortError> BusWorker::perform(Transport& transport,
                                                  const std::vector<bus::Output>& outputs) {
     for (const bus::Output& output : outputs) {
+        // This process is dying in another thread, which has said the last word to the motors.
+        while (crashburst::underWay())
+            QThread::msleep(1);
         tl::expected<void, PortError> done;
         if (const auto* baud = std::get_if<bus::SetHostBaud>(&output))
             done = transport.setBaud(baud->baud);
@@ -208,6 +258,11 @@ bool BusWorker::publish(bus::Engine& engine) {
     return stopped;
 }
 
+void BusWorker::beat() {
+    if (const auto gap = m_heartbeat.beat(monotonicNow()); gap && isOpen())
+        post(PanelFroze{gap->length, gap->stopped});
+}
+
 void BusWorker::record(bus::Engine& engine) {
     if (m_engineRecords)
         for (bus::ExchangeRecord& exchange : engine.takeRecords())
@@ -228,6 +283,7 @@ void BusWorker::ask(Request request) {
 }
 
 void BusWorker::joinThread() {
+    m_beatTimer.stop();
     if (m_thread)
         m_thread->wait();
     m_thread.reset();

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QThread>
+#include <QTimer>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -15,7 +16,9 @@
 #include "base/boundedqueue.h"
 #include "bus/engine.h"
 #include "bus/types.h"
+#include "link/heartbeat.h"
 #include "link/linktypes.h"
+#include "link/suspendwatch.h"
 #include "link/transport.h"
 #include "link/wakeup.h"
 
@@ -34,13 +37,27 @@ struct SimulatorAnswered {
     std::string json;
 };
 
-using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered>;
+/// The GUI thread did not turn its event loop for so long.
+struct PanelFroze {
+    Duration length{};
+    bool stopped = false;  ///< motors moved, so they were stopped after Heartbeat::kStopAfter
+};
+
+/// The computer was suspended and has woken; motors were told to stop.
+struct MachineSlept {
+    Duration length{};
+};
+
+using WorkerEvent =
+    std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, MachineSlept>;
 
 /// Runs one connection in a thread of its own: owns the transport and the engine there, for as long as it is
 /// open. The loop blocks in Transport::receive() only; requests reach it through queues and a wake-up, so the
 /// GUI never waits for the bus and a frozen GUI never delays a stop.
 ///
-/// All public members belong to the GUI thread but for stopAll(), which may be called from any.
+/// All public members belong to the GUI thread but for stopAll() and close(), which may be called from any
+/// and from a signal handler. As long as a connection is open the GUI thread must turn its event loop: motors
+/// that move are stopped when it has not for 2 s (link/heartbeat.h).
 class BusWorker : public QObject {
     Q_OBJECT
 
@@ -82,6 +99,9 @@ public:
     /// which shows in their numbers. Nothing announces them: whoever shows them asks at his own pace.
     [[nodiscard]] std::vector<bus::ExchangeRecord> takeRecords() { return m_records.takeAll(); }
 
+    /// For tests: tells how long the machine has been suspended so far, in the bus thread. Before open().
+    void setSleepClock(std::function<Duration()> clock) { m_asleepSoFar = std::move(clock); }
+
 signals:
     /// There is something to take; emitted from the bus thread, without data.
     void eventsReady();
@@ -105,14 +125,21 @@ private:
     void restartNetwork(bus::Engine& engine, TimePoint now);
     void answer(Transport& transport, ControlLine& line);
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
+    /// Stops the motors when nobody else can see to it.
+    void guard(bus::Engine& engine, TimePoint now);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
+    void beat();
     void record(bus::Engine& engine);
     void post(WorkerEvent event);
     void ask(Request request);
     void joinThread();
 
     std::unique_ptr<QThread> m_thread;
+    QTimer m_beatTimer;
+    Heartbeat m_heartbeat;
+    SuspendWatch m_suspendWatch;  ///< bus thread
+    std::function<Duration()> m_asleepSoFar;
     Wakeup m_wakeup;
     std::atomic<bool> m_stopRequested{false};
     std::atomic<bool> m_closeRequested{false};

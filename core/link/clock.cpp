@@ -13,6 +13,16 @@ TimePoint monotonicNow() {
     return TimePoint(std::chrono::steady_clock::now().time_since_epoch());
 }
 
+Duration asleepSoFar() {
+    const auto read = [](clockid_t clock) {
+        timespec time{};
+        ::clock_gettime(clock, &time);
+        return std::chrono::seconds(time.tv_sec) + Duration(time.tv_nsec);
+    };
+    const Duration awake = read(CLOCK_MONOTONIC);
+    return read(CLOCK_BOOTTIME) - awake;
+}
+
 void wantFineTimers() {
     ::prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
 }

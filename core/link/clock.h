@@ -13,6 +13,9 @@ namespace nmc {
 /// The monotonic clock: the one place where time comes from.
 [[nodiscard]] TimePoint monotonicNow();
 
+/// How long this machine has been suspended since it was started.
+[[nodiscard]] Duration asleepSoFar();
+
 /// Asks for this thread's timers to fire when they are due instead of up to 50 us later.
 void wantFineTimers();
 

@@ -17,7 +17,8 @@ QList<PortEntry> serialPorts() {
         for (const QString& word : {info.manufacturer(), info.description()})
             if (!word.isEmpty() && !words.contains(word))
                 words << word;
-        ports.append({info.systemLocation(), words.join(QLatin1Char(' '))});
+        ports.append({info.systemLocation(), words.join(QLatin1Char(' ')), info.serialNumber(),
+                      info.vendorIdentifier(), info.productIdentifier()});
     }
     return ports;
 }

@@ -11,6 +11,7 @@
 #include <array>
 
 #include "link/clock.h"
+#include "link/portuser.h"
 #include "protocol/baud.h"
 
 namespace nmc {
@@ -36,7 +37,8 @@ QString userName() {
 
 }  // namespace
 
-SerialTransport::SerialTransport(QString port) : m_name(std::move(port)) {}
+SerialTransport::SerialTransport(QString port, std::uint32_t baud, RateReader realRate)
+    : m_name(std::move(port)), m_baud(baud), m_realRate(std::move(realRate)) {}
 
 SerialTransport::~SerialTransport() = default;
 
@@ -51,14 +53,19 @@ tl::expected<void, PortError> SerialTransport::open() {
         return tl::unexpected(openError());
     if (::flock(m_port.handle(), LOCK_EX | LOCK_NB) != 0) {
         m_port.close();
-        return tl::unexpected(PortError{PortProblem::InUse, m_name, {}, {}, {}, 0});
+        return tl::unexpected(whyBusy(m_name));
     }
-    return {};
+    return setBaud(m_baud).and_then([this] { return setBaud(kPowerUpBaud); });
 }
 
 tl::expected<void, PortError> SerialTransport::setBaud(std::uint32_t baud) {
-    if (m_port.setBaudRate(static_cast<qint32>(baud)))
-        return {};
+    if (m_port.setBaudRate(static_cast<qint32>(baud))) {
+        const auto real = m_realRate(m_port.handle());
+        if (!real || rateIsGoodEnough(baud, *real))
+            return {};
+        const QString detail = QStringLiteral("%1 Bd -> %2 Bd").arg(baud).arg(*real);
+        return tl::unexpected(PortError{PortProblem::RateNotPossible, m_name, {}, {}, detail, 0});
+    }
     if (m_port.error() == QSerialPort::ResourceError)
         return tl::unexpected(gone());
     return tl::unexpected(PortError{PortProblem::RateNotPossible, m_name, {}, {}, m_port.errorString(), 0});
@@ -104,9 +111,12 @@ PortError SerialTransport::openError() const {
             break;
         case QSerialPort::PermissionError:
             // Qt reports a held lock file as a permission error, too.
-            error.problem = ::faccessat(AT_FDCWD, path.constData(), R_OK | W_OK, AT_EACCESS) == 0
-                                ? PortProblem::InUse
-                                : PortProblem::NoPermission;
+            if (::faccessat(AT_FDCWD, path.constData(), R_OK | W_OK, AT_EACCESS) == 0) {
+                error = whyBusy(m_name);
+                error.detail = m_port.errorString();
+                break;
+            }
+            error.problem = PortProblem::NoPermission;
             error.group = groupOf(path);
             error.user = userName();
             break;

@@ -3,8 +3,11 @@
 
 #include <QSerialPort>
 #include <QString>
+#include <functional>
 
+#include "link/linerate.h"
 #include "link/transport.h"
+#include "protocol/baud.h"
 
 namespace nmc {
 
@@ -13,7 +16,12 @@ namespace nmc {
 /// and root.
 class SerialTransport : public Transport {
 public:
-    explicit SerialTransport(QString port);
+    /// Tells the rate that a descriptor really has, where it can.
+    using RateReader = std::function<std::optional<std::uint32_t>(int)>;
+
+    /// `baud`: the rate that will be wanted later. open() tries whether the adapter can make it, before a
+    /// byte has been sent.
+    explicit SerialTransport(QString port, std::uint32_t baud = kPowerUpBaud, RateReader realRate = lineRate);
     ~SerialTransport() override;
 
     tl::expected<void, PortError> open() override;
@@ -22,12 +30,15 @@ public:
     void discardInput() override;
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override;
+    [[nodiscard]] int fd() const override { return m_port.handle(); }
 
 private:
     [[nodiscard]] PortError openError() const;
     [[nodiscard]] PortError gone() const;
 
     QString m_name;
+    std::uint32_t m_baud;
+    RateReader m_realRate;
     QSerialPort m_port;
 };
 

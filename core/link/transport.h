@@ -36,6 +36,9 @@ public:
     virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                        int wakeFd) = 0;
 
+    /// What a signal handler may write to when the process dies; -1 where there is no such thing.
+    [[nodiscard]] virtual int fd() const { return -1; }
+
     /// Answers one control line of the simulator with one line of JSON (sim/control.h). Nothing for a port:
     /// what is on the bench there is not for a program to change.
     virtual std::optional<std::string> control(std::string_view /*line*/) { return std::nullopt; }

@@ -31,7 +31,7 @@ Ran run(const char* program, const QStringList& arguments) {
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-TEST(Nmcpanel, HelpVersionAndPortsNeedNoDisplay) {
+TEST(H17_NoDisplay, IsNotNeededForHelpVersionAndPorts) {
     for (const char* option : {"--help", "--version", "--list-ports"}) {
         const Ran ran = run(NMCPANEL_PATH, {QLatin1String(option)});
         EXPECT_EQ(ran.exitCode, 0) << option;
@@ -48,7 +48,7 @@ TEST(Nmcpanel, SaysOneSentenceOnStandardErrorWhenAnArgumentIsWrong) {
     EXPECT_EQ(run(NMCPANEL_PATH, {QStringLiteral("--simulator=pump")}).exitCode, 2);
 }
 
-TEST(Nmcpanel, SaysThatThereIsNoDisplayInsteadOfAborting) {
+TEST(H17_NoDisplay, IsSaidInsteadOfAborting) {
     const Ran ran = run(NMCPANEL_PATH, {QStringLiteral("--simulator")});
     EXPECT_EQ(ran.exitCode, 3);
     EXPECT_FALSE(ran.err.isEmpty());

@@ -123,14 +123,14 @@ TEST(SerialPathTrouble, APortThatIsNotThereIsNotFound) {
     EXPECT_EQ(problemOf(QStringLiteral("/dev/ttyNMC99")), PortProblem::NotFound);
 }
 
-TEST(SerialPathTrouble, WhatIsNotATerminalIsNotASerialPort) {
+TEST(H19_NotATerminal, IsNotASerialPort) {
     EXPECT_EQ(problemOf(QStringLiteral("/dev/null")), PortProblem::NotASerialPort);
     QTemporaryFile file;
     ASSERT_TRUE(file.open());
     EXPECT_EQ(problemOf(file.fileName()), PortProblem::NotASerialPort);
 }
 
-TEST(SerialPathTrouble, APortThatAnotherProgramUsesIsInUseUnderEveryName) {
+TEST(F35_TwoNames, OfAPortThatIsUsedAreBothInUse) {
     NmcsimProcess sim(QStringLiteral("servo"));
     Connection first;
     first.openSerial(sim.terminal());
@@ -162,7 +162,7 @@ private:
     bool m_root;
 };
 
-TEST(SerialPathTrouble, APortOfAnotherUserIsNoPermission) {
+TEST(F31_Permission, OfAPortOfAnotherUserIsMissing) {
     const auto terminal = PtyServer::create({});
     ASSERT_TRUE(terminal.has_value());
     ASSERT_EQ(::chmod(terminal->path().c_str(), 0), 0);  // shuts out its owner as well, unless that is root

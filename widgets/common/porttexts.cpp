@@ -8,6 +8,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+Message::Action copyCommand() {
+    return {action::kCopyCommand, Texts::tr("Copy command")};
+}
+
 Message noPermission(const PortError& error) {
     Message m;
     m.headline = Texts::tr("Your user account may not use %1.").arg(error.port);
@@ -19,7 +23,63 @@ Message noPermission(const PortError& error) {
     m.command = u"sudo usermod -aG %1 %2"_s.arg(error.group, error.user.isEmpty() ? u"$USER"_s : error.user);
     m.body = Texts::tr("It belongs to the group %1. Run %2, then log out and in again.")
                  .arg(error.group, m.command);
-    m.actions = {{action::kCopyCommand, Texts::tr("Copy command")}, choosePort(), useSimulator()};
+    m.actions = {copyCommand(), choosePort(), useSimulator()};
+    return m;
+}
+
+/// A line for udev, and how to put it where udev reads it. It is for the user to do: rules are the system's.
+QString intoUdev(const QString& rule) {
+    return u"echo '%1' | sudo tee -a /etc/udev/rules.d/99-nmcpanel.rules"_s.arg(rule);
+}
+
+Message inUse(const PortError& error) {
+    Message m;
+    m.headline = error.pid == 0 ? Texts::tr("%1 is used by another program.").arg(error.port)
+                 : error.program.isEmpty()
+                     ? Texts::tr("%1 is used by another program (pid %2).").arg(error.port).arg(error.pid)
+                     : Texts::tr("%1 is used by %2 (pid %3).").arg(error.port, error.program).arg(error.pid);
+    m.body = Texts::tr("Close it and try again.");
+    m.actions = {retry(), choosePort()};
+    if (error.program == u"ModemManager") {
+        m.command =
+            intoUdev(uR"(ACTION=="add", SUBSYSTEM=="tty", KERNEL=="ttyUSB*", ENV{ID_MM_PORT_IGNORE}="1")"_s);
+        m.body = Texts::tr(
+                     "It looks for a modem for some seconds after an adapter was plugged in; wait, and try "
+                     "again. To keep it away from USB adapters: %1, then plug the adapter in again.")
+                     .arg(m.command);
+    } else if (error.program.startsWith(u"brltty")) {
+        m.command = u"sudo ln -s /dev/null /etc/udev/rules.d/90-brltty-usb-generic.rules"_s;
+        m.body =
+            Texts::tr(
+                "It takes many serial adapters for a Braille display. If you use none: %1, then plug the "
+                "adapter in again.")
+                .arg(m.command);
+    }
+    if (!m.command.isEmpty())
+        m.actions.prepend(copyCommand());
+    return m;
+}
+
+Message staleLock(const PortError& error) {
+    Message m;
+    m.command = u"sudo rm "_s + error.lockFile;
+    m.headline = Texts::tr("%1 is free, but a lock file says that it is in use.").arg(error.port);
+    m.body = Texts::tr(
+                 "The lock file %1 was left by %2, whose program has ended without removing it. Remove it "
+                 "with: %3, then try again.")
+                 .arg(error.lockFile, error.user, m.command);
+    m.actions = {copyCommand(), retry(), choosePort()};
+    return m;
+}
+
+Message noLockFolder(const PortError& error) {
+    Message m;
+    m.headline = Texts::tr("%1 cannot be opened because no lock file can be made for it.").arg(error.port);
+    m.body = Texts::tr(
+                 "Your user account may not write to %1, nor to any other folder for such files. Ask whoever "
+                 "looks after this computer for access to it.")
+                 .arg(error.lockFile);
+    m.actions = {retry(), useSimulator()};
     return m;
 }
 
@@ -29,9 +89,16 @@ Message portMessage(const PortError& error) {
         case PortProblem::NoPermission:
             return noPermission(error);
         case PortProblem::InUse:
-            m.headline = Texts::tr("%1 is used by another program.").arg(error.port);
-            m.body = Texts::tr("Close it and try again.");
-            m.actions = {retry(), choosePort()};
+            return inUse(error);
+        case PortProblem::StaleLock:
+            return staleLock(error);
+        case PortProblem::NoLockFolder:
+            return noLockFolder(error);
+        case PortProblem::TooManyFiles:
+            m.headline =
+                Texts::tr("%1 could not be opened: this program has too many files open.").arg(error.port);
+            m.body = Texts::tr("Close what it does not need, or start it again.");
+            m.actions = {retry()};
             return m;
         case PortProblem::NotFound:
             m.headline = Texts::tr("There is no %1.").arg(error.port);
@@ -86,6 +153,37 @@ Message slowAdapter(int updatesPerSecond, int latencyMs) {
                 .arg(latencyMs),
         .body = Texts::tr("Set its latency timer to 1 ms."),
         .actions = {{action::kHow, Texts::tr("How")}}};
+}
+
+Message latencyCure(const QString& file) {
+    Message m{.key = u"latencyCure"_s, .severity = Severity::Normal};
+    m.command = u"echo 1 | sudo tee "_s + file;
+    m.headline = Texts::tr("Set the latency timer of the USB adapter to 1 ms, then connect again.");
+    m.body = Texts::tr("Run %1. That lasts until it is unplugged; for good, also run %2.")
+                 .arg(m.command, intoUdev(uR"(ACTION=="add", SUBSYSTEM=="usb-serial", DRIVER=="ftdi_sio", )"
+                                          uR"(ATTR{latency_timer}="1")"_s));
+    m.actions = {copyCommand()};
+    return m;
+}
+
+Message adapterBack(const QString& port, bool sameSerial) {
+    const QString text = sameSerial ? Texts::tr("The adapter is back as %1 (same serial number). Reconnect?")
+                                    : Texts::tr("An adapter of the same kind is there as %1. Reconnect?");
+    return {.key = key::port(),
+            .severity = Severity::Attention,
+            .headline = text.arg(port),
+            .body = Texts::tr(
+                "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for "
+                "before is sent again."),
+            .actions = {{action::kConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
+}
+
+Message differentAdapter(const QString& port) {
+    return {.key = key::port(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A different adapter is on %1.").arg(port),
+            .body = Texts::tr("It is not the one that this panel was connected to before. Nothing was sent."),
+            .actions = {{action::kConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
 }
 
 }  // namespace nmc::texts

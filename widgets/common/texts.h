@@ -45,6 +45,7 @@ inline const QString kHow = QStringLiteral("how");
 inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
 inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< the window asks before it
 inline const QString kReconnect = QStringLiteral("reconnect");
+inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
 }  // namespace action
 
@@ -61,6 +62,10 @@ inline const QString kUnderstood = QStringLiteral("understood");
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
+/// What "How" answers; `file` holds the timer.
+[[nodiscard]] Message latencyCure(const QString& file);
+[[nodiscard]] Message adapterBack(const QString& port, bool sameSerial);
+[[nodiscard]] Message differentAdapter(const QString& port);
 
 // ---- one module ----
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
@@ -77,6 +82,13 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
 
 // ---- stopping, closing, safety ----
+/// `stopped`: motors moved, and were stopped while the panel was frozen.
+[[nodiscard]] Message panelFroze(double seconds, bool stopped);
+[[nodiscard]] Message machineSlept(double seconds);
+/// The session before ended without a stop.
+[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules);
+/// `file`: where they belong.
+[[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
 /// "reaches 5 of 5"

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/portcontroller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bus/engine.h"
+
+namespace nmc {
+
+namespace {
+
+/// From here on the adapter, not the wire, decides how often a module is heard of.
+constexpr Duration kSlow = std::chrono::milliseconds(8);
+
+}  // namespace
+
+PortController::PortController(Places places, QObject* parent)
+    : QObject(parent), m_places(std::move(places)), m_watcher(m_places.list, m_places.devices) {
+    connect(&m_watcher, &PortWatcher::portsChanged, this, &PortController::look);
+}
+
+bool PortController::mayConnect(const QString& port, quint32 baud) {
+    if (!m_adapters.differs(port, ports()))
+        return true;
+    offer(port, baud, texts::differentAdapter(port));
+    return false;
+}
+
+void PortController::opening(const QString& port, quint32 baud) {
+    m_open = {port, baud};
+    m_offer.reset();
+    m_lost = false;
+    m_adapters.opened(port, ports());
+    const auto latency = latencyTimerOf(port, m_places.sysfs);
+    m_slow = latency && *latency >= kSlow ? latency : std::nullopt;
+}
+
+void PortController::closed(const PortError& error) {
+    m_slow.reset();
+    if (error.problem != PortProblem::Gone)
+        return;
+    m_lost = true;
+    m_adapters.lost(m_open.port);
+}
+
+Duration PortController::adapterLatency(const QString& port) const {
+    const Duration least = bus::EngineConfig{}.adapterLatency;
+    return std::max(least, latencyTimerOf(port, m_places.sysfs).value_or(least));
+}
+
+void PortController::noteRate(double exchangesPerSecond) {
+    if (!m_slow || exchangesPerSecond < 1.0)
+        return;
+    const auto ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(*std::exchange(m_slow, std::nullopt));
+    emit told(
+        texts::slowAdapter(static_cast<int>(std::lround(exchangesPerSecond)), static_cast<int>(ms.count())));
+}
+
+void PortController::look(const QList<PortEntry>& ports) {
+    emit portsChanged(ports);
+    if (const auto back = m_adapters.back(ports)) {
+        m_lost = false;
+        offer(back->port, m_open.baud, texts::adapterBack(back->port, back->sameSerial));
+    } else if (m_lost && m_adapters.differs(m_open.port, ports)) {
+        m_lost = false;  // told once; the one that was lost may still come back
+        offer(m_open.port, m_open.baud, texts::differentAdapter(m_open.port));
+    }
+}
+
+void PortController::offer(const QString& port, quint32 baud, const Message& message) {
+    m_offer = Offer{port, baud};
+    // In place of what was said about the port before, and not as a repeat of it.
+    emit ended(message.key);
+    emit told(message);
+}
+
+}  // namespace nmc

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace nmc {
+
+/// The rate that the driver of an open terminal has really set, in bits per second, where it tells. Drivers
+/// round what was asked for to what their divisor makes.
+[[nodiscard]] std::optional<std::uint32_t> lineRate(int fd);
+
+/// A mismatch of more than 2 % between two ends loses bytes (protocol.md 1).
+[[nodiscard]] bool rateIsGoodEnough(std::uint32_t wanted, std::uint32_t real);
+
+}  // namespace nmc

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/composition.h"
+#include "tests/support/nmcsimprocess.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagerow.h"
+
+namespace nmc::testing_support {
+
+/// The whole program without main(), driven by what its window emits instead of by mouse and key.
+class IntentPanel {
+public:
+    /// `settings`: a file; empty for a fresh one.
+    explicit IntentPanel(const QString& settings = {}, PortController::Places places = {})
+        : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
+                     QSettings::IniFormat),
+          m_composition(m_settings, std::move(places)) {}
+
+    void start() { m_composition.show({}); }
+    /// Connects, and waits until the modules are there.
+    void connectTo(const QString& port) {
+        emit window().connectRequested(port, 115'200);
+        ASSERT_TRUE(waitFor([&] { return connected(); }));
+    }
+    [[nodiscard]] bool connected() const {
+        return m_composition.store().link().phase == LinkPhase::Connected;
+    }
+    /// Connects to the first of two modules and sets it going.
+    void startMoving(NmcsimProcess& sim) {
+        m_composition.show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
+        ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
+        ask(intent::Enable{});
+        ASSERT_TRUE(waitFor([&] { return module().servoOn(); }));
+        ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AtSpeed; }));
+    }
+    template <typename Predicate>
+    bool waitFor(Predicate predicate) {
+        return QTest::qWaitFor(predicate, 20'000);
+    }
+    void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
+
+    /// Headlines of the message list, newest first.
+    [[nodiscard]] QStringList headlines() {
+        QStringList lines;
+        for (const MessageRow* row : window().findChild<MessageList*>()->rows())
+            lines << row->message().headline;
+        return lines;
+    }
+    [[nodiscard]] int count(const QString& words) {
+        return static_cast<int>(headlines().filter(words).size());
+    }
+
+    [[nodiscard]] const ModuleState& module() const { return *m_composition.store().module(ModuleIndex(0)); }
+    MainWindow& window() { return m_composition.window(); }
+    Composition& composition() { return m_composition; }
+    QSettings& settings() { return m_settings; }
+
+private:
+    QTemporaryDir m_directory;
+    QSettings m_settings;
+    Composition m_composition;
+};
+
+/// Module 1 of nmcsim is on its way.
+inline bool moves(NmcsimProcess& sim) {
+    return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;
+}
+
+}  // namespace nmc::testing_support

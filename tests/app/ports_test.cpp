@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adapters that go and come back, and slow ones, through the whole window; and the sentences about ports.
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+/// A machine whose ports are what the test says.
+class Machine {
+public:
+    PortController::Places places() {
+        PortController::Places places;
+        places.list = [this] { return m_ports; };
+        places.devices = m_directory.path();
+        places.sysfs = m_directory.filePath(QStringLiteral("sys"));
+        return places;
+    }
+    [[nodiscard]] QString port(const char* name) const { return m_directory.filePath(QLatin1String(name)); }
+    /// The list as it is from now on; something in the folder of devices changes with it.
+    void set(const QList<PortEntry>& ports) {
+        m_ports = ports;
+        QFile file(m_directory.filePath(QStringLiteral("change%1").arg(++m_changes)));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    }
+    void setLatency(const QString& port, const char* ms) {
+        const QString folder =
+            m_directory.filePath(QStringLiteral("sys/bus/usb-serial/devices/") + QFileInfo(port).fileName());
+        ASSERT_TRUE(QDir().mkpath(folder));
+        QFile file(folder + QStringLiteral("/latency_timer"));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(ms);
+    }
+
+private:
+    QTemporaryDir m_directory;
+    QList<PortEntry> m_ports;
+    int m_changes = 0;
+};
+
+PortEntry adapter(const QString& name, const char* serial) {
+    return {name, QStringLiteral("USB Serial"), QLatin1String(serial), 0x0403, 0x6001};
+}
+
+const QString kBack = QStringLiteral("The adapter is back as ");
+const QString kDifferent = QStringLiteral("A different adapter is on ");
+
+TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
+    Machine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1")});
+    IntentPanel panel({}, machine.places());
+    panel.start();
+    {
+        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), one});
+        ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
+        machine.set({});
+    }
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), two});
+    machine.set({adapter(two, "A1")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
+    EXPECT_TRUE(panel.headlines().first().contains(two));
+    EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
+    EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
+
+    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
+}
+
+TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
+    Machine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.set({adapter(port, "A1")});
+    IntentPanel panel({}, machine.places());
+    panel.start();
+    {
+        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
+        ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+        machine.set({});
+    }
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
+    machine.set({adapter(port, "B2")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
+    emit panel.window().connectRequested(port, 115'200);
+    EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
+    EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
+
+    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    EXPECT_EQ(panel.count(kBack), 0);
+}
+
+TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    Machine machine;
+    machine.setLatency(sim.terminal(), "16\n");
+    PortController controller(machine.places());
+    EXPECT_EQ(controller.adapterLatency(sim.terminal()), std::chrono::milliseconds(16));
+    EXPECT_EQ(controller.adapterLatency(QStringLiteral("/dev/ttyS0")), std::chrono::milliseconds(4));
+
+    IntentPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("adapter waits 16 ms")) == 1; }));
+    emit panel.window().messageAction(QStringLiteral("slowAdapter"), texts::action::kHow);
+    EXPECT_EQ(panel.count(QStringLiteral("Set the latency timer")), 1);
+}
+
+TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
+    Machine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.setLatency(port, "1\n");
+    PortController controller(machine.places());
+    EXPECT_EQ(controller.adapterLatency(port), std::chrono::milliseconds(4)) << "never below";
+    int told = 0;
+    QObject::connect(&controller, &PortController::told, [&told] { ++told; });
+    controller.opening(port, 19'200);
+    controller.noteRate(200);
+    EXPECT_EQ(told, 0);
+    machine.setLatency(port, "16\n");
+    controller.opening(port, 19'200);
+    controller.noteRate(0);
+    EXPECT_EQ(told, 0) << "nothing is known of its speed yet";
+    controller.noteRate(58);
+    controller.noteRate(58);
+    EXPECT_EQ(told, 1);
+}
+
+// ---- the sentences ----
+
+PortError busy(const char* program, qint64 pid) {
+    PortError error;
+    error.problem = PortProblem::InUse;
+    error.port = QStringLiteral("/dev/ttyUSB0");
+    error.program = QLatin1String(program);
+    error.pid = pid;
+    return error;
+}
+
+TEST(F32_Text, NamesTheProgram) {
+    const Message m = texts::portProblem(busy("minicom", 4711));
+    EXPECT_EQ(m.headline, QStringLiteral("/dev/ttyUSB0 is used by minicom (pid 4711)."));
+    EXPECT_EQ(m.body, QStringLiteral("Close it and try again."));
+    EXPECT_EQ(texts::portProblem(busy("", 4711)).headline,
+              QStringLiteral("/dev/ttyUSB0 is used by another program (pid 4711)."));
+}
+
+TEST(F33_Text, NamesTheFileItsOwnerAndTheCommand) {
+    PortError error = busy("", 0);
+    error.problem = PortProblem::StaleLock;
+    error.lockFile = QStringLiteral("/run/lock/LCK..ttyUSB0");
+    error.user = QStringLiteral("root");
+    const Message m = texts::portProblem(error);
+    EXPECT_TRUE(m.body.contains(QLatin1String("The lock file /run/lock/LCK..ttyUSB0 was left by root")));
+    EXPECT_EQ(m.command, QStringLiteral("sudo rm /run/lock/LCK..ttyUSB0"));
+    EXPECT_EQ(m.actions.first().id, texts::action::kCopyCommand);
+}
+
+TEST(F34_Text, SaysThatALockFileCannotBeMade) {
+    PortError error = busy("", 0);
+    error.problem = PortProblem::NoLockFolder;
+    error.lockFile = QStringLiteral("/var/lock");
+    const Message m = texts::portProblem(error);
+    EXPECT_TRUE(m.headline.contains(QLatin1String("no lock file can be made")));
+    EXPECT_TRUE(m.body.contains(QLatin1String("/var/lock")));
+}
+
+TEST(F36_Text, HasTheUdevRuleToCopy) {
+    const Message modem = texts::portProblem(busy("ModemManager", 800));
+    EXPECT_TRUE(modem.command.contains(QLatin1String("ENV{ID_MM_PORT_IGNORE}=\"1\"")));
+    EXPECT_TRUE(modem.body.contains(modem.command));
+    EXPECT_EQ(modem.actions.first().id, texts::action::kCopyCommand);
+    const Message braille = texts::portProblem(busy("brltty", 801));
+    EXPECT_TRUE(braille.command.contains(QLatin1String("90-brltty-usb-generic.rules")));
+}
+
+TEST(H16_Text, SaysTooManyFiles) {
+    PortError error = busy("", 0);
+    error.problem = PortProblem::TooManyFiles;
+    EXPECT_EQ(texts::portProblem(error).headline,
+              QStringLiteral("/dev/ttyUSB0 could not be opened: this program has too many files open."));
+}
+
+TEST(SlowAdapter, HasItsCommandAndTheRuleForGood) {
+    const Message m = texts::latencyCure(QStringLiteral("/sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
+    EXPECT_EQ(m.command,
+              QStringLiteral("echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
+    EXPECT_TRUE(m.body.contains(QLatin1String("ATTR{latency_timer}=\"1\"")));
+}
+
+}  // namespace
+}  // namespace nmc

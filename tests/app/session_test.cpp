@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program ends, hangs, or cannot do what it is used to: what becomes of the motors, and what is said.
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTimer>
+#include <csignal>
+
+#include "app/unixsignals.h"
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+const QString kServo = QStringLiteral("servo");
+
+class Signals : public testing::TestWithParam<int> {};
+
+TEST_P(Signals, StopTheMotorsAndEndTheProgram) {
+    NmcsimProcess sim(kServo);
+    IntentPanel panel;
+    const UnixSignals system(panel.composition().worker());
+    QObject::connect(&system, &UnixSignals::terminationAsked, &panel.composition(),
+                     &Composition::stopAndQuit);
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    std::raise(GetParam());
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));
+    EXPECT_FALSE(panel.composition().worker().isOpen());
+    EXPECT_FALSE(moves(sim));
+    EXPECT_TRUE(sim.state(1)[QStringLiteral("servo_on")].toBool());
+    EXPECT_FALSE(panel.settings().contains(QStringLiteral("session/moving")));
+}
+
+INSTANTIATE_TEST_SUITE_P(H04, Signals, testing::Values(SIGTERM, SIGINT, SIGHUP));
+
+TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
+    NmcsimProcess sim(kServo);
+    IntentPanel panel;
+    const UnixSignals system(panel.composition().worker());
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    bool stopped = false;
+    QTimer::singleShot(0, [&] {
+        // Below Heartbeat::kStopAfter, which would stop them as well.
+        QElapsedTimer clock;
+        clock.start();
+        std::raise(SIGTERM);
+        while (!stopped && clock.elapsed() < 1'900)
+            stopped = !moves(sim);
+    });
+    EXPECT_TRUE(panel.waitFor([&] { return stopped; }));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); })) << "and it closed";
+}
+
+TEST(H04_EndOfSession, StopsTheMotorsAndEndsTheProgramWithoutAQuestion) {
+    NmcsimProcess sim(kServo);
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    // Only the platform can make a session manager, and nobody here looks into it.
+    alignas(QObject) std::byte manager[sizeof(QObject)]{};
+    emit qApp->commitDataRequest(reinterpret_cast<QSessionManager&>(manager));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));
+    EXPECT_FALSE(panel.composition().worker().isOpen());
+    EXPECT_FALSE(moves(sim));
+}
+
+TEST(H01_FrozenPanel, SaysSoInTheMessageList) {
+    NmcsimProcess sim(kServo);
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    bool stopped = false;
+    QTimer::singleShot(0, [&] {
+        QElapsedTimer limit;
+        limit.start();
+        while (!stopped && limit.elapsed() < 20'000)
+            stopped = !moves(sim);
+    });
+    ASSERT_TRUE(panel.waitFor([&] { return stopped; }));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return panel.count(QStringLiteral("motors were stopped after 2 s")) == 1;
+    })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(H02_Killed, IsSaidAtTheNextStartWithTheMotorThatWasMoving) {
+    QTemporaryDir directory;
+    const QString left = directory.filePath(QStringLiteral("left.ini"));
+    {
+        NmcsimProcess sim(QStringLiteral("servo,servo"));
+        IntentPanel panel;
+        ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+        // What is on the disk now is what SIGKILL would leave there.
+        ASSERT_TRUE(QFile::copy(panel.settings().fileName(), left));
+        panel.ask(intent::StopAbruptly{});
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
+    }
+    IntentPanel next(left);
+    next.start();
+    EXPECT_EQ(next.count(QStringLiteral("The last session ended while motor 1 was moving.")), 1);
+}
+
+TEST(H02_Killed, IsNotSaidWhenTheMotorHadStopped) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    panel.ask(intent::StopAbruptly{});
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.settings().contains(QStringLiteral("session/moving")); }));
+}
+
+TEST(H02_Killed, AMarkerThatWasTamperedWithIsNoDanger) {
+    QTemporaryDir directory;
+    const QString file = directory.filePath(QStringLiteral("bad.ini"));
+    QSettings(file, QSettings::IniFormat)
+        .setValue(QStringLiteral("session/moving"), QStringList{QStringLiteral("0"), QStringLiteral("33"),
+                                                                QStringLiteral("-1"), QStringLiteral("x")});
+    IntentPanel panel(file);
+    panel.start();
+    EXPECT_EQ(panel.count(QStringLiteral("last session")), 0);
+}
+
+TEST(H18_ReadOnlyHome, IsSaidOnceAndTheProgramRuns) {
+    IntentPanel panel(QStringLiteral("/proc/nmc/panel.ini"));  // nobody can write there
+    panel.start();
+    EXPECT_EQ(panel.count(QStringLiteral("Settings are not saved")), 1);
+    EXPECT_TRUE(panel.window().isVisible());
+    IntentPanel other;
+    other.start();
+    EXPECT_EQ(other.count(QStringLiteral("Settings are not saved")), 0);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "link/heartbeat.h"
+
+#include <gtest/gtest.h>
+
+#include "link/suspendwatch.h"
+
+namespace nmc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr TimePoint at(Duration time) {
+    return TimePoint(time);
+}
+
+TEST(H01_Heartbeat, IsMissedAfterTwoSecondsOnce) {
+    Heartbeat heart;
+    heart.begin(at(10s));
+    EXPECT_FALSE(heart.missed(at(11'999ms), true));
+    EXPECT_EQ(heart.deadline(true), at(12s));
+    EXPECT_TRUE(heart.missed(at(12s), true));
+    EXPECT_FALSE(heart.missed(at(12'100ms), true)) << "told once";
+    EXPECT_EQ(heart.deadline(true), std::nullopt);
+}
+
+TEST(H01_Heartbeat, IsNotMissedWhileNothingMoves) {
+    Heartbeat heart;
+    heart.begin(at(10s));
+    EXPECT_FALSE(heart.missed(at(60s), false));
+    EXPECT_EQ(heart.deadline(false), std::nullopt) << "and nobody has to wake up for it";
+    EXPECT_TRUE(heart.missed(at(61s), true));
+}
+
+TEST(H01_Heartbeat, TellsOfTheGapWhenItIsBack) {
+    Heartbeat heart;
+    heart.begin(at(10s));
+    ASSERT_TRUE(heart.missed(at(12s), true));
+    const auto gap = heart.beat(at(13'100ms));
+    ASSERT_TRUE(gap.has_value());
+    EXPECT_EQ(gap->length, 3'100ms);
+    EXPECT_TRUE(gap->stopped);
+    EXPECT_FALSE(heart.beat(at(13'200ms)).has_value());
+    EXPECT_FALSE(heart.missed(at(15s), true));
+    EXPECT_TRUE(heart.missed(at(15'200ms), true)) << "the next gap counts again";
+}
+
+TEST(H01_Heartbeat, NotesAGapOfMoreThanASecondButNoneOfLess) {
+    Heartbeat heart;
+    heart.begin(at(10s));
+    EXPECT_FALSE(heart.beat(at(11s)).has_value()) << "exactly 1 s is not more";
+    const auto gap = heart.beat(at(12'001ms));
+    ASSERT_TRUE(gap.has_value());
+    EXPECT_FALSE(gap->stopped);
+}
+
+TEST(H07_Stall, OfASecondIsNoReasonToStop) {
+    Heartbeat heart;
+    heart.begin(at(10s));
+    EXPECT_FALSE(heart.missed(at(11s), true));
+}
+
+TEST(H05_SuspendWatch, TellsOnceHowLongTheMachineSlept) {
+    SuspendWatch watch;
+    EXPECT_FALSE(watch.check(3h).has_value()) << "asleep before this connection";
+    EXPECT_FALSE(watch.check(3h + 2us).has_value());
+    EXPECT_EQ(watch.check(5h), 2h);
+    EXPECT_FALSE(watch.check(5h).has_value());
+    EXPECT_EQ(watch.check(5h + 500ms), 500ms);
+}
+
+TEST(H05_SuspendWatch, IsNotFooledByClocksThatAreReadOneAfterTheOther) {
+    SuspendWatch watch;
+    (void)watch.check(1s);
+    for (int i = 0; i < 1'000; ++i)
+        EXPECT_FALSE(watch.check(1s + i * 1us).has_value());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of the program itself and of the computer it runs on.
+#include <cmath>
+
+#include "widgets/common/textparts.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// In the unit that a person would say it in.
+QString span(double seconds) {
+    constexpr double kMinute = 60;
+    constexpr double kHour = 60 * kMinute;
+    if (seconds < 2 * kMinute)
+        return Texts::tr("%1 s").arg(readout(std::round(seconds * 10) / 10, 3));
+    if (seconds < 2 * kHour)
+        return Texts::tr("%1 min").arg(std::lround(seconds / kMinute));
+    return Texts::tr("%1 h").arg(std::lround(seconds / kHour));
+}
+
+}  // namespace
+
+Message panelFroze(double seconds, bool stopped) {
+    const QString text =
+        stopped ? Texts::tr("The panel was frozen for %1; motors were stopped after 2 s.")
+                : Texts::tr("The panel was frozen for %1 while a motor was moving. It was not stopped.");
+    return {.key = u"froze"_s,
+            .severity = Severity::Attention,
+            .headline = text.arg(span(seconds)),
+            .body = Texts::tr(
+                "Stop all could not be pressed meanwhile. The computer was busy, or the program hung.")};
+}
+
+Message machineSlept(double seconds) {
+    return {
+        .key = u"slept"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
+                        .arg(span(seconds)),
+        .body = Texts::tr(
+            "The computer was suspended. Motors that moved went on moving meanwhile; look at them before "
+            "the next move.")};
+}
+
+Message endedWhileMoving(const std::vector<ModuleIndex>& modules) {
+    const QString text = modules.size() == 1
+                             ? Texts::tr("The last session ended while motor %1 was moving.")
+                             : Texts::tr("The last session ended while motors %1 were moving.");
+    return {.key = u"endedWhileMoving"_s,
+            .severity = Severity::Attention,
+            .headline = text.arg(listOfModules(modules)),
+            .body = Texts::tr(
+                "The program was killed, or the computer failed. Motor state unknown: look at it before you "
+                "connect; use the hardware stop if it moves.")};
+}
+
+Message settingsNotSaved(const QString& file) {
+    return {
+        .key = u"settings"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Settings are not saved."),
+        .body = Texts::tr("%1 cannot be written. Everything else works; only the layout of the window and "
+                          "the last port will not be remembered.")
+                    .arg(file)};
+}
+
+}  // namespace nmc::texts
