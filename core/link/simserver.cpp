@@ -137,6 +137,7 @@ void SimServer::deliver() {
     if (bytes.empty())
         return;
     std::vector<std::uint8_t> values;
+    values.reserve(bytes.size());
     for (const sim::HostByte& byte : bytes)
         values.push_back(byte.value);
     m_terminal.write(values);

@@ -267,6 +267,8 @@ TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     NamedPipe errors;
     SimProcess sim(chain, {"--speed", "1000"}, errors.path());
     Port port(sim.terminal());
+    while (sim.control("time")["time"] < 0.1) {  // modules are deaf for some ms after power-up
+    }
     for (int i = 1; i <= kServos; ++i) {
         port.write(command(0, 0x21, {static_cast<std::uint8_t>(i), 0xFF}));
         while (sim.state(i)["address"] == 0) {
