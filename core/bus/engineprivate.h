@@ -163,6 +163,7 @@ private:
     void deliverLook(const ReplyEnd& end, TimePoint now);
     void noteHealth(const Work& work, const ReplyEnd& end, TimePoint now);
     void noteExchange(ModuleIndex module, bool right, TimePoint now);
+    void giveUp(ModuleIndex module, TimePoint now);
     void giveUp(TimePoint now);
     void dispatchLostBurst(TimePoint now);
     [[nodiscard]] bool lostBurstDue(TimePoint now) const;

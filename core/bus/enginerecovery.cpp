@@ -261,9 +261,23 @@ void Engine::Private::noteExchange(ModuleIndex index, bool right, TimePoint now)
         const bool one = health == &module.health;
         events.emplace_back(HealthChanged{health->level(), health->wrongLately(), health->exchanges(),
                                           one ? std::optional(index) : std::nullopt});
-        if (health->level() == LinkHealth::Lost && m_phase == Phase::Running)
-            giveUp(now);
+        if (health->level() != LinkHealth::Lost || m_phase != Phase::Running)
+            continue;
+        if (!one)
+            return giveUp(now);
+        giveUp(index, now);
     }
+}
+
+/// The module is stopped and not asked again; the others go on.
+void Engine::Private::giveUp(ModuleIndex module, TimePoint now) {
+    if (const auto stop = stopFor(belief(module)))
+        m_guards.push_back({module, *stop});
+    if (m_doubt && m_doubt->module == module)
+        m_doubt.reset();
+    m_schedule.lose(module, now);
+    m_schedule.retire(module);
+    events.emplace_back(ModuleSilence{module, true});
 }
 
 /// All motors are stopped, and then nothing is asked any more.

@@ -103,7 +103,7 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
     if (const auto contradiction = against(m_known, end)) {
         const bool confirmed = m_candidate && !against(*m_candidate, end);
         if (!confirmed) {
-            m_candidate.emplace();
+            m_candidate = Known{};
             take(*m_candidate, end);
             return contradiction;
         }
@@ -151,8 +151,6 @@ std::optional<Rejection> Plausibility::servoStructure(const StatusReport& report
     const servo::AuxByte aux{*report.aux};
     if (!aux.servoOn() && !(status.positionError() && status.moveDone()))
         return Rejection::OffWithoutBits;
-    if (aux.servoOn() && !status.powerOn())
-        return Rejection::OnWithoutPower;
     if (aux.slewDone() && !aux.accelDone())
         return Rejection::SlewWithoutAccel;
     return std::nullopt;
@@ -175,6 +173,11 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
     const StatusReport& report = end.report;
     if (known.aux && report.aux && ((*known.aux ^ *report.aux) & kUndefinedAux) != 0)
         return Rejection::UndefinedBits;
+    // A servo that loses its power is off; one that is switched on without power may be on (DS-V 4.5).
+    if (m_identity.type == ModuleType::Servo && known.status && known.aux && report.aux &&
+        servo::StatusByte{*known.status}.powerOn() && !report.servoStatus().powerOn() &&
+        servo::AuxByte{*known.aux}.servoOn() && servo::AuxByte{*report.aux}.servoOn())
+        return Rejection::OnWithoutPower;
     if (stickyCleared(known, report))
         return Rejection::StickyCleared;
     if (known.status && (report.status & ~*known.status & kHomingBit) != 0 && !m_homing.isOpen())

@@ -21,7 +21,7 @@ enum class Rejection : std::uint8_t {
     VelocityJump,   ///< a velocity that no motor reaches in the time
     // PIC-SERVO (DS-V 5.3).
     OffWithoutBits,    ///< servo off, but pos_error or move_done is not set
-    OnWithoutPower,    ///< servo on without motor power
+    OnWithoutPower,    ///< servo still on as motor power goes away
     SlewWithoutAccel,  ///< slew_done without accel_done
     StickyCleared,     ///< a sticky bit went away without Clear Sticky Bits
     // PIC-STEP (DS-S 5.2).

@@ -147,7 +147,8 @@ struct LinkLost {};
 /// How far the link is to be trusted (link.md 2.5).
 enum class LinkHealth : std::uint8_t { Good, Doubtful, Lost };
 
-/// Of the whole bus. Lost is final: motors were stopped, polling ended; another connect() is needed.
+/// Of the whole bus, or of one module. Lost is final: the motors concerned were stopped and are not asked any
+/// more; another connect() is needed.
 struct HealthChanged {
     LinkHealth health;
     unsigned wrong = 0;  ///< of the last `of` exchanges

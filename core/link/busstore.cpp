@@ -123,7 +123,7 @@ void BusStore::take(const bus::Event& event) {
     } else if (const auto* expired = std::get_if<bus::HoldExpired>(&event)) {
         emit happened(*expired);
     } else if (const auto* health = std::get_if<bus::HealthChanged>(&event)) {
-        if (health->health == bus::LinkHealth::Lost)
+        if (health->health == bus::LinkHealth::Lost && !health->module)
             m_link.phase = LinkPhase::Lost;
         emit happened(*health);
     } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
