@@ -252,6 +252,8 @@ void Composition::told(const bus::ChainFound& found) {
         m_window.showMessage(texts::fewerThanExpected(modules, expected));
     else
         m_settings.setValue(key, modules);
+    if (const auto selected = m_window.selectedModule())
+        m_worker.watch({*selected});
     m_window.showMessage(texts::connected(found, m_target->port));
     m_window.endMessage(texts::key::badLink());
     if (found.unaddressed)

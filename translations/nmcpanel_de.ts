@@ -853,10 +853,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 wurde abgeschaltet: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
     </message>
     <message>
-        <source>Usually encoder or motor wires are swapped. Check them before the next move.</source>
-        <translation>Meist sind Encoder- oder Motoradern vertauscht. Vor der nächsten Fahrt prüfen.</translation>
-    </message>
-    <message>
         <source>Module %1 was stopped: it went past its goal, to %2 counts.</source>
         <translation>Modul %1 wurde gestoppt: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
     </message>
@@ -1235,6 +1231,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>looking for modules</source>
         <translation>suche Module</translation>
+    </message>
+    <message>
+        <source>Usually encoder or motor wires are swapped, or the gains make it swing. Check both before the next move.</source>
+        <translation>Meist sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Vor der nächsten Fahrt beides prüfen.</translation>
     </message>
 </context>
 <context>

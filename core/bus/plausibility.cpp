@@ -56,7 +56,10 @@ struct Plausibility::Sent {
         const double way = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
         p.jerk(latched, 2 * way + kSwing);
     }
-    void operator()(const servo::SetGain&) const { p.jerk(latched, kSwing); }
+    void operator()(const servo::SetGain& gain) const {
+        p.m_divisor = gain.sr;
+        p.jerk(latched, kSwing);
+    }
     template <typename Other>
     void operator()(const Other&) const {}
 
@@ -74,6 +77,18 @@ void Plausibility::jerk(TimePoint at, double reach) {
 
 bool Plausibility::jerked(TimePoint at) const {
     return m_jerk && at - m_jerk->since < kJerkTime;
+}
+
+/// How far a motor may get from a straight line in so many ticks.
+double Plausibility::bend(const StatusReport& report, TimePoint at, double most) const {
+    if (jerked(at))
+        return std::min(kViolent * most * most / 4, m_jerk->reach) + kMargin;
+    // At a low servo rate a servo swings slowly and far, and its velocities are not those of a tick.
+    if (m_divisor > 1)
+        return std::min(kViolent * most * most / 4, kSwing) + kMargin;
+    const bool on = report.aux && servo::AuxByte{*report.aux}.servoOn();
+    const double a = on ? kSwinging : kGentle;
+    return std::min(a * most * most / 4, kByHand * most) + kMargin;
 }
 
 /// How far a motion may go before the next reply: all the way, if that is short.
@@ -223,11 +238,10 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double most = ticks(end.latchedBy - known.from) + 1;
     const double now = end.report.velocity.value_or(known.velocity.value_or(0));
     const double before = known.velocity.value_or(0);
-    if (std::abs(now) > kFastest)
+    if (std::abs(now) > kFastest * m_divisor)
         return Rejection::VelocityJump;
-    const bool violent = jerked(end.latched);
-    const double a = violent ? kViolent : kGentle;
-    if (end.report.velocity && known.velocity) {
+    if (end.report.velocity && known.velocity && m_divisor == 1) {
+        const double a = jerked(end.latched) ? kViolent : kSwinging;
         const double reach = std::abs(before) + known.spread + kMargin + a * most;
         if (std::abs(now) > reach)
             return Rejection::VelocityJump;
@@ -236,10 +250,9 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double slack = known.spread + 1;
     const double slow = std::max(std::min(before, now) - slack, -kFastest);
     const double fast = std::min(std::max(before, now) + slack, kFastest);
-    const double farthest = violent ? m_jerk->reach : kByHand * most;
-    const double bend = std::min(a * most * most / 4, farthest) + kMargin;
-    const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - bend;
-    const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + bend;
+    const double around = bend(end.report, end.latched, most);
+    const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
+    const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double way = distance(*known.position, *end.report.position);
     return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;
 }

@@ -23,6 +23,8 @@ public:
     /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
     static constexpr double kByHand = 8.0;
+    /// Acceleration of a servo that is on and may swing, counts per tick squared.
+    static constexpr double kSwinging = 2.0;
     /// The same right after a command that may jerk the motor: that of a small motor at full voltage.
     static constexpr double kViolent = 8.0;
     /// How long a command may do that.
@@ -75,6 +77,7 @@ private:
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
+    [[nodiscard]] double bend(const StatusReport& report, TimePoint at, double most) const;
     void take(Known& known, const ReplyEnd& end) const;
 
     ModuleIdentity m_identity;
@@ -93,6 +96,7 @@ private:
     std::optional<Jerk> m_jerk;
     std::optional<std::int32_t> m_goal;  ///< stays loaded
     servo::LoadTrajectory m_loaded;
+    std::uint8_t m_divisor = 1;  ///< SR: velocities count per so many ticks (DS-V 5.2)
 };
 
 }  // namespace nmc::bus

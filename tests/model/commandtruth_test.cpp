@@ -21,7 +21,10 @@ class CommandTruth : public testing::TestWithParam<std::uint32_t> {
 protected:
     void SetUp() override {
         ASSERT_TRUE(m_bus.connect());
-        ASSERT_EQ(perform({servo::SetGain{200, 2'000, 20, 200, 255, 0, 16'000, m_divisor, std::uint8_t{0}}}),
+        // The longer the tick, the weaker: a motor that swings would be stopped.
+        const auto kp = static_cast<std::uint16_t>(200 / m_divisor);
+        const auto kd = static_cast<std::uint16_t>(2'000 / (m_divisor * m_divisor));
+        ASSERT_EQ(perform({servo::SetGain{kp, kd, 0, 200, 255, 0, 16'000, m_divisor, std::uint8_t{0}}}),
                   Outcome::Done);
         ASSERT_EQ(perform({stopWith(servo::StopManner::Abruptly)}), Outcome::Done);
     }

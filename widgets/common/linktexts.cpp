@@ -219,8 +219,9 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
             m.headline = Texts::tr("Module %1 was switched off: it moved the wrong way, to %2 counts.")
                              .arg(number)
                              .arg(position);
-            m.body =
-                Texts::tr("Usually encoder or motor wires are swapped. Check them before the next move.");
+            m.body = Texts::tr(
+                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before "
+                "the next move.");
             break;
         case bus::MotionSuspect::Reason::Overshot:
             m.headline = Texts::tr("Module %1 was stopped: it went past its goal, to %2 counts.")
