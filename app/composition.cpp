@@ -117,8 +117,6 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
-    connect(&m_window, &MainWindow::moduleSelected, this,
-            [this](ModuleIndex module) { m_worker.watch({module}); });
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
@@ -235,6 +233,10 @@ void Composition::showFrame() {
     const auto selected = m_window.selectedModule();
     if (!selected)
         return;
+    if (selected != m_watched) {
+        m_watched = selected;
+        m_worker.watch({*selected});
+    }
     if (const ModuleHistory* history = m_store.history(*selected))
         m_window.showHistory(*history, monotonicNow());
 }
@@ -252,8 +254,7 @@ void Composition::told(const bus::ChainFound& found) {
         m_window.showMessage(texts::fewerThanExpected(modules, expected));
     else
         m_settings.setValue(key, modules);
-    if (const auto selected = m_window.selectedModule())
-        m_worker.watch({*selected});
+    m_watched.reset();
     m_window.showMessage(texts::connected(found, m_target->port));
     m_window.endMessage(texts::key::badLink());
     if (found.unaddressed)

@@ -214,9 +214,7 @@ struct LinkStatistics {
     Duration roundTripMax{};
     Duration wireTime{};  ///< what the answered exchanges take on a perfect line, tick wait included
 
-    [[nodiscard]] std::uint64_t errors() const {
-        return timeouts + refused + badChecksum + (surplusBytes != 0 ? 1 : 0);
-    }
+    [[nodiscard]] std::uint64_t errors() const { return timeouts + refused + badChecksum + rejected; }
 };
 
 }  // namespace nmc::bus

@@ -63,11 +63,22 @@ LinkFigures BusStore::pullFigures(TimePoint now) {
             figures.meanRoundTripMs =
                 1e3 * toSeconds(statistics.roundTripSum - m_lastStatistics.roundTripSum) / answered;
     }
+    pullRates(seconds);
     figures.errors = statistics.errors();
     figures.counters = statistics;
     m_lastStatistics = statistics;
     m_lastPull = now;
     return figures;
+}
+
+void BusStore::pullRates(double seconds) {
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+        Record& record = m_records[i];
+        const auto since = static_cast<double>(record.samples - record.samplesPulled);
+        m_link.modules[i].repliesPerSecond =
+            seconds > 0.0 && m_lastPull != TimePoint{} ? since / seconds : 0.0;
+        record.samplesPulled = record.samples;
+    }
 }
 
 void BusStore::drain() {
@@ -142,6 +153,7 @@ void BusStore::take(const bus::Sample& sample) {
         return;
     ModuleState& module = m_link.modules[sample.module.value()];
     Record& record = m_records[sample.module.value()];
+    ++record.samples;
     const bool wasOff = module.switchedItselfOff;
     module.apply(sample);
     record.command.apply(sample);
@@ -168,6 +180,8 @@ void BusStore::found(const bus::ChainFound& chain) {
     for (const bus::ModuleInfo& info : chain.modules) {
         ModuleState module;
         module.info = info;
+        if (chain.attached)
+            module.attached();
         m_link.modules.push_back(module);
     }
     m_records.resize(chain.modules.size());

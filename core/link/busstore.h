@@ -58,6 +58,8 @@ private:
     struct Record {
         CommandPosition command;
         ModuleHistory history;
+        std::uint64_t samples = 0;
+        std::uint64_t samplesPulled = 0;  ///< when the figures were pulled last
     };
 
     void take(const WorkerEvent& event);
@@ -66,6 +68,7 @@ private:
     void found(const bus::ChainFound& chain);
     void silence(const bus::ModuleSilence& silence);
     void closed(const PortClosed& closed);
+    void pullRates(double seconds);
     void forgetChain();
     [[nodiscard]] bool known(ModuleIndex index) const { return index.value() < m_link.modules.size(); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/modulestate.h"
 
+#include <cstdlib>
+
 namespace nmc {
 
 namespace {
@@ -45,6 +47,24 @@ Severity severityOf(Activity activity) {
     return Severity::Normal;
 }
 
+/// Whether a servo moves that was set in motion by somebody else: a velocity below one count a tick reads 0,
+/// so the position has to tell.
+void ModuleState::watchDrift(const bus::Sample& sample) {
+    constexpr std::int64_t kStill = 4;  // counts; a servo works within its friction
+    constexpr Duration kLately = std::chrono::seconds(1);
+    if (!servoOn())
+        m_motionUnknown = false;
+    if (!m_motionUnknown || !sample.report.position)
+        return;
+    const std::int64_t now = *sample.report.position;
+    if (!m_restedAt || std::abs(now - *m_restedAt->report.position) > kStill) {
+        m_drifts = m_restedAt.has_value();
+        m_restedAt = sample;
+    } else if (sample.time - m_restedAt->time > kLately) {
+        m_drifts = false;
+    }
+}
+
 void ModuleState::apply(const bus::Sample& sample) {
     const bool wasOn = servoOn();
     if (!latest)
@@ -53,6 +73,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     latestTime = sample.time;
     if (!isServo() || !sample.report.aux)
         return;
+    watchDrift(sample);
     if (servoOn()) {
         switchedItselfOff = powerLostWhileOn = false;
     } else if (wasOn && !offCommanded) {
@@ -97,7 +118,7 @@ void ModuleState::applyLoaded() {
         offCommanded = true;
         return;
     }
-    offCommanded = false;
+    offCommanded = m_motionUnknown = false;
     const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
@@ -109,6 +130,7 @@ void ModuleState::apply(const servo::StopMotor& stop) {
         return;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
+    m_motionUnknown = false;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;
         offCommanded = true;
@@ -129,6 +151,8 @@ bool ModuleState::moving() const {
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
+    if (m_motionUnknown && m_drifts)
+        return true;
     return !latest->servoStatus().moveDone() || (motion == MotionMode::Velocity && goalVelocity != 0.0);
 }
 
@@ -154,6 +178,8 @@ Activity ModuleState::activityWhileOff() const {
 
 Activity ModuleState::activityWhileOn() const {
     const bool moveDone = latest->servoStatus().moveDone();
+    if (m_motionUnknown && m_drifts && moveDone)
+        return Activity::AtSpeed;
     if (motion == MotionMode::Velocity) {
         if (moveDone)
             return goalVelocity == 0.0 ? Activity::Holding : Activity::AtSpeed;

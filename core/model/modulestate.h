@@ -42,6 +42,8 @@ struct ModuleState {
     /// Latest value of every item; an item never reported is empty.
     std::optional<StatusReport> latest;
     TimePoint latestTime;
+    /// Status replies per second, as of the last second.
+    double repliesPerSecond = 0.0;
     bool silent = false;
     bool hasRestarted = false;
     /// Gains as last confirmed; empty: unknown.
@@ -63,6 +65,8 @@ struct ModuleState {
     void apply(const bus::CommandExecuted& executed);
     /// It lost everything it was told.
     void restarted();
+    /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
+    void attached() { m_motionUnknown = true; }
 
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
     [[nodiscard]] bool servoOn() const;
@@ -73,10 +77,14 @@ struct ModuleState {
 private:
     void applyLoaded();
     void apply(const servo::StopMotor& stop);
+    void watchDrift(const bus::Sample& sample);
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
     servo::LoadTrajectory m_loaded;
+    bool m_motionUnknown = false;
+    bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
+    std::optional<bus::Sample> m_restedAt;
     double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
 

@@ -133,5 +133,27 @@ TEST(ModuleState, SilenceComesBeforeEverythingElse) {
     EXPECT_EQ(module.activity(), Activity::Silent);
 }
 
+/// Attached: the velocity item has no fraction, so a slow motion shows in the position only.
+TEST(ModuleState, AServoThatAnotherHostLeftMovingIsMoving) {
+    ModuleState module = servoModule();
+    module.attached();
+    for (int i = 0; i <= 20; ++i)
+        module.apply(sampleOf(i * 0.1, kMoveDone | kPower, kServoOn, i * 10));
+    EXPECT_TRUE(module.moving());
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    for (int i = 0; i <= 20; ++i)
+        module.apply(sampleOf(2.1 + i * 0.1, kMoveDone | kPower, kServoOn, 200 + i % 2));
+    EXPECT_FALSE(module.moving()) << "it works within its friction";
+    EXPECT_EQ(module.activity(), Activity::Holding);
+}
+
+TEST(ModuleState, AModuleThatRestartedIsOffAndHasForgotten) {
+    ModuleState module = holdingServo();
+    module.restarted();
+    EXPECT_EQ(module.activity(), Activity::Restarted);
+    EXPECT_FALSE(module.gains.has_value());
+    EXPECT_FALSE(module.moving());
+}
+
 }  // namespace
 }  // namespace nmc

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/chainmodel.h"
 
+#include <cmath>
+
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -12,6 +14,8 @@ ChainModel::Row ChainModel::rowOf(const ModuleState& module) {
     row.address = module.info.address.value();
     row.name = texts::moduleName(module.info.index);
     row.type = texts::moduleType(module.info.identity);
+    if (module.repliesPerSecond > 0.0)
+        row.type = tr("%1 · %2/s").arg(row.type, texts::readout(std::round(module.repliesPerSecond)));
     row.activity = module.activity();
     row.position = module.latest.has_value() && module.latest->position.has_value()
                        ? texts::grouped(*module.latest->position)

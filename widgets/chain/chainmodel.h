@@ -17,7 +17,7 @@ public:
         IsHost = Qt::UserRole,
         Address,   ///< int
         Name,      ///< "Module 1"
-        TypeText,  ///< "PIC-SERVO v4"
+        TypeText,  ///< "PIC-SERVO v4 · 92/s", with the status replies per second
         ActivityValue,
         ActivityText,
         Position,      ///< "12 345", or a dash
