@@ -177,7 +177,9 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
         return Rejection::UndefinedBits;
     if (stickyCleared(known, report))
         return Rejection::StickyCleared;
-    if (known.status && (report.status & ~*known.status & kHomingBit) != 0 && !m_homing.isOpen())
+    const bool homes = m_identity.type == ModuleType::Servo || m_identity.type == ModuleType::Step;
+    const bool rose = homes && known.status && (report.status & ~*known.status & kHomingBit) != 0;
+    if (rose && !m_homing.isOpen())
         return Rejection::HomingRose;
     if (known.home && report.home && *known.home != *report.home && !m_home.isOpen())
         return Rejection::HomeChanged;

@@ -26,7 +26,7 @@ enum class Rejection : std::uint8_t {
     StickyCleared,     ///< a sticky bit went away without Clear Sticky Bits
     // PIC-STEP (DS-S 5.2).
     BothModes,           ///< velocity and trapezoidal mode at once
-    MovingWithoutPower,  ///< moving without power or amplifier
+    MovingWithoutPower,  ///< moving without power
     MovedWhileStopped,   ///< another position, and stopped before and now
     TimerCount,          ///< outside 1..65 452 in motion
 };
