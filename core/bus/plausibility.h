@@ -52,6 +52,8 @@ private:
         std::optional<std::int16_t> velocity;
         TimePoint from, to;  ///< the position was latched between these
         double spread = 0;   ///< of the velocities seen lately, counts per tick
+        double fastest = 0;  ///< of them
+        double swing = 0;    ///< speed that they did not tell of lately
     };
     /// Something a command may change without being contradicted: open until two replies that tell of it were
     /// latched well after the command.
@@ -68,6 +70,7 @@ private:
     [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
@@ -75,11 +78,13 @@ private:
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
+    [[nodiscard]] static double unexplained(const Known& known, const ReplyEnd& end);
     void take(Known& known, const ReplyEnd& end) const;
 
     ModuleIdentity m_identity;
     Known m_known;
     std::optional<Known> m_candidate;  ///< what a reply that contradicted said
+    Rejection m_contradiction{};       ///< why it was rejected
     Allowance m_position;
     Allowance m_home;
     Allowance m_homing;
@@ -91,7 +96,8 @@ private:
         double reach = 0;  ///< counts
     };
     std::optional<Jerk> m_jerk;
-    std::optional<std::int32_t> m_goal;  ///< stays loaded
+    std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
+    std::optional<std::int32_t> m_goal;    ///< stays loaded
     servo::LoadTrajectory m_loaded;
 };
 
