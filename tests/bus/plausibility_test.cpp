@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/bus/replies.h"
 #include "tests/bus/steps.h"
 
@@ -97,6 +99,13 @@ TEST(Plausibility, RejectsAServoThatIsOnWithoutPower) {
     EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x00}), std::nullopt) << "power lost: the servo is off";
 }
 
+TEST(Plausibility, BelievesTheAnswerOfAServoThatIsSwitchedOnWithoutPower) {
+    Servo servo({.status = 0x11, .aux = 0x00});
+    servo.sends(enable(0).command);
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}, kShort, 5ms), std::nullopt);
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}), Rejection::OnWithoutPower) << "long after";
+}
+
 TEST(Plausibility, RejectsSlewDoneWithoutAccelDone) {
     Servo servo;
     EXPECT_EQ(servo.says({.aux = 0x14}), Rejection::SlewWithoutAccel);
@@ -164,6 +173,22 @@ TEST(Plausibility, RejectsAPositionThatTheVelocityDoesNotReach) {
     EXPECT_EQ(moving.says({.position = 101 * 195 + 1'024, .velocity = 10}), Rejection::PositionJump);
     EXPECT_EQ(moving.says({.position = 99 * 195, .velocity = 10}, kShort), Rejection::PositionJump)
         << "nor does it go back";
+}
+
+/// It swings so fast that it is asked at the same velocity nearly every time, wherever it is by then.
+TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
+    Servo servo;
+    servo.sends(gains(0).command);
+    const double amplitude = 300;
+    for (int i = 0; i < 300; ++i) {
+        // 35 ticks between questions, 37 a period: 17.9 ms and 18.9 ms.
+        const double angle = 2 * 3.14159265 * 35 / 37 * i;
+        const double speed = amplitude * 2 * 3.14159265 / 37;
+        const ServoState state{.status = 0x08,
+                               .position = static_cast<std::int32_t>(amplitude * std::sin(angle)),
+                               .velocity = static_cast<std::int16_t>(speed * std::cos(angle))};
+        ASSERT_EQ(servo.says(state, i % 2 == 0 ? kEverything : kShort, 35 * kServoTick), std::nullopt) << i;
+    }
 }
 
 TEST(Plausibility, BelievesAPositionThatWrapsAtThirtyTwoBits) {
@@ -246,6 +271,20 @@ TEST(Plausibility, BelievesAContradictionThatTheNextReplyConfirms) {
     EXPECT_EQ(servo.says(after, kShort, 300ms), std::nullopt) << "another host moved it";
     EXPECT_EQ(servo.says(after), std::nullopt);
     EXPECT_EQ(servo.says({.position = 100, .home = -3}), Rejection::PositionJump) << "and it is there now";
+}
+
+/// The questions of a challenge: who it is, and then everything.
+TEST(Plausibility, LetsAReplyThatDoesNotTellConfirmNothingAndRefuteNothing) {
+    const ServoState moved{.position = 90'000};
+    Servo servo;
+    EXPECT_EQ(servo.says(moved), Rejection::PositionJump);
+    EXPECT_EQ(servo.says(moved, 0x20), std::nullopt) << "type and version";
+    EXPECT_EQ(servo.says(moved), std::nullopt);
+    const ServoState home{.home = 90'000};
+    Servo homed;
+    EXPECT_EQ(homed.says(home), Rejection::HomeChanged);
+    EXPECT_EQ(homed.says(home, kShort), std::nullopt);
+    EXPECT_EQ(homed.says(home), std::nullopt);
 }
 
 TEST(Plausibility, DoesNotTakeTwoDifferentContradictionsForAConfirmation) {
