@@ -147,7 +147,7 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
 
 std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
     const StatusReport& report = end.report;
-    if (uniform({end.bytes.data(), end.bytes.size()}))
+    if (uniform({end.bytes.data(), end.bytes.size()}) && !nothingToTell(report))
         return Rejection::Uniform;
     if (report.identity && *report.identity != m_identity)
         return Rejection::Identity;
@@ -223,6 +223,12 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
             break;
     }
     return std::nullopt;
+}
+
+/// A PIC-STEP at rest at 0 without motor power: zeros are what it last said.
+bool Plausibility::nothingToTell(const StatusReport& report) const {
+    return m_identity.type == ModuleType::Step && report.status == 0 && m_known.status == 0 &&
+           (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
 }
 
 /// Power is looked at once a tick (DS-V 4.6): the answer to a command that switches the servo on may say that

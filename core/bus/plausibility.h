@@ -70,6 +70,7 @@ private:
     [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] bool nothingToTell(const StatusReport& report) const;
     [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;

@@ -33,7 +33,7 @@ public:
     /// A few replies that nothing is wrong with.
     void settle(const State& said) {
         for (int i = 0; i < 4; ++i)
-            EXPECT_EQ(says(said, i % 2 == 0 ? kEverything : kShort), std::nullopt);
+            EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kEverything : kShort), std::nullopt);
     }
     void sends(ModuleCommand command) { judge.onSent(command, now + 5ms); }
 
@@ -63,6 +63,21 @@ TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
     Plausibility fresh({ModuleType::Servo, 4});
     const auto bytes = bytesOf(ServoState{.status = 0x08}, kShort);
     EXPECT_FALSE(fresh.judge(accepted(ModuleType::Servo, kShort, bytes, {})));
+}
+
+TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
+    const std::vector<std::uint8_t> zeros(10, 0x00);
+    const auto says = [&](Stepper& stepper) {
+        return stepper.judge.judge(accepted(ModuleType::Step, kShort, zeros, stepper.now + 10ms));
+    };
+    Stepper resting({.status = 0x00, .analog = 0});
+    EXPECT_EQ(says(resting), std::nullopt) << "it said so before, with its type";
+    Stepper powered({.status = 0x08, .analog = 0});
+    EXPECT_EQ(says(powered), Rejection::Uniform);
+    Stepper elsewhere({.status = 0x00, .position = 5, .analog = 0});
+    EXPECT_EQ(says(elsewhere), Rejection::Uniform);
+    Plausibility fresh({ModuleType::Step, 1});
+    EXPECT_EQ(fresh.judge(accepted(ModuleType::Step, kShort, zeros, {})), Rejection::Uniform);
 }
 
 TEST(Plausibility, RejectsAnotherTypeOrVersion) {
