@@ -238,7 +238,7 @@ private:
                 return set(m, kInputs.at(below(kInputs.size())), coin() ? 1.0 : 0.0);
             }
             case 14:
-                return set(m, Input::Analog, static_cast<double>(1 + below(255)));
+                return set(m, Input::Analog, static_cast<double>(below(256)));
             default:
                 did("stop all");
                 bus.engine.stopAll(bus.now);
