@@ -12,6 +12,7 @@ constexpr unsigned kUnaddressed = 0;
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 constexpr unsigned kLastAddress = 32;
+constexpr StatusItems kIdentity{StatusItems::Identity};
 
 }  // namespace
 
@@ -26,6 +27,8 @@ ChainLook::Next ChainLook::next() {
         m_hostRate = probe.rate;
         return changeTo(probe.rate);
     }
+    if (m_zerosHeard)
+        return Request{probe.address, ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
     // The answer's length hangs on what the host before defined.
     return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
 }
@@ -76,11 +79,16 @@ Line::Script ChainLook::changeTo(std::uint32_t rate) const {
 void ChainLook::onReply(const ReplyEnd& end) {
     const Probe probe = m_probes[m_at];
     const bool again = std::exchange(m_again, false);
+    const bool zerosHeard = std::exchange(m_zerosHeard, false);
     const ByteSpan bytes(end.bytes.data(), end.bytes.size());
     const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
     if (echoes(end, toPacket({probe.address, Nop{}.encode()}))) {
         ++m_echoes;
     } else if (bytes.empty()) {
+    } else if (uniform(bytes) && right && !zerosHeard) {
+        // A PIC-STEP at rest without motor power says so with zeros; its type is another number (DS-S 5.2).
+        m_zerosHeard = true;
+        return;
     } else if (uniform(bytes)) {
         ++m_zeros;
     } else if (!right && !again) {

@@ -16,7 +16,8 @@ namespace nmc::bus {
 /// Looks for a chain that is there already, at any of the rates it may have been left at, with nulls and No
 /// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
 /// rate come first, because hardly a host counts otherwise; every address at every rate only if nobody
-/// answers there. Says what to do next and is told what came of it. Pure.
+/// answers there. Where zeros answer, type and version are asked for. Says what to do next and is told what
+/// came of it. Pure.
 class ChainLook {
 public:
     /// Address and rate a module wakes up with come first.
@@ -60,7 +61,8 @@ private:
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
     bool m_unaddressed = false;
-    bool m_again = false;  ///< the present probe has been answered with noise before
+    bool m_again = false;       ///< the present probe has been answered with noise before
+    bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low
     unsigned m_noise = 0;
     unsigned m_collisions = 0;
     unsigned m_zeros = 0;

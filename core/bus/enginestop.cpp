@@ -62,7 +62,10 @@ void Engine::Private::noteBlindStops() {
     const std::vector<TimePoint>& latches = line.scriptLatches();
     for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
-        belief(steps[i].module).onSent(steps[i].command, latched);
+        Module& module = at(steps[i].module);
+        module.belief.onSent(steps[i].command, latched);
+        module.plausibility.onSent(steps[i].command, latched);
+        module.watch.onSent(steps[i].command);
         m_stop->onBlindSent(steps[i].module, m_blindStopsHeard ? std::optional(latched) : std::nullopt);
     }
 }

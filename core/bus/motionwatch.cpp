@@ -8,6 +8,16 @@
 
 namespace nmc::bus {
 
+namespace {
+
+/// The 32 bits wrap; what goes on for hours does not turn round by that.
+[[nodiscard]] std::int64_t nextTo(std::int64_t before, std::int32_t position) {
+    const auto way = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(before);
+    return before + static_cast<std::int32_t>(way);
+}
+
+}  // namespace
+
 struct MotionWatch::Sent {
     MotionWatch& w;
 
@@ -41,8 +51,9 @@ void MotionWatch::started() {
     if (!m_loaded.servo || !m_position)
         return;
     if (m_loaded.profile == servo::ProfileMode::Trapezoidal) {
+        const auto shown = static_cast<std::int32_t>(*m_position);
         if (m_goal)
-            m_corridor = Corridor{*m_position, *m_goal};
+            m_corridor = Corridor{*m_position, *m_position + (std::int64_t{*m_goal} - shown)};
         return;
     }
     const int direction = m_loaded.reverse ? -1 : 1;
@@ -65,7 +76,7 @@ std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& r
         return std::nullopt;
     const std::int16_t velocity = report.velocity.value_or(m_velocity);
     const bool isFrozen = frozen(report);
-    m_position = *report.position;
+    m_position = m_position ? nextTo(*m_position, *report.position) : *report.position;
     m_velocity = velocity;
     auto suspect = leaves(*m_position, velocity);
     if (!suspect && isFrozen)

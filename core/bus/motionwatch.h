@@ -49,8 +49,8 @@ private:
     [[nodiscard]] bool frozen(const StatusReport& report);
 
     servo::LoadTrajectory m_loaded;
-    std::optional<std::int32_t> m_goal;  ///< stays loaded
-    std::optional<std::int64_t> m_position;
+    std::optional<std::int32_t> m_goal;      ///< stays loaded
+    std::optional<std::int64_t> m_position;  ///< beyond 32 bits where it has wrapped
     std::int16_t m_velocity = 0;
     std::optional<Corridor> m_corridor;
     std::optional<Heading> m_heading;

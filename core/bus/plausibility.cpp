@@ -17,6 +17,8 @@ constexpr std::uint16_t kLongestTimerCount = 65'452;  // DS-S 4.1
 constexpr Duration kTakesEffect = 4 * kServoTick;
 /// How fast the spread of velocities seen lately fades, per reply.
 constexpr double kFade = 0.9;
+/// Counts per tick that no even motion leaves unexplained.
+constexpr double kSwings = 8.0;
 
 [[nodiscard]] double ticks(Duration time) {
     return toSeconds(time) / toSeconds(kServoTick);
@@ -25,6 +27,17 @@ constexpr double kFade = 0.9;
 /// Positions wrap at 32 bits.
 [[nodiscard]] double distance(std::int32_t from, std::int32_t to) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
+
+/// A reply without the item that a rule looks at neither breaks it nor shows that it holds.
+[[nodiscard]] bool tellsOf(Rejection rule, const StatusReport& report) {
+    using enum Rejection;
+    if (rule == HomeChanged)
+        return report.home.has_value();
+    if (rule == UndefinedBits || rule == StickyCleared)
+        return report.aux.has_value();
+    const bool ofMotion = rule == PositionJump || rule == VelocityJump || rule == MovedWhileStopped;
+    return !ofMotion || report.position.has_value();
 }
 
 }  // namespace
@@ -41,6 +54,7 @@ struct Plausibility::Sent {
     void operator()(const step::LoadTrajectory&) const { p.m_motion.open(latched); }
     void operator()(const step::StopMotor&) const { p.m_motion.open(latched); }
     void operator()(const StartMotion&) const {
+        p.m_mayEnable = latched;
         p.m_motion.open(latched);
         p.jerk(latched, p.reachOf(p.m_loaded));
     }
@@ -48,10 +62,13 @@ struct Plausibility::Sent {
         p.m_loaded = load;
         if (load.position)
             p.m_goal = load.position->value();
-        if (load.startNow)
-            p.jerk(latched, p.reachOf(load));
+        if (!load.startNow)
+            return;
+        p.m_mayEnable = latched;
+        p.jerk(latched, p.reachOf(load));
     }
     void operator()(const servo::StopMotor& stop) const {
+        p.m_mayEnable = latched;
         const bool known = stop.manner == servo::StopManner::Here && p.m_known.position;
         const double way = known ? std::abs(distance(*p.m_known.position, stop.here.value())) : 0.0;
         p.jerk(latched, 2 * way + kSwing);
@@ -80,15 +97,13 @@ bool Plausibility::jerked(TimePoint at) const {
 }
 
 /// How far a motor may get from a straight line in so many ticks.
-double Plausibility::bend(const StatusReport& report, TimePoint at, double most) const {
+double Plausibility::bend(TimePoint at, double most) const {
     if (jerked(at))
         return std::min(kViolent * most * most / 4, m_jerk->reach) + kMargin;
     // At a low servo rate a servo swings slowly and far, and its velocities are not those of a tick.
     if (m_divisor > 1)
         return std::min(kViolent * most * most / 4, kSwing) + kMargin;
-    const bool on = report.aux && servo::AuxByte{*report.aux}.servoOn();
-    const double a = on ? kSwinging : kGentle;
-    return std::min(a * most * most / 4, kByHand * most) + kMargin;
+    return std::min(kGentle * most * most / 4, kByHand * most) + kMargin;
 }
 
 /// How far a motion may go before the next reply: all the way, if that is short.
@@ -120,11 +135,13 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
         if (!confirmed) {
             m_candidate = Known{};
             take(*m_candidate, end);
+            m_contradiction = *contradiction;
             return contradiction;
         }
         m_known = *m_candidate;
     }
-    m_candidate.reset();
+    if (tellsOf(m_contradiction, end.report))
+        m_candidate.reset();
     take(m_known, end);
     m_homing.onReply(end.latched);
     if (end.report.home)
@@ -143,10 +160,12 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
 
 std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
     const StatusReport& report = end.report;
-    if (uniform({end.bytes.data(), end.bytes.size()}))
+    if (uniform({end.bytes.data(), end.bytes.size()}) && !nothingToTell(report))
         return Rejection::Uniform;
     if (report.identity && *report.identity != m_identity)
         return Rejection::Identity;
+    if (onWithoutPower(end))
+        return Rejection::OnWithoutPower;
     switch (m_identity.type) {
         case ModuleType::Servo:
             return servoStructure(report);
@@ -188,14 +207,11 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
     const StatusReport& report = end.report;
     if (known.aux && report.aux && ((*known.aux ^ *report.aux) & kUndefinedAux) != 0)
         return Rejection::UndefinedBits;
-    // A servo that loses its power is off; one that is switched on without power may be on (DS-V 4.5).
-    if (m_identity.type == ModuleType::Servo && known.status && known.aux && report.aux &&
-        servo::StatusByte{*known.status}.powerOn() && !report.servoStatus().powerOn() &&
-        servo::AuxByte{*known.aux}.servoOn() && servo::AuxByte{*report.aux}.servoOn())
-        return Rejection::OnWithoutPower;
     if (stickyCleared(known, report))
         return Rejection::StickyCleared;
-    if (known.status && (report.status & ~*known.status & kHomingBit) != 0 && !m_homing.isOpen())
+    const bool homes = m_identity.type == ModuleType::Servo || m_identity.type == ModuleType::Step;
+    const bool rose = homes && known.status && (report.status & ~*known.status & kHomingBit) != 0;
+    if (rose && !m_homing.isOpen())
         return Rejection::HomingRose;
     if (known.home && report.home && *known.home != *report.home && !m_home.isOpen())
         return Rejection::HomeChanged;
@@ -222,6 +238,22 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
     return std::nullopt;
 }
 
+/// A PIC-STEP at rest at 0 without motor power: zeros are what it last said.
+bool Plausibility::nothingToTell(const StatusReport& report) const {
+    return m_identity.type == ModuleType::Step && report.status == 0 && m_known.status == 0 &&
+           (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
+}
+
+/// Power is looked at once a tick (DS-V 4.6): the answer to a command that switches the servo on may say that
+/// it is on, whether there is power or not.
+bool Plausibility::onWithoutPower(const ReplyEnd& end) const {
+    if (m_identity.type != ModuleType::Servo || !end.report.aux || end.report.servoStatus().powerOn())
+        return false;
+    const bool told = m_mayEnable && end.latched < *m_mayEnable + kTakesEffect;
+    const bool homed = m_known.status && (*m_known.status & ~end.report.status & kHomingBit) != 0;
+    return servo::AuxByte{*end.report.aux}.servoOn() && !told && !homed;
+}
+
 bool Plausibility::stickyCleared(const Known& known, const StatusReport& report) const {
     if (m_identity.type != ModuleType::Servo || m_sticky.isOpen())
         return false;
@@ -241,16 +273,24 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     if (std::abs(now) > kFastest * m_divisor)
         return Rejection::VelocityJump;
     if (end.report.velocity && known.velocity && m_divisor == 1) {
-        const double a = jerked(end.latched) ? kViolent : kSwinging;
-        const double reach = std::abs(before) + known.spread + kMargin + a * most;
+        const double a = jerked(end.latched) ? kViolent : kGentle;
+        const double reach = std::abs(before) + known.spread + known.swing + kMargin + a * most;
         if (std::abs(now) > reach)
             return Rejection::VelocityJump;
     }
     // The velocity item has no fraction.
     const double slack = known.spread + 1;
-    const double slow = std::max(std::min(before, now) - slack, -kFastest);
-    const double fast = std::min(std::max(before, now) + slack, kFastest);
-    const double around = bend(end.report, end.latched, most);
+    double slow = std::min(before, now) - slack;
+    double fast = std::max(before, now) + slack;
+    if (known.swing > kSwings) {
+        // It may have swung the other way and back in between.
+        const double back = std::max(known.fastest, known.swing) + slack;
+        slow = std::min(slow, -back);
+        fast = std::max(fast, back);
+    }
+    slow = std::max(slow, -kFastest);
+    fast = std::min(fast, kFastest);
+    const double around = bend(end.latched, most);
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
     const double way = distance(*known.position, *end.report.position);
@@ -268,6 +308,16 @@ std::optional<Rejection> Plausibility::stepMotion(const Known& known, const Repl
                                                             : std::nullopt;
 }
 
+/// Speed that the velocities at both ends of a way do not tell of: a motor that swings about as fast as it is
+/// asked shows nearly the same one each time.
+double Plausibility::unexplained(const Known& known, const ReplyEnd& end) {
+    if (!known.position || !known.velocity || !end.report.position || !end.report.velocity)
+        return 0;
+    const double time = std::max(ticks(end.latched - known.from), 1.0);
+    const double told = (*known.velocity + *end.report.velocity) / 2.0;
+    return std::min(std::abs(distance(*known.position, *end.report.position) / time - told), kFastest);
+}
+
 void Plausibility::take(Known& known, const ReplyEnd& end) const {
     const StatusReport& report = end.report;
     known.status = report.status;
@@ -278,6 +328,8 @@ void Plausibility::take(Known& known, const ReplyEnd& end) const {
     if (report.velocity) {
         const double change = known.velocity ? std::abs(*report.velocity - *known.velocity) : 0.0;
         known.spread = std::max(known.spread * kFade, change);
+        known.swing = std::max(known.swing * kFade, unexplained(known, end));
+        known.fastest = std::max(known.fastest * kFade, std::abs(static_cast<double>(*report.velocity)));
     }
     if (report.position) {
         known.position = report.position;

@@ -23,8 +23,6 @@ public:
     /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
     static constexpr double kByHand = 8.0;
-    /// Acceleration of a servo that is on and may swing, counts per tick squared.
-    static constexpr double kSwinging = 2.0;
     /// The same right after a command that may jerk the motor: that of a small motor at full voltage.
     static constexpr double kViolent = 8.0;
     /// How long a command may do that.
@@ -54,6 +52,8 @@ private:
         std::optional<std::int16_t> velocity;
         TimePoint from, to;  ///< the position was latched between these
         double spread = 0;   ///< of the velocities seen lately, counts per tick
+        double fastest = 0;  ///< of them
+        double swing = 0;    ///< speed that they did not tell of lately
     };
     /// Something a command may change without being contradicted: open until two replies that tell of it were
     /// latched well after the command.
@@ -70,6 +70,8 @@ private:
     [[nodiscard]] std::optional<Rejection> servoStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> stepStructure(const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> against(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] bool nothingToTell(const StatusReport& report) const;
+    [[nodiscard]] bool onWithoutPower(const ReplyEnd& end) const;
     [[nodiscard]] bool stickyCleared(const Known& known, const StatusReport& report) const;
     [[nodiscard]] std::optional<Rejection> motion(const Known& known, const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> servoMotion(const Known& known, const ReplyEnd& end) const;
@@ -77,12 +79,14 @@ private:
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const servo::LoadTrajectory& load) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
-    [[nodiscard]] double bend(const StatusReport& report, TimePoint at, double most) const;
+    [[nodiscard]] double bend(TimePoint at, double most) const;
+    [[nodiscard]] static double unexplained(const Known& known, const ReplyEnd& end);
     void take(Known& known, const ReplyEnd& end) const;
 
     ModuleIdentity m_identity;
     Known m_known;
     std::optional<Known> m_candidate;  ///< what a reply that contradicted said
+    Rejection m_contradiction{};       ///< why it was rejected
     Allowance m_position;
     Allowance m_home;
     Allowance m_homing;
@@ -94,7 +98,8 @@ private:
         double reach = 0;  ///< counts
     };
     std::optional<Jerk> m_jerk;
-    std::optional<std::int32_t> m_goal;  ///< stays loaded
+    std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
+    std::optional<std::int32_t> m_goal;    ///< stays loaded
     servo::LoadTrajectory m_loaded;
     std::uint8_t m_divisor = 1;  ///< SR: velocities count per so many ticks (DS-V 5.2)
 };

@@ -21,12 +21,12 @@ enum class Rejection : std::uint8_t {
     VelocityJump,   ///< a velocity that no motor reaches in the time
     // PIC-SERVO (DS-V 5.3).
     OffWithoutBits,    ///< servo off, but pos_error or move_done is not set
-    OnWithoutPower,    ///< servo still on as motor power goes away
+    OnWithoutPower,    ///< servo on without motor power
     SlewWithoutAccel,  ///< slew_done without accel_done
     StickyCleared,     ///< a sticky bit went away without Clear Sticky Bits
     // PIC-STEP (DS-S 5.2).
     BothModes,           ///< velocity and trapezoidal mode at once
-    MovingWithoutPower,  ///< moving without power or amplifier
+    MovingWithoutPower,  ///< moving without power
     MovedWhileStopped,   ///< another position, and stopped before and now
     TimerCount,          ///< outside 1..65 452 in motion
 };

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Connecting to a chain that another program left behind: it is found as it is and left as it is.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t kOnePerTick = 65'536;
+constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
+
+[[nodiscard]] EngineConfig atRate(std::uint32_t baud) {
+    EngineConfig config;
+    config.baud = baud;
+    return config;
+}
+
+/// The first program: it gives addresses, runs the first motor in velocity mode, and is gone.
+class LeftBehind {
+public:
+    explicit LeftBehind(std::size_t modules, std::uint32_t baud) : bus(servos(modules), atRate(baud)) {
+        EXPECT_TRUE(bus.connect());
+        EXPECT_FALSE(bus.last<ChainFound>()->attached);
+        EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), Outcome::Done);
+        bus.runFor(500ms);
+        bus.engine = Engine(EngineConfig{});
+        bus.events.clear();
+        bus.sent.clear();
+    }
+    [[nodiscard]] double commandVelocity() { return bus.servo(0).commandVelocity; }
+
+    VirtualBus bus;
+};
+
+[[nodiscard]] std::uint8_t commandOf(const VirtualBus::Sent& sent) {
+    return sent.bytes.size() > 2 && sent.bytes[0] == 0xAA ? sent.bytes[2] : std::uint8_t{0x0E};
+}
+
+class AttachAt : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(AttachAt, FindsChainsOfEveryLengthAndLeavesMotionAndAddresses) {
+    for (const std::size_t modules : {1U, 2U, 3U, 17U, 32U}) {
+        SCOPED_TRACE(modules);
+        LeftBehind left(modules, GetParam());
+        VirtualBus& bus = left.bus;
+        bus.onTime = [&] { ASSERT_NEAR(left.commandVelocity(), 1.0, 0.01); };
+        ASSERT_TRUE(bus.connect());
+        const auto found = *bus.last<ChainFound>();
+        EXPECT_TRUE(found.attached);
+        EXPECT_FALSE(found.unaddressed);
+        EXPECT_EQ(found.baud, GetParam());
+        ASSERT_EQ(found.modules.size(), modules);
+        for (std::uint8_t i = 0; i < modules; ++i) {
+            EXPECT_EQ(found.modules[i].address, BusAddress(static_cast<std::uint8_t>(i + 1)));
+            EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
+            EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).group, 0xFF);
+        }
+        EXPECT_EQ(bus.servo(0).gains.kp, 200);
+        bus.runFor(1s);
+        EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+        bus.onTime = {};
+        bus.expectNoViolations();
+    }
+}
+
+TEST_P(AttachAt, AsksWithNoOperationUntilTheLastAddress) {
+    LeftBehind left(3, GetParam());
+    ASSERT_TRUE(left.bus.connect());
+    const auto& sent = left.bus.sent;
+    std::size_t at = 0;
+    std::set<int> asked;
+    for (; at < sent.size() && commandOf(sent[at]) == 0x0E; ++at)
+        if (sent[at].bytes[0] == 0xAA)
+            asked.insert(sent[at].bytes[1]);
+        else
+            EXPECT_EQ(sent[at].bytes, std::vector<std::uint8_t>(16, 0));
+    for (int address = 0; address <= 32; ++address)
+        EXPECT_TRUE(asked.count(address)) << address;
+    // From there on questions, and the length of replies.
+    for (; at < sent.size(); ++at) {
+        const std::uint8_t command = commandOf(sent[at]);
+        EXPECT_TRUE(command == 0x13 || command == 0x12 || command == 0x0E) << sent[at].hex();
+    }
+}
+
+TEST_P(AttachAt, CanStopWhatIsRunning) {
+    LeftBehind left(3, GetParam());
+    VirtualBus& bus = left.bus;
+    ASSERT_TRUE(bus.connect());
+    EXPECT_TRUE(bus.engine.anythingMoves());
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
+    EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 3U);
+    EXPECT_DOUBLE_EQ(left.commandVelocity(), 0);
+    EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, AttachAt, testing::Values(9'600U, 19'200U, 57'600U, 115'200U));
+
+TEST(Attach, ForbidsATrapezoidalMoveUntilAStopWasAnswered) {
+    LeftBehind left(2, 115'200);
+    VirtualBus& bus = left.bus;
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(300ms);
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Forbidden);
+    EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
+    ASSERT_EQ(bus.perform({enable(0)}), Outcome::Done) << "an abrupt stop";
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Done);
+    bus.expectNoViolations();
+}
+
+/// At velocity 0 in velocity mode a servo says move_done; nobody here knows that it is not a move that ended.
+TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
+    VirtualBus bus(servos(1), atRate(115'200));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bus.engine = Engine(EngineConfig{});
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Forbidden);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Done);
+    bus.runFor(2s);
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 3);
+}
+
+TEST(Attach, AllowsATrapezoidalMoveOfAServoThatIsSeenOff) {
+    VirtualBus bus(servos(1), atRate(115'200));
+    ASSERT_TRUE(bus.connect());
+    bus.engine = Engine(EngineConfig{});
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Done);
+}
+
+TEST(Attach, StopsTheMotorsWhenAskedToDuringTheLook) {
+    for (const std::uint32_t baud : {9'600U, 115'200U})
+        for (const Duration after : {Duration(1ms), Duration(90ms), Duration(400ms)}) {
+            SCOPED_TRACE(testing::Message() << baud << " Bd after " << after.count() << " ns");
+            LeftBehind left(3, baud);
+            VirtualBus& bus = left.bus;
+            bus.engine.connect(bus.now);
+            bus.runFor(after);
+            bus.engine.stopAll(bus.now);
+            ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 20s));
+            EXPECT_DOUBLE_EQ(left.commandVelocity(), 0);
+            EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 3U);
+            bus.runFor(1s);
+            EXPECT_EQ(bus.count<StopFinished>(), 1U);
+            EXPECT_EQ(bus.count<ChainFound>(), 1U);
+        }
+}
+
+TEST(Attach, EndsAStopDuringALookThatFindsNobody) {
+    VirtualBus bus(servos(1));
+    bus.losesReply = [](ByteSpan) { return true; };
+    bus.engine.connect(bus.now);
+    bus.runFor(50ms);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ConnectFailed>() > 0; }, 60s));
+    bus.runFor(1s);
+    ASSERT_EQ(bus.count<StopFinished>(), 1U);
+    EXPECT_TRUE(bus.last<StopFinished>()->stopped.empty());
+}
+
+TEST(Attach, TellsOfAModuleWithoutAnAddressBesideTheChain) {
+    for (const std::uint32_t baud : {19'200U, 115'200U}) {
+        SCOPED_TRACE(baud);
+        LeftBehind left(3, baud);
+        VirtualBus& bus = left.bus;
+        bus.chain.powerCycle(ModuleIndex(2), bus.now);
+        bus.runFor(100ms);
+        ASSERT_TRUE(bus.connect());
+        const auto found = *bus.last<ChainFound>();
+        EXPECT_TRUE(found.attached);
+        EXPECT_TRUE(found.unaddressed);
+        EXPECT_EQ(found.modules.size(), 2U);
+        EXPECT_EQ(bus.chain.snapshot(ModuleIndex(2), bus.now).address, 0) << "it is not given one unasked";
+        EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
+        ASSERT_TRUE(bus.restart());
+        EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
+        EXPECT_FALSE(bus.last<ChainFound>()->attached);
+    }
+}
+
+TEST(Attach, FindsAddressesThatNoHostCountsUpTo) {
+    LeftBehind left(3, 57'600);
+    VirtualBus& bus = left.bus;
+    const auto give = [&](std::uint8_t from, std::uint8_t to) {
+        std::vector<std::uint8_t> packet{0xAA, from, 0x21, to, 0xFF};
+        packet.push_back(static_cast<std::uint8_t>(from + 0x21 + to + 0xFF));
+        bus.chain.hostSends(packet, bus.now);
+        bus.runFor(20ms);
+    };
+    give(1, 7);
+    give(2, 19);
+    give(3, 32);
+    ASSERT_TRUE(bus.connect());
+    const auto found = *bus.last<ChainFound>();
+    ASSERT_EQ(found.modules.size(), 3U);
+    EXPECT_EQ(found.modules[0].address, BusAddress(7));
+    EXPECT_EQ(found.modules[1].address, BusAddress(19));
+    EXPECT_EQ(found.modules[2].address, BusAddress(32));
+    EXPECT_EQ(found.baud, 57'600U);
+    EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
+}
+
+TEST(Attach, SwitchesMotorsOffWithARestart) {
+    LeftBehind left(2, 9'600);
+    ASSERT_TRUE(left.bus.restart());
+    EXPECT_FALSE(left.bus.last<ChainFound>()->attached);
+    EXPECT_FALSE(left.bus.servo(0).servoOn);
+    EXPECT_EQ(left.bus.servo(0).gains.kp, 0);
+    EXPECT_EQ(left.bus.perform({gains(0), enable(0), loadMove(0, 100), start(0)}), Outcome::Done);
+}
+
+/// The status byte of a PIC-STEP at rest without motor power is 00, and so is the sum of a reply with nothing
+/// else in it (DS-S 5.2).
+TEST(Attach, FindsAStepperWithoutMotorPower) {
+    for (const std::size_t modules : {1U, 3U}) {
+        VirtualBus bus(std::vector<ModuleIdentity>(modules, kStepper));
+        for (std::uint8_t i = 0; i < modules; ++i)
+            bus.chain.set(ModuleIndex(i), sim::Input::Power, 0.0, bus.now);
+        ASSERT_TRUE(bus.connect()) << "fresh, failure "
+                                   << static_cast<int>(bus.last<ConnectFailed>()->reason);
+        EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
+        EXPECT_EQ(bus.last<ChainFound>()->modules[0].identity, kStepper);
+        bus.runFor(2s);
+        EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+        bus.engine = Engine(EngineConfig{});
+        ASSERT_TRUE(bus.connect()) << "left behind";
+        EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
+    }
+}
+
+}  // namespace
+
+}  // namespace nmc::test

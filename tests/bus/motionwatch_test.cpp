@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/motionwatch.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/bus/replies.h"
+#include "tests/bus/steps.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using Reason = MotionSuspect::Reason;
+using Suspect = std::optional<Reason>;
+
+constexpr std::uint8_t kLong = 0x3F;
+constexpr std::uint8_t kShort = 0x0F;
+
+/// A servo that is on, told things and asked in turns.
+class Watched {
+public:
+    explicit Watched(std::int32_t position = 0) { EXPECT_EQ(is(position), Suspect{}); }
+
+    Suspect is(std::int32_t position, std::int16_t velocity = 0, std::uint8_t aux = 0x04) {
+        m_long = !m_long;
+        const std::uint8_t items = m_long ? kLong : kShort;
+        const ServoState state{.status = static_cast<std::uint8_t>((aux & 4) != 0 ? 0x08 : 0x19),
+                               .position = position,
+                               .velocity = velocity,
+                               .aux = aux};
+        return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report);
+    }
+    void told(const Step& step) { watch.onSent(step.command); }
+
+    MotionWatch watch;
+
+private:
+    bool m_long = false;
+};
+
+[[nodiscard]] Step turn(bool reverse) {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(65'536);
+    load.acceleration = CountsPerTickSquared(655);
+    load.profile = servo::ProfileMode::Velocity;
+    load.reverse = reverse;
+    load.startNow = true;
+    return toServo(0, load);
+}
+
+TEST(MotionWatch, SaysNothingOfAMoveThatEndsAtItsGoal) {
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    servo.told(start(0));
+    for (std::int32_t position = 0; position <= 5'000; position += 50)
+        ASSERT_EQ(servo.is(position, 5), Suspect{});
+    for (const std::int32_t position : {5'080, 5'020, 4'990, 5'000, 5'000})
+        EXPECT_EQ(servo.is(position), Suspect{}) << "it swings a little";
+}
+
+TEST(MotionWatch, TellsOnceOfAMoveAwayFromItsGoal) {
+    for (const std::int32_t sign : {1, -1}) {
+        Watched servo(10'000);
+        servo.told(loadMove(0, 10'000 + sign * 5'000));
+        servo.told(start(0));
+        EXPECT_EQ(servo.is(10'000 - sign * 400, 4), Suspect{}) << "that much it may give";
+        EXPECT_EQ(servo.is(10'000 - sign * 401, 4), Reason::WrongWay);
+        EXPECT_EQ(servo.is(10'000 - sign * 900, 4), Suspect{});
+    }
+}
+
+TEST(MotionWatch, TellsOfAMoveThatGoesPastItsGoal) {
+    // A tenth of the way and 400 counts are overshoot.
+    Watched servo;
+    servo.told(loadMove(0, -5'000));
+    servo.told(start(0));
+    EXPECT_EQ(servo.is(-5'900, -5), Suspect{});
+    EXPECT_EQ(servo.is(-5'901, -5), Reason::Overshot);
+}
+
+TEST(MotionWatch, WatchesALoadAsIfItHadStarted) {
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    EXPECT_EQ(servo.is(-401, -4), Reason::WrongWay) << "changed on its way it may have";
+}
+
+TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    servo.told(start(0));
+    for (std::int32_t position = 0; position <= 5'000; position += 100)
+        ASSERT_EQ(servo.is(position, 5), Suspect{});
+    servo.told(start(0));
+    EXPECT_EQ(servo.is(5'000), Suspect{}) << "a move of no length";
+    EXPECT_EQ(servo.is(5'401, 4), Reason::Overshot);
+}
+
+TEST(MotionWatch, TellsOfAMotorThatTurnsAgainstItsDirection) {
+    for (const bool reverse : {false, true}) {
+        const int sign = reverse ? -1 : 1;
+        Watched servo;
+        servo.told(turn(reverse));
+        for (int i = 0; i < 20; ++i)
+            ASSERT_EQ(servo.is(sign * i * 100, static_cast<std::int16_t>(sign * 5)), Suspect{});
+        EXPECT_EQ(servo.is(sign * 1'500, static_cast<std::int16_t>(-sign * 5)), Suspect{});
+        EXPECT_EQ(servo.is(sign * 1'499, static_cast<std::int16_t>(-sign * 5)), Reason::WrongWay)
+            << "401 behind the farthest it has come";
+    }
+}
+
+TEST(MotionWatch, LetsAMotorSlowDownBeforeItTurnsRound) {
+    Watched servo;
+    servo.told(turn(false));
+    for (int i = 1; i <= 10; ++i)
+        ASSERT_EQ(servo.is(i * 200, 10), Suspect{});
+    servo.told(turn(true));
+    for (int i = 10; i > 0; --i)
+        ASSERT_EQ(servo.is(4'000 - i * 100, static_cast<std::int16_t>(i)), Suspect{}) << "still forward";
+    for (int i = 0; i < 20; ++i)
+        ASSERT_EQ(servo.is(4'000 - i * 100, -5), Suspect{});
+    EXPECT_EQ(servo.is(4'000, 5), Reason::WrongWay) << "forward again";
+}
+
+TEST(MotionWatch, ForgetsAMotionThatWasStopped) {
+    for (const auto manner : {servo::StopManner::Abruptly, servo::StopManner::Smoothly,
+                              servo::StopManner::Here, servo::StopManner::MotorOff}) {
+        Watched servo;
+        servo.told(loadMove(0, 5'000));
+        servo.told(start(0));
+        servo.told(toServo(0, servo::StopMotor{true, manner, {}}));
+        EXPECT_EQ(servo.is(-3'000, -4), Suspect{});
+    }
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    servo.told(start(0));
+    servo.told(toServo(0, servo::StopMotor{true, servo::StopManner::AmplifierOnly, {}}));
+    EXPECT_EQ(servo.is(-3'000, -4), Reason::WrongWay) << "that stops nothing";
+}
+
+TEST(MotionWatch, ForgetsAMotionWhoseServoIsOffAndStands) {
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    servo.told(start(0));
+    EXPECT_EQ(servo.is(0, 0, 0x00), Suspect{});
+    EXPECT_EQ(servo.is(-3'000, -4), Suspect{}) << "turned by hand";
+}
+
+TEST(MotionWatch, WatchesAServoThatIsOffAndTurns) {
+    Watched servo;
+    servo.told(loadMove(0, 5'000));
+    EXPECT_EQ(servo.is(-200, -10, 0x00), Suspect{});
+    EXPECT_EQ(servo.is(-600, -10, 0x00), Reason::WrongWay) << "a load that became a PWM output";
+}
+
+TEST(MotionWatch, TellsOfThePositionThatIsRepeatedWhileItMoves) {
+    Watched servo;
+    servo.told(turn(false));
+    unsigned repeats = 0;
+    while (repeats < 20 && servo.is(300, 5) != Reason::Frozen)
+        ++repeats;
+    EXPECT_GT(repeats, 5U) << "more than five";
+    EXPECT_LE(repeats, 5U + 3U) << "each layout repeats its own";
+}
+
+TEST(MotionWatch, IsNotConcernedByARepeatedPositionAtStandstill) {
+    Watched servo;
+    servo.told(turn(false));
+    for (int i = 0; i < 100; ++i)
+        ASSERT_EQ(servo.is(300, 0), Suspect{});
+}
+
+TEST(MotionWatch, HasNoOpinionOnPwmOutput) {
+    Watched servo;
+    servo.told(loadPwm(0, 100));
+    EXPECT_EQ(servo.is(-5'000, -100), Suspect{});
+    EXPECT_EQ(servo.is(5'000, 100), Suspect{});
+}
+
+TEST(MotionWatch, HasNoOpinionBeforeItKnowsWhereTheMotorIs) {
+    MotionWatch watch;
+    watch.onSent(loadMove(0, 5'000).command);
+    watch.onSent(start(0).command);
+    const ServoState state{.position = -9'000};
+    EXPECT_EQ(watch.onReport(accepted(ModuleType::Servo, kLong, bytesOf(state, kLong), {}).report),
+              Suspect{});
+}
+
+TEST(MotionWatch, ForgetsItsCorridorWhenThePositionIsReset) {
+    Watched servo(20'000);
+    servo.told(loadMove(0, 20'100));
+    servo.told(toServo(0, ResetPosition{}));
+    EXPECT_EQ(servo.is(0), Suspect{});
+}
+
+TEST(MotionWatch, FollowsAPositionThatWraps) {
+    Watched servo(INT32_MAX - 100);
+    servo.told(turn(false));
+    EXPECT_EQ(servo.is(INT32_MAX - 10, 5), Suspect{});
+    EXPECT_EQ(servo.is(INT32_MIN + 90, 5), Suspect{});
+    EXPECT_EQ(servo.is(INT32_MIN + 190, 5), Suspect{});
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every rule of link.md 2.4 with a reply that breaks it, and its look-alike that must be believed.
+#include "bus/plausibility.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/bus/replies.h"
+#include "tests/bus/steps.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint8_t kEverything = 0x3F;
+constexpr std::uint8_t kShort = 0x0F;
+
+/// One module that is asked every ten milliseconds.
+template <typename State, ModuleType kType>
+class Asked {
+public:
+    explicit Asked(std::uint8_t version) : judge({kType, version}) {}
+
+    [[nodiscard]] std::optional<Rejection> says(const State& said, std::uint8_t items = kEverything,
+                                                Duration after = 10ms) {
+        now += after;
+        return judge.judge(accepted(kType, items, bytesOf(said, items), now));
+    }
+    /// A few replies that nothing is wrong with.
+    void settle(const State& said) {
+        for (int i = 0; i < 4; ++i)
+            EXPECT_EQ(says(said, i == 0 || i % 2 != 0 ? kEverything : kShort), std::nullopt);
+    }
+    void sends(ModuleCommand command) { judge.onSent(command, now + 5ms); }
+
+    Plausibility judge;
+    TimePoint now{};
+};
+
+class Servo : public Asked<ServoState, ModuleType::Servo> {
+public:
+    explicit Servo(const ServoState& first = {}) : Asked(4) { settle(first); }
+};
+
+class Stepper : public Asked<StepState, ModuleType::Step> {
+public:
+    explicit Stepper(const StepState& first = {}) : Asked(1) { settle(first); }
+};
+
+TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
+    Servo servo;
+    const std::vector<std::uint8_t> low(10, 0x00);
+    EXPECT_EQ(servo.judge.judge(accepted(ModuleType::Servo, kShort, low, servo.now + 10ms)),
+              Rejection::Uniform);
+    // The sum of FF FF is FE: only a reply of status byte and sum can be all FF and fit.
+    const std::vector<std::uint8_t> high(2, 0xFF);
+    EXPECT_EQ(servo.judge.judge(accepted(ModuleType::Servo, 0, high, servo.now + 20ms)), Rejection::Uniform);
+    // A servo that runs, without a limit and without a bit in its position, is none.
+    Plausibility fresh({ModuleType::Servo, 4});
+    const auto bytes = bytesOf(ServoState{.status = 0x08}, kShort);
+    EXPECT_FALSE(fresh.judge(accepted(ModuleType::Servo, kShort, bytes, {})));
+}
+
+TEST(Plausibility, BelievesTheZerosOfAStepperThatHasNothingElseToTell) {
+    const std::vector<std::uint8_t> zeros(10, 0x00);
+    const auto says = [&](Stepper& stepper) {
+        return stepper.judge.judge(accepted(ModuleType::Step, kShort, zeros, stepper.now + 10ms));
+    };
+    Stepper resting({.status = 0x00, .analog = 0});
+    EXPECT_EQ(says(resting), std::nullopt) << "it said so before, with its type";
+    Stepper powered({.status = 0x08, .analog = 0});
+    EXPECT_EQ(says(powered), Rejection::Uniform);
+    Stepper elsewhere({.status = 0x00, .position = 5, .analog = 0});
+    EXPECT_EQ(says(elsewhere), Rejection::Uniform);
+    Plausibility fresh({ModuleType::Step, 1});
+    EXPECT_EQ(fresh.judge(accepted(ModuleType::Step, kShort, zeros, {})), Rejection::Uniform);
+}
+
+TEST(Plausibility, RejectsAnotherTypeOrVersion) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.version = 5}), Rejection::Identity);
+    EXPECT_EQ(servo.says({.type = 2}), Rejection::Identity);
+    EXPECT_EQ(servo.says({.version = 5}, kShort), std::nullopt) << "it was not asked";
+}
+
+TEST(Plausibility, RejectsUndefinedBitsOtherThanAtFirst) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.aux = 0x44}), Rejection::UndefinedBits);
+    EXPECT_EQ(servo.says({.aux = 0x05}), std::nullopt) << "the index is defined";
+    Servo odd({.aux = 0xC4});
+    EXPECT_EQ(odd.says({.aux = 0xC5}), std::nullopt) << "this chip always said so";
+    EXPECT_EQ(odd.says({.aux = 0x84}), Rejection::UndefinedBits);
+    Stepper stepper;
+    EXPECT_EQ(stepper.says({.inputs = 0x80}), Rejection::UndefinedBits);
+    EXPECT_EQ(stepper.says({.inputs = 0x3F}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAServoThatIsOffWithoutTheBitsThatGoWithIt) {
+    for (const std::uint8_t status : std::initializer_list<std::uint8_t>{0x08, 0x09, 0x18}) {
+        Servo servo;
+        EXPECT_EQ(servo.says({.status = status, .aux = 0x00}), Rejection::OffWithoutBits);
+    }
+    Servo servo;
+    EXPECT_EQ(servo.says({.status = 0x19, .aux = 0x00}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAServoThatIsOnWithoutPower) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.status = 0x01, .aux = 0x04}), Rejection::OnWithoutPower);
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x00}), std::nullopt) << "power lost: the servo is off";
+}
+
+TEST(Plausibility, BelievesTheAnswerOfAServoThatIsSwitchedOnWithoutPower) {
+    Servo servo({.status = 0x11, .aux = 0x00});
+    servo.sends(enable(0).command);
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}, kShort, 5ms), std::nullopt);
+    EXPECT_EQ(servo.says({.status = 0x11, .aux = 0x04}), Rejection::OnWithoutPower) << "long after";
+}
+
+TEST(Plausibility, RejectsSlewDoneWithoutAccelDone) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.aux = 0x14}), Rejection::SlewWithoutAccel);
+    EXPECT_EQ(servo.says({.aux = 0x1C}), std::nullopt);
+    EXPECT_EQ(servo.says({.aux = 0x0C}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAStickyBitThatWentAwayByItself) {
+    const ServoState stuck{.status = 0x1D, .aux = 0x26};  // overcurrent, pos_error; overrun, wrap
+    for (const auto& [status, aux] : {std::pair{0x19, 0x26}, {0x0D, 0x26}, {0x1D, 0x06}, {0x1D, 0x24}}) {
+        const ServoState cleared{.status = static_cast<std::uint8_t>(status),
+                                 .aux = static_cast<std::uint8_t>(aux)};
+        Servo servo(stuck);
+        EXPECT_EQ(servo.says(cleared), Rejection::StickyCleared);
+        Servo told(stuck);
+        told.sends(ServoCommand(servo::ClearStickyBits{}));
+        EXPECT_EQ(told.says(cleared), std::nullopt);
+    }
+    Servo limit({.status = 0x69});
+    EXPECT_EQ(limit.says({.status = 0x09}), std::nullopt) << "limits come and go";
+}
+
+TEST(Plausibility, RejectsHomingThatNobodyAskedFor) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.status = 0x89}), Rejection::HomingRose);
+    Servo told;
+    told.sends(ServoCommand(servo::SetHoming{.onIndexChange = true}));
+    EXPECT_EQ(told.says({.status = 0x89}), std::nullopt);
+    EXPECT_EQ(told.says({.status = 0x09}), std::nullopt) << "it is over when it is over";
+    Stepper stepper;
+    EXPECT_EQ(stepper.says({.status = 0x8C}), Rejection::HomingRose);
+    Stepper home;
+    home.sends(StepCommand(step::SetHoming{.onHomeSwitchChange = true}));
+    EXPECT_EQ(home.says({.status = 0x8C}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAnotherHomeWithoutACause) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.home = 64}), Rejection::HomeChanged);
+    Servo saved;
+    saved.sends(ServoCommand(SaveAsHome{}));
+    EXPECT_EQ(saved.says({.home = 64}), std::nullopt);
+    // Captured long after it was asked for.
+    Servo homing;
+    homing.sends(ServoCommand(servo::SetHoming{.onLimit1Change = true}));
+    for (int i = 0; i < 50; ++i)
+        ASSERT_EQ(homing.says({.status = 0x89}), std::nullopt);
+    EXPECT_EQ(homing.says({.status = 0x29, .home = 1'234}), std::nullopt);
+    EXPECT_EQ(homing.says({.status = 0x29, .home = 1'234}), std::nullopt);
+    EXPECT_EQ(homing.says({.status = 0x29, .home = 1'234}, kShort), std::nullopt);
+    for (int i = 0; i < 4; ++i)
+        ASSERT_EQ(homing.says({.status = 0x29, .home = 1'234}), std::nullopt);
+    EXPECT_EQ(homing.says({.status = 0x29, .home = 1'235}), Rejection::HomeChanged);
+}
+
+/// 10 ms are 19.5 ticks.
+TEST(Plausibility, RejectsAPositionThatTheVelocityDoesNotReach) {
+    Servo standing({.position = 1'000});
+    EXPECT_EQ(standing.says({.position = 1'000 + 1'024}), Rejection::PositionJump);
+    EXPECT_EQ(standing.says({.position = 1'008}), std::nullopt) << "it gives a little";
+    Servo moving;
+    moving.sends(loadVelocity(0, 20 * 65'536, true).command);
+    for (int i = 1; i <= 100; ++i)
+        ASSERT_EQ(moving.says({.status = 0x08, .position = i * 195, .velocity = 10}), std::nullopt);
+    EXPECT_EQ(moving.says({.position = 101 * 195 + 1'024, .velocity = 10}), Rejection::PositionJump);
+    EXPECT_EQ(moving.says({.position = 99 * 195, .velocity = 10}, kShort), Rejection::PositionJump)
+        << "nor does it go back";
+}
+
+/// It swings so fast that it is asked at the same velocity nearly every time, wherever it is by then.
+TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
+    Servo servo;
+    servo.sends(gains(0).command);
+    const double amplitude = 300;
+    for (int i = 0; i < 300; ++i) {
+        // 35 ticks between questions, 37 a period: 17.9 ms and 18.9 ms.
+        const double angle = 2 * 3.14159265 * 35 / 37 * i;
+        const double speed = amplitude * 2 * 3.14159265 / 37;
+        const ServoState state{.status = 0x08,
+                               .position = static_cast<std::int32_t>(amplitude * std::sin(angle)),
+                               .velocity = static_cast<std::int16_t>(speed * std::cos(angle))};
+        ASSERT_EQ(servo.says(state, i % 2 == 0 ? kEverything : kShort, 35 * kServoTick), std::nullopt) << i;
+    }
+}
+
+TEST(Plausibility, BelievesAPositionThatWrapsAtThirtyTwoBits) {
+    Servo servo({.position = INT32_MAX - 2});
+    EXPECT_EQ(servo.says({.position = INT32_MIN + 2, .aux = 0x06}), std::nullopt);
+}
+
+TEST(Plausibility, BelievesAPositionThatWasReset) {
+    Servo servo({.position = 100'000});
+    EXPECT_EQ(servo.says({.position = 0}), Rejection::PositionJump);
+    Servo told({.position = 100'000});
+    told.sends(ServoCommand(ResetPosition{}));
+    EXPECT_EQ(told.says({.position = 0}), std::nullopt);
+    Servo other({.position = 100'000});
+    other.sends(ServoCommand(ResetPosition{}));
+    EXPECT_EQ(other.says({.position = 50'000}), Rejection::PositionJump) << "nor is it somewhere else";
+}
+
+TEST(Plausibility, RejectsAVelocityThatNoMotorReaches) {
+    Servo servo;
+    EXPECT_EQ(servo.says({.velocity = 257}), Rejection::VelocityJump) << "500 000 edges a second";
+    EXPECT_EQ(servo.says({.velocity = 128}), Rejection::VelocityJump);
+    EXPECT_EQ(servo.says({.position = 20, .velocity = 2}), std::nullopt);
+    // A start without acceleration limit throws a small motor to its speed at once.
+    Servo thrown;
+    thrown.sends(loadVelocity(0, 20 * 65'536, true).command);
+    EXPECT_EQ(thrown.says({.status = 0x08, .position = 195, .velocity = 20}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAStepperInTwoModes) {
+    Stepper stepper;
+    EXPECT_EQ(stepper.says({.status = 0x6D, .timer = 60'000}), Rejection::BothModes);
+    EXPECT_EQ(stepper.says({.status = 0x4D, .timer = 60'000}), std::nullopt);
+}
+
+TEST(Plausibility, RejectsAStepperThatMovesWithoutPower) {
+    Stepper stepper;
+    EXPECT_EQ(stepper.says({.status = 0x25, .timer = 60'000}), Rejection::MovingWithoutPower);
+    EXPECT_EQ(stepper.says({.status = 0x00}), std::nullopt) << "it stands";
+}
+
+TEST(Plausibility, RejectsAStepperThatMovedWhileItStood) {
+    Stepper stepper;
+    EXPECT_EQ(stepper.says({.position = 1}), Rejection::MovedWhileStopped);
+    step::LoadTrajectory oneStep;
+    oneStep.position = Counts(1);
+    oneStep.startNow = true;
+    Stepper told;
+    told.sends(StepCommand(oneStep));
+    EXPECT_EQ(told.says({.position = 1}), std::nullopt) << "one step, between two questions";
+    Stepper ended({.status = 0x4D, .timer = 60'000});
+    EXPECT_EQ(ended.says({.position = 12}), std::nullopt) << "it moved when it was asked last";
+}
+
+TEST(Plausibility, RejectsMoreThanFiftyThousandStepsASecond) {
+    // 10 ms at 50 000 steps a second are 500 steps.
+    Stepper stepper({.status = 0x2D, .timer = 65'000});
+    EXPECT_EQ(stepper.says({.status = 0x2D, .position = 480, .timer = 65'000}), std::nullopt);
+    EXPECT_EQ(stepper.says({.status = 0x2D, .position = 480 + 700, .timer = 65'000}),
+              Rejection::PositionJump);
+}
+
+TEST(Plausibility, RejectsATimerCountOutsideTheSheet) {
+    for (const std::uint16_t count : std::initializer_list<std::uint16_t>{0, 65'453, 65'535}) {
+        Stepper stepper({.status = 0x2D, .timer = 60'000});
+        EXPECT_EQ(stepper.says({.status = 0x2D, .timer = count}), Rejection::TimerCount) << count;
+    }
+    for (const std::uint16_t count : std::initializer_list<std::uint16_t>{1, 65'452}) {
+        Stepper stepper({.status = 0x2D, .timer = 60'000});
+        EXPECT_EQ(stepper.says({.status = 0x2D, .timer = count}), std::nullopt) << count;
+    }
+    Stepper standing;
+    EXPECT_EQ(standing.says({.timer = 0}), std::nullopt) << "at rest it means nothing";
+}
+
+TEST(Plausibility, BelievesAContradictionThatTheNextReplyConfirms) {
+    Servo servo({.status = 0x1D, .position = 100, .aux = 0x04, .home = 7});
+    const ServoState after{.status = 0x09, .position = 90'000, .home = -3};
+    ASSERT_NE(servo.says(after), std::nullopt);
+    EXPECT_EQ(servo.says(after, kShort, 300ms), std::nullopt) << "another host moved it";
+    EXPECT_EQ(servo.says(after), std::nullopt);
+    EXPECT_EQ(servo.says({.position = 100, .home = -3}), Rejection::PositionJump) << "and it is there now";
+}
+
+/// The questions of a challenge: who it is, and then everything.
+TEST(Plausibility, LetsAReplyThatDoesNotTellConfirmNothingAndRefuteNothing) {
+    const ServoState moved{.position = 90'000};
+    Servo servo;
+    EXPECT_EQ(servo.says(moved), Rejection::PositionJump);
+    EXPECT_EQ(servo.says(moved, 0x20), std::nullopt) << "type and version";
+    EXPECT_EQ(servo.says(moved), std::nullopt);
+    const ServoState home{.home = 90'000};
+    Servo homed;
+    EXPECT_EQ(homed.says(home), Rejection::HomeChanged);
+    EXPECT_EQ(homed.says(home, kShort), std::nullopt);
+    EXPECT_EQ(homed.says(home), std::nullopt);
+}
+
+TEST(Plausibility, DoesNotTakeTwoDifferentContradictionsForAConfirmation) {
+    Servo servo({.position = 100});
+    EXPECT_EQ(servo.says({.position = 90'000}), Rejection::PositionJump);
+    EXPECT_EQ(servo.says({.position = -70'000}), Rejection::PositionJump);
+    EXPECT_EQ(servo.says({.position = 100}), std::nullopt) << "it was where it was";
+    EXPECT_EQ(servo.says({.position = 90'000}), Rejection::PositionJump) << "long ago does not confirm";
+}
+
+TEST(Plausibility, NeverBelievesWhatCannotBeHoweverOften) {
+    Servo servo;
+    for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(servo.says({.aux = 0x14}), Rejection::SlewWithoutAccel);
+}
+
+TEST(Plausibility, HasNoOpinionOnModulesWithoutADataSheet) {
+    Plausibility io({ModuleType::Io, 1});
+    for (const std::uint8_t status : std::initializer_list<std::uint8_t>{0x08, 0xFB, 0x01}) {
+        const auto bytes = withSum({status, 2, 1});
+        EXPECT_FALSE(io.judge(accepted(ModuleType::Io, 0x20, bytes, {})));
+    }
+    EXPECT_EQ(io.judge(accepted(ModuleType::Io, 0x20, withSum({0x08, 2, 9}), {})), Rejection::Identity);
+}
+
+}  // namespace
+
+}  // namespace nmc::test

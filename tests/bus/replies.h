@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bus/exchange.h"
+#include "tests/bus/scriptedbus.h"
+
+/// Replies put together by hand, byte by byte as the data sheets lay them out (DS-V 5.3, DS-S 5.2).
+namespace nmc::test {
+
+/// A PIC-SERVO that holds: move_done and power_on, servo_on.
+struct ServoState {
+    std::uint8_t status = 0x09;
+    std::int32_t position = 0;
+    std::uint8_t analog = 0;
+    std::int16_t velocity = 0;  ///< counts per tick; the wire carries its negative
+    std::uint8_t aux = 0x04;
+    std::int32_t home = 0;
+    std::uint8_t type = 0;
+    std::uint8_t version = 4;
+};
+
+/// A PIC-STEP at rest: amplifier and power on.
+struct StepState {
+    std::uint8_t status = 0x0C;
+    std::int32_t position = 0;
+    std::uint8_t analog = 255;
+    std::uint16_t timer = 0;
+    std::uint8_t inputs = 0;
+    std::int32_t home = 0;
+    std::uint8_t type = 3;
+    std::uint8_t version = 1;
+};
+
+[[nodiscard]] inline std::vector<std::uint8_t> replyBytes(std::uint8_t items, std::uint8_t status,
+                                                          std::int32_t position, std::uint8_t analog,
+                                                          std::uint16_t word, std::uint8_t aux,
+                                                          std::int32_t home, std::uint8_t type,
+                                                          std::uint8_t version) {
+    std::vector<std::uint8_t> bytes{status};
+    const auto add = [&](std::uint32_t value, int count) {
+        for (int i = 0; i < count; ++i)
+            bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    };
+    if ((items & 0x01) != 0)
+        add(static_cast<std::uint32_t>(position), 4);
+    if ((items & 0x02) != 0)
+        add(analog, 1);
+    if ((items & 0x04) != 0)
+        add(word, 2);
+    if ((items & 0x08) != 0)
+        add(aux, 1);
+    if ((items & 0x10) != 0)
+        add(static_cast<std::uint32_t>(home), 4);
+    if ((items & 0x20) != 0) {
+        add(type, 1);
+        add(version, 1);
+    }
+    return withSum(bytes);
+}
+
+[[nodiscard]] inline std::vector<std::uint8_t> bytesOf(const ServoState& s, std::uint8_t items) {
+    return replyBytes(items, s.status, s.position, s.analog, static_cast<std::uint16_t>(-s.velocity), s.aux,
+                      s.home, s.type, s.version);
+}
+[[nodiscard]] inline std::vector<std::uint8_t> bytesOf(const StepState& s, std::uint8_t items) {
+    return replyBytes(items, s.status, s.position, s.analog, s.timer, s.inputs, s.home, s.type, s.version);
+}
+
+/// What the line makes of bytes whose sum is right.
+[[nodiscard]] inline bus::ReplyEnd accepted(ModuleType type, std::uint8_t items,
+                                            const std::vector<std::uint8_t>& bytes, TimePoint latched) {
+    bus::ReplyEnd end;
+    const auto report = decodeStatus(type, StatusItems(items), bytes);
+    end.result = report ? bus::ReplyResult::Accepted : bus::ReplyResult::BadChecksum;
+    if (report)
+        end.report = *report;
+    end.latched = latched;
+    end.latchedBy = latched + std::chrono::microseconds(500);
+    end.bytes = bus::ReplyBytes(ByteSpan(bytes));
+    return end;
+}
+
+}  // namespace nmc::test

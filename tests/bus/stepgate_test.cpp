@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mode transitions of a PIC-STEP (DS-S 5.1, Table 4), cell by cell as the sheet prints them.
+#include "bus/stepgate.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using enum StepMode;
+
+[[nodiscard]] step::LoadTrajectory loading(bool position, bool speed, bool acceleration, bool timer,
+                                           bool reverse = false) {
+    step::LoadTrajectory load;
+    if (position)
+        load.position = Counts(1'000);
+    if (speed)
+        load.speed = std::uint8_t{100};
+    if (acceleration)
+        load.accelerationTime = std::uint8_t{4};
+    if (timer)
+        load.timer = step::TimerCount{60'000, 10};
+    load.reverse = reverse;
+    return load;
+}
+
+/// What a cell asks for: y must be loaded, n must not, - may; in the order position, velocity, acceleration,
+/// timer. Empty: not allowed.
+struct Cell {
+    StepMode goal;
+    StepMode from;
+    std::string_view loads;
+};
+
+/// The goal "stopped" is the Stop command's, in all five columns, and no Load Trajectory leads there.
+constexpr std::array kTable{
+    Cell{Trapezoidal, Stopped, "y--n"},
+    Cell{Trapezoidal, Trapezoidal, ""},
+    Cell{Trapezoidal, VelocityProfile, ""},
+    Cell{Trapezoidal, UnprofiledWithStop, ""},
+    Cell{Trapezoidal, Unprofiled, ""},
+    Cell{VelocityProfile, Stopped, "n--n"},
+    Cell{VelocityProfile, Trapezoidal, "n--y"},
+    Cell{VelocityProfile, VelocityProfile, "n--n"},
+    Cell{VelocityProfile, UnprofiledWithStop, "n--n"},
+    Cell{VelocityProfile, Unprofiled, "n--n"},
+    Cell{UnprofiledWithStop, Stopped, "ynny"},
+    Cell{UnprofiledWithStop, Trapezoidal, "nnny"},
+    Cell{UnprofiledWithStop, VelocityProfile, ""},
+    Cell{UnprofiledWithStop, UnprofiledWithStop, "nnny"},
+    Cell{UnprofiledWithStop, Unprofiled, ""},
+    Cell{Unprofiled, Stopped, "nnny"},
+    Cell{Unprofiled, Trapezoidal, "nnny"},
+    Cell{Unprofiled, VelocityProfile, "nnny"},
+    Cell{Unprofiled, UnprofiledWithStop, ""},
+    Cell{Unprofiled, Unprofiled, "nnny"},
+};
+
+[[nodiscard]] bool fits(std::string_view loads, unsigned loaded) {
+    if (loads.empty())
+        return false;
+    for (unsigned i = 0; i < 4; ++i) {
+        const bool isLoaded = (loaded >> i & 1U) != 0;
+        if ((loads[i] == 'y' && !isLoaded) || (loads[i] == 'n' && isLoaded))
+            return false;
+    }
+    return true;
+}
+
+/// Some cell of the column has room for what is loaded.
+[[nodiscard]] bool tableAllows(StepMode from, unsigned loaded) {
+    for (const Cell& cell : kTable)
+        if (cell.from == from && fits(cell.loads, loaded))
+            return true;
+    return false;
+}
+
+/// Two goals fit a timer count alone from a trapezoidal move, and the sheet does not say which one it
+/// becomes: the panel does not send that. Nor a velocity profile from there, which the same count begins.
+[[nodiscard]] bool leftOut(StepMode from) {
+    return from == Trapezoidal;
+}
+
+[[nodiscard]] step::LoadTrajectory loadOf(unsigned loaded, bool reverse = false) {
+    return loading((loaded & 1U) != 0, (loaded & 2U) != 0, (loaded & 4U) != 0, (loaded & 8U) != 0, reverse);
+}
+
+TEST(StepGate, FollowsEveryCellOfTheTable) {
+    for (const StepMode from : {Stopped, Trapezoidal, VelocityProfile, UnprofiledWithStop, Unprofiled})
+        for (unsigned loaded = 0; loaded < 16; ++loaded) {
+            const bool expected = tableAllows(from, loaded) && !leftOut(from);
+            EXPECT_EQ(mayFollow(from, false, loadOf(loaded)), expected)
+                << "from " << static_cast<int>(from) << " with " << loaded;
+        }
+}
+
+TEST(StepGate, NamesTheGoalFromStandstill) {
+    EXPECT_EQ(goalMode(loading(true, true, true, false)), Trapezoidal);
+    EXPECT_EQ(goalMode(loading(true, false, false, false)), Trapezoidal);
+    EXPECT_EQ(goalMode(loading(false, true, true, false)), VelocityProfile);
+    EXPECT_EQ(goalMode(loading(false, false, false, false)), VelocityProfile);
+    EXPECT_EQ(goalMode(loading(true, false, false, true)), UnprofiledWithStop);
+    EXPECT_EQ(goalMode(loading(false, false, false, true)), Unprofiled);
+    EXPECT_EQ(goalMode(loading(true, true, false, true)), std::nullopt);
+    EXPECT_EQ(goalMode(loading(false, true, false, true)), std::nullopt);
+    EXPECT_EQ(goalMode(loading(false, false, true, true)), std::nullopt);
+}
+
+TEST(StepGate, NeverChangesTheDirectionInMotion) {
+    for (const bool reverse : {false, true})
+        for (unsigned loaded = 0; loaded < 16; ++loaded) {
+            for (const StepMode from :
+                 {Trapezoidal, VelocityProfile, UnprofiledWithStop, Unprofiled, Unknown})
+                EXPECT_FALSE(mayFollow(from, reverse, loadOf(loaded, !reverse)));
+            EXPECT_EQ(mayFollow(Stopped, reverse, loadOf(loaded, !reverse)), tableAllows(Stopped, loaded))
+                << "at rest either way is open";
+        }
+}
+
+TEST(StepGate, ForbidsEverythingWhileTheModeIsNotKnown) {
+    for (unsigned loaded = 0; loaded < 16; ++loaded)
+        for (const bool reverse : {false, true})
+            EXPECT_FALSE(mayFollow(Unknown, reverse, loadOf(loaded, reverse)));
+}
+
+}  // namespace
+
+}  // namespace nmc::test

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// link.md 2.3: what a look at the module says about a command that nobody answered.
+#include "bus/verification.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/bus/replies.h"
+#include "tests/bus/steps.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint8_t kEverything = 0x3F;
+
+/// A command that was not answered, and the look after it.
+class Lost {
+public:
+    explicit Lost(ServoCommand command, std::int32_t position = 1'000, std::int32_t home = 50)
+        : m_step(toServo(0, std::move(command))) {
+        m_before.position = position;
+        m_before.home = home;
+        status(m_before);
+        m_verification.position = m_belief.position();
+        m_belief.onSent(m_step.command, m_now += 10ms);
+    }
+    /// Refused with the communication-error bit, says the module.
+    Lost& refused() {
+        m_verification.end.result = ReplyResult::Refused;
+        return *this;
+    }
+    Lost& noPositionBefore() {
+        m_verification.position.reset();
+        return *this;
+    }
+    [[nodiscard]] Carried looksLike(const ServoState& state) {
+        status(state);
+        return verify(m_step, m_belief, m_verification);
+    }
+    /// As it was, but for what is changed.
+    [[nodiscard]] Carried looksLike(auto change) {
+        ServoState state = m_before;
+        change(state);
+        return looksLike(state);
+    }
+
+private:
+    void status(const ServoState& state) {
+        const auto bytes = bytesOf(state, kEverything);
+        m_now += 10ms;
+        m_belief.onStatus(accepted(ModuleType::Servo, kEverything, bytes, m_now).report, m_now);
+    }
+
+    Belief m_belief{{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}};
+    TimePoint m_now{};
+    Step m_step;
+    ServoState m_before;
+    Verification m_verification;
+};
+
+constexpr auto asItWas = [](ServoState&) {};
+constexpr auto moves = [](ServoState& s) { s.status = 0x08; };
+[[nodiscard]] auto at(std::int32_t position) {
+    return [position](ServoState& s) { s.position = position; };
+}
+[[nodiscard]] auto homeAt(std::int32_t home) {
+    return [home](ServoState& s) { s.home = home; };
+}
+
+TEST(Verification, CanTellForFourCommandsOnly) {
+    EXPECT_TRUE(canVerify(ServoCommand(StartMotion{})));
+    EXPECT_TRUE(canVerify(ServoCommand(ResetPosition{})));
+    EXPECT_TRUE(canVerify(ServoCommand(SaveAsHome{})));
+    EXPECT_TRUE(canVerify(ServoCommand(servo::ClearStickyBits{})));
+    EXPECT_TRUE(canVerify(StepCommand(StartMotion{})));
+    EXPECT_FALSE(canVerify(loadMove(0, 5).command));
+    EXPECT_FALSE(canVerify(loadVelocity(0, 65'536, true).command)) << "velocity cannot be told from before";
+    EXPECT_FALSE(canVerify(gains(0).command));
+    EXPECT_FALSE(canVerify(enable(0).command));
+    EXPECT_FALSE(canVerify(ServoCommand(servo::SetHoming{})));
+    EXPECT_FALSE(canVerify(ServoCommand(servo::IoControl{})));
+    EXPECT_FALSE(canVerify(ServoCommand(Nop{})));
+    EXPECT_FALSE(canVerify(StepCommand(step::SetParameters{})));
+}
+
+TEST(Verification, TakesAMotorThatMovesForStarted) {
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(moves), Carried::Out);
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'500)), Carried::Out) << "it has come to its goal already";
+    EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(moves), Carried::Out) << "whatever the module said";
+}
+
+TEST(Verification, NeverCallsAStartNotDoneBySilenceAlone) {
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(asItWas), Carried::Unknown) << "a move of no length?";
+    EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'003)), Carried::Unknown) << "a servo works in its friction";
+    EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(asItWas), Carried::NotOut);
+}
+
+TEST(Verification, TellsAResetPositionByThePosition) {
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(0)), Carried::Out);
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(-3)), Carried::Out);
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(asItWas), Carried::NotOut);
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(500)), Carried::Unknown) << "neither here nor there";
+    EXPECT_EQ(Lost(ResetPosition{}).looksLike(moves), Carried::Unknown);
+    EXPECT_EQ(Lost(ResetPosition{}).noPositionBefore().looksLike(at(0)), Carried::Unknown);
+}
+
+TEST(Verification, RepeatsAResetPositionNearZeroSinceThatDoesNoHarm) {
+    EXPECT_EQ(Lost(ResetPosition{}, 3).looksLike(at(3)), Carried::NotOut);
+    EXPECT_EQ(Lost(ResetPosition{}, 3).looksLike(at(0)), Carried::NotOut);
+}
+
+TEST(Verification, TellsASavedHomeByTheHomeRegister) {
+    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(homeAt(1'000)), Carried::Out);
+    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(homeAt(998)), Carried::Out);
+    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(asItWas), Carried::NotOut);
+    EXPECT_EQ(Lost(SaveAsHome{}).looksLike(moves), Carried::Unknown) << "home is somewhere behind it";
+}
+
+TEST(Verification, TellsClearedBitsByTheBits) {
+    EXPECT_EQ(Lost(servo::ClearStickyBits{}).looksLike(asItWas), Carried::Out);
+    for (const std::uint8_t status : std::initializer_list<std::uint8_t>{0x0D, 0x19}) {
+        const auto sticky = [&](ServoState& s) { s.status = status; };
+        EXPECT_EQ(Lost(servo::ClearStickyBits{}).looksLike(sticky), Carried::NotOut);
+    }
+    for (const std::uint8_t aux : std::initializer_list<std::uint8_t>{0x06, 0x24}) {
+        const auto sticky = [&](ServoState& s) { s.aux = aux; };
+        EXPECT_EQ(Lost(servo::ClearStickyBits{}).looksLike(sticky), Carried::NotOut);
+    }
+    const auto off = [](ServoState& s) {
+        s.status = 0x19;
+        s.aux = 0x00;
+    };
+    EXPECT_EQ(Lost(servo::ClearStickyBits{}).looksLike(off), Carried::Out)
+        << "pos_error of a servo that is off comes back at once";
+}
+
+}  // namespace
+
+}  // namespace nmc::test
