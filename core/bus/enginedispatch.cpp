@@ -294,6 +294,7 @@ void Engine::Private::begin(Work work, TimePoint now) {
             module.trust.expectMotion();
     }
     line.begin(work.request, now);
+    work.sent = now;
     m_works.push_back(std::move(work));
 }
 

@@ -86,6 +86,7 @@ private:
         std::uint8_t refusals = 0;
         std::optional<Belief> before{};  ///< to put back when it is refused
         std::optional<HoldToMove> toldBefore{};
+        TimePoint sent{};
     };
     /// Everything about one module.
     struct Module {

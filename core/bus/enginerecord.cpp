@@ -85,7 +85,8 @@ void Engine::Private::recordAbandoned(TimePoint now) {
         return;
     for (const Work& work : m_works) {
         ReplyEnd end;
-        end.sent = end.arrived = now;
+        end.sent = work.sent;
+        end.arrived = now;
         recordAs(work, end, ExchangeEnd::Abandoned, std::nullopt);
     }
 }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the wire carries, in virtual time: the polls of modules that are looked at and of the others, and the
+// addresses of a long chain.
+#include <gtest/gtest.h>
+
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+[[nodiscard]] EngineConfig atRate(std::uint32_t baud) {
+    EngineConfig config;
+    config.baud = baud;
+    return config;
+}
+
+/// Samples per second of each module over ten seconds.
+[[nodiscard]] std::vector<double> rates(VirtualBus& bus) {
+    std::vector<double> all;
+    for (std::uint8_t i = 0; i < bus.chain.moduleCount(); ++i)
+        all.push_back(-static_cast<double>(bus.samplesOf(i)));
+    bus.runFor(10s);
+    for (std::uint8_t i = 0; i < bus.chain.moduleCount(); ++i)
+        all[i] = (all[i] + static_cast<double>(bus.samplesOf(i))) / 10;
+    return all;
+}
+
+/// By hand: polls take turns in 4 + 10 and 5 + 16 bytes, 10 bits each, and half a tick of 0.512 ms.
+[[nodiscard]] double pollsPerSecond(double baud) {
+    return 2 / (35 * 10 / baud + 0.000'512);
+}
+
+TEST(PollRates, GiveTheOthersFiveASecondAndTheRestToTheOneThatIsLookedAt) {
+    struct Case {
+        std::uint32_t baud;
+        std::uint8_t modules;
+    };
+    for (const auto& [baud, modules] :
+         {Case{115'200, 8}, {115'200, 32}, {57'600, 8}, {19'200, 4}, {19'200, 2}}) {
+        SCOPED_TRACE(testing::Message() << int{modules} << " modules at " << baud);
+        VirtualBus bus(servos(modules), atRate(baud));
+        ASSERT_TRUE(bus.connect());
+        bus.engine.watch({ModuleIndex(1)});
+        bus.runFor(1s);
+        const auto all = rates(bus);
+        double others = 0;
+        for (std::size_t i = 0; i < modules; ++i)
+            if (i != 1) {
+                EXPECT_GE(all[i], 5.0) << i;
+                EXPECT_LE(all[i], 6.5) << i;
+                others += all[i];
+            }
+        std::printf("%u Bd, %u modules: %.1f/s looked at, %.1f/s each of the others\n", baud,
+                    unsigned{modules}, all[1], others / (modules - 1));
+        EXPECT_GE(all[1] + others, 0.9 * pollsPerSecond(baud)) << "the wire is used";
+        EXPECT_GE(all[1], others / (modules - 1));
+    }
+}
+
+TEST(PollRates, ShareTheWireEvenlyWhenNobodyLooks) {
+    VirtualBus bus(servos(4), atRate(115'200));
+    ASSERT_TRUE(bus.connect());
+    bus.engine.watch({ModuleIndex(2)});
+    bus.runFor(1s);
+    bus.engine.watch({});
+    bus.runFor(1s);
+    for (const double rate : rates(bus))
+        EXPECT_NEAR(rate, pollsPerSecond(115'200) / 4, 0.1 * pollsPerSecond(115'200) / 4);
+}
+
+TEST(PollRates, RememberWhoIsLookedAtThroughAnotherConnection) {
+    VirtualBus bus(servos(4), atRate(115'200));
+    bus.engine.watch({ModuleIndex(3)});
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    const auto all = rates(bus);
+    EXPECT_GT(all[3], 20 * all[0]);
+}
+
+/// From the first Set Address to the end.
+TEST(EnumerationTime, OfThirtyTwoModulesIsThatOfTheWire) {
+    for (const bool restart : {false, true}) {
+        SCOPED_TRACE(restart);
+        VirtualBus bus(servos(32));
+        bus.engine.setRecording(true);
+        ASSERT_TRUE(restart ? bus.restart() : bus.connect());
+        const TimePoint end = bus.now;
+        std::optional<TimePoint> began;
+        double wire = 0;
+        for (const ExchangeRecord& record : bus.engine.takeRecords()) {
+            if (!began && record.command.size() == 6 && record.command[2] == 0x21)
+                began = record.sent;
+            if (!began || record.sent >= end)
+                continue;
+            const bool nulls = record.command[0] == 0;
+            wire += static_cast<double>(record.command.size() + record.reply.size()) * 10 / 19'200;
+            wire += nulls ? 0 : 0.000'256;
+        }
+        ASSERT_TRUE(began);
+        const double took = toSeconds(end - *began);
+        // link.md 2.1 for Read Status with type and version, five bytes out and four back: 9 bytes, 0.51 ms,
+        // the adapter's 4 ms, a margin of 10 ms.
+        const double timeout = 9 * 10 / 19'200.0 + 0.000'51 + 0.004 + 0.010;
+        std::printf("%.3f s, of which %.3f s on the wire; a time-out is %.3f s\n", took, wire, timeout);
+        EXPECT_LE(took, 1.2 * wire + timeout);
+    }
+}
+
+}  // namespace
+
+}  // namespace nmc::test
