@@ -122,7 +122,7 @@ public:
         bus.runFor(500ms);
         bus.answer = [this](ByteSpan packet) {
             Bytes whole = bus.likeAServo(packet);
-            const bool spoils = isBad && packet[1] == 2 && ++m_asked % 5 == 0;
+            const bool spoils = isBad && (everywhere || packet[1] == 2) && ++m_asked % 5 == 0;
             if (spoils)
                 whole.back() = static_cast<std::uint8_t>(whole.back() + 1);
             return whole;
@@ -138,6 +138,7 @@ public:
 
     ScriptedBus bus;
     bool isBad = false;
+    bool everywhere = false;  ///< else at module 2 only
 
 private:
     unsigned m_asked = 0;
@@ -162,10 +163,10 @@ TEST(Recovery, TellsOfADoubtfulLinkOnceAndOfItsEndOnce) {
 
 TEST(Recovery, StopsEverythingAndIsSilentOnceTheLinkIsLost) {
     BadLine line;
-    line.isBad = true;
+    line.isBad = line.everywhere = true;
     const auto lost = [&] {
         const auto healths = line.bus.all<HealthChanged>();
-        return !healths.empty() && healths.back().health == LinkHealth::Lost;
+        return !healths.empty() && healths.back().health == LinkHealth::Lost && !healths.back().module;
     };
     ASSERT_TRUE(line.bus.runUntil(lost, 120s));
     const std::size_t at = line.bus.sent.size();
@@ -189,6 +190,21 @@ TEST(Recovery, StopsEverythingAndIsSilentOnceTheLinkIsLost) {
     line.bus.engine.stopAll(line.bus.now);
     EXPECT_TRUE(line.bus.runUntil([&] { return line.bus.count<StopFinished>() == 2; }, 10s));
     EXPECT_GT(line.bus.sent.size(), after);
+}
+
+TEST(Recovery, GivesUpOneModuleAndGoesOnWithTheOthers) {
+    BadLine line;
+    line.isBad = true;
+    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<ModuleSilence>() > 0; }, 120s));
+    EXPECT_EQ(line.healths(true).back(), LinkHealth::Lost);
+    EXPECT_EQ(line.bus.all<ModuleSilence>()[0].module, ModuleIndex(1));
+    line.bus.runFor(200ms);
+    EXPECT_GE(line.bus.sends("AA 02 17 05 1E"), 1U) << "its servo was on, so it is stopped";
+    const std::size_t from = line.bus.sent.size();
+    line.bus.runFor(10s);
+    EXPECT_GT(line.bus.sends("AA 01 0E 0F", from), 300U);
+    EXPECT_EQ(line.bus.sends("AA 02 0E 10", from), 0U);
+    EXPECT_EQ(line.bus.sends("AA 02 13 3F 54", from), 0U) << "for good";
 }
 
 TEST(Recovery, ComesBackWithAnotherConnection) {
