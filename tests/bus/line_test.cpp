@@ -128,6 +128,29 @@ TEST(Line, RejectsAReplyWithSurplusBytesWithinTwoCharacterTimes) {
     EXPECT_EQ(end->bytes.size(), 9U);
 }
 
+/// An echo, noise, or what is left of an earlier reply; the command leaves until 2.08 ms.
+TEST(Line, TakesNothingForTheReplyThatComesBeforeTheCommandHasLeft) {
+    Line line(4ms, 10ms);
+    line.begin(nop(), TimePoint(1s));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 2ms));
+    const auto end = endOf(line);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->result, ReplyResult::Silent);
+    EXPECT_EQ(end->early.size(), 8U);
+    EXPECT_EQ(line.statistics().staleBytes, 8U);
+}
+
+TEST(Line, TakesTheReplyThatFollowsEarlyBytes) {
+    Line line(4ms, 10ms);
+    line.begin(nop(), TimePoint(1s));
+    line.onBytes(fromHex("AA "), TimePoint(1s + 2ms));
+    line.onBytes(fromHex(kReply), TimePoint(1s + 8ms));
+    const auto end = endOf(line);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->result, ReplyResult::Accepted);
+    EXPECT_EQ(end->bytes.size(), 8U);
+}
+
 TEST(Line, BelievesAReplyThatNothingFollows) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));

@@ -2,6 +2,7 @@
 // link.md 2.4: one plausible sample is enough to stop or to warn, two consistent ones are needed to permit.
 #include <gtest/gtest.h>
 
+#include "bus/trust.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 
@@ -15,6 +16,23 @@ using namespace std::chrono_literals;
 constexpr std::uint8_t kStands = 0x19;  // move_done, power_on, pos_error
 constexpr std::uint8_t kMoves = 0x08;   // power_on
 constexpr std::uint8_t kServoOn = 0x04;
+constexpr StatusItems kShort{StatusItems::Position};
+constexpr StatusItems kLong{StatusItems::Position | StatusItems::Identity};
+
+[[nodiscard]] StatusReport report(StatusItems items, std::uint8_t status) {
+    StatusReport report;
+    report.items = items;
+    report.status = status;
+    return report;
+}
+
+/// A PIC-SERVO that has been moving for as long as it is known.
+[[nodiscard]] Trust trustInAMotion() {
+    Trust trust(ModuleType::Servo);
+    EXPECT_FALSE(trust.confirm(report(kShort, kMoves))) << "the first of all";
+    EXPECT_EQ(trust.confirm(report(kLong, kMoves))->status, kMoves);
+    return trust;
+}
 
 /// A servo that is on. Each question of a stop for its status, and each poll, is answered by what `says`
 /// next.
@@ -49,6 +67,21 @@ TEST(AsymmetricTrust, TwoLooksMakeAStop) {
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->stopped.size(), 1U);
     EXPECT_TRUE(stop->unreached.empty());
+}
+
+TEST(AsymmetricTrust, TwoRepliesOfOneLengthDoNotPermit) {
+    Trust trust = trustInAMotion();
+    EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18) << "move_done is withheld";
+    EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18) << "it may be the same one again";
+    EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, kStands);
+}
+
+TEST(AsymmetricTrust, OneReplyWithdraws) {
+    Trust trust = trustInAMotion();
+    EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18);
+    EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, kStands);
+    EXPECT_EQ(trust.confirm(report(kShort, kMoves))->status, kMoves);
+    EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, 0x18) << "to be shown anew";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Deliberate breakages of the bus engine: what a careless change would do. Each must be noticed by a test."""
+"""Deliberate breakages of the bus engine and of the port, as by a careless change. A test must notice each."""
 from dataclasses import dataclass
 
 
@@ -16,27 +16,87 @@ class Mutant:
     name: str
     breaks: str  # the rule, and where it is written
     edits: tuple[Edit, ...]
+    suite: str = "engine"  # whose tests must notice it, of run_mutants.py
 
 
-MUTANTS = (
-    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link that is not healthy, or the stop is swallowed", (
-        Edit("core/bus/enginestop.cpp",
-             "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
-             "script.insert(script.end(), {Line::Pause{kAfterNulls}});"),
-        Edit("core/bus/enginedispatch.cpp",
-             "line.run({Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}}, now);",
-             "line.run({Line::Pause{kAfterNulls}, DiscardInput{}}, now);"),
-    )),
+RESYNC = (
     Mutant("no-flush-in-a-resync", "link.md 2.2: 16 nulls, or a module goes on waiting for the rest of a packet", (
-        Edit("core/bus/enginedispatch.cpp",
+        Edit("core/bus/enginerecovery.cpp",
              "line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "line.run({Line::Pause{m_quarantine}, DiscardInput{},"),
     )),
     Mutant("no-quarantine", "link.md 2.2: a late reply is waited out, or it answers the next command", (
-        Edit("core/bus/enginedispatch.cpp",
+        Edit("core/bus/enginerecovery.cpp",
              "line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "line.run({DiscardInput{}, Line::Nulls{},"),
     )),
+    Mutant("no-challenge", "link.md 2.2: after a resync nothing is believed before two right answers", (
+        Edit("core/bus/enginedispatch.cpp",
+             "    if (m_doubt) {\n",
+             "    if (m_doubt && !m_doubt->wasSilent)\n        m_doubt.reset();\n    if (m_doubt) {\n"),
+    )),
+    Mutant("one-answer-ends-a-doubt", "link.md 2.2: a second challenge, of another length", (
+        Edit("core/bus/enginerecovery.cpp", "constexpr unsigned kPasses = 2;", "constexpr unsigned kPasses = 1;"),
+    )),
+    Mutant("items-not-defined-anew", "faults.md F-43: replies may have another length after a doubt", (
+        Edit("core/bus/enginerecovery.cpp", "belief(module).forgetItems();", ";"),
+    )),
+)
+
+BELIEVING = (
+    Mutant("never-in-full", "link.md 2.2: two layouts of different length take turns", (
+        Edit("core/bus/pollschedule.cpp", "module.full = !module.full;", "module.full = false;"),
+    )),
+    Mutant("always-in-full", "link.md 2.2: two layouts of different length take turns", (
+        Edit("core/bus/pollschedule.cpp", "module.full = !module.full;", "module.full = true;"),
+    )),
+    Mutant("sum-only", "link.md 2.4: the sum misses every 16th error of two bits", (
+        Edit("core/bus/plausibility.cpp",
+             "    if (const auto impossible = structure(end))\n        return impossible;\n",
+             "    return std::nullopt;\n"),
+    )),
+    Mutant("no-structure", "link.md 2.4: bits that cannot be together", (
+        Edit("core/bus/plausibility.cpp",
+             "    if (const auto impossible = structure(end))\n        return impossible;\n", ""),
+    )),
+    Mutant("no-physics", "link.md 2.4: a position is near the one before", (
+        Edit("core/bus/plausibility.cpp",
+             "return way < lowest || way > highest ? std::optional(Rejection::PositionJump) : std::nullopt;",
+             "return std::nullopt;"),
+    )),
+    Mutant("bytes-after-a-reply-ignored", "link.md 2.2: surplus bytes reject the reply", (
+        Edit("core/bus/line.cpp", "m_done->end.result = ReplyResult::Surplus;", ";"),
+    )),
+    Mutant("bytes-behind-a-reply-cut-off", "faults.md F-04: surplus bytes reject the whole frame", (
+        Edit("core/bus/line.cpp",
+             "const std::size_t room = pending.received.capacity() - pending.received.size();",
+             "const std::size_t room =\n"
+             "        (pending.framing == Framing::Open ? pending.received.capacity() : pending.wanted()) -\n"
+             "        pending.received.size();"),
+    )),
+    Mutant("early-bytes-are-the-reply", "faults.md F-46: no module answers before it has heard the command", (
+        Edit("core/bus/line.cpp",
+             "if (m_pending->received.empty() && now < m_pending->left) {",
+             "if (m_done && m_pending->received.empty() && now < m_pending->left) {"),
+    )),
+    Mutant("one-reply-permits", "link.md 2.4: two in a row to permit", (
+        Edit("core/bus/trust.cpp",
+             "const unsigned confirmed = second ? unsigned{before} : 0U;",
+             "const unsigned confirmed = 0xFFU;"),
+    )),
+    Mutant("two-of-one-length-permit", "link.md 2.4: two of different length to permit", (
+        Edit("core/bus/trust.cpp",
+             "const bool second = m_last && m_last->length != length;",
+             "const bool second = m_last.has_value();"),
+    )),
+    Mutant("refused-reply-believed", "faults.md F-08: a refusal shows that the module lives, and is no sample", (
+        Edit("core/bus/engineoutcome.cpp",
+             "    if (end.result == ReplyResult::Refused) {\n        module.trust.interrupt();",
+             "    if (false) {\n        module.trust.interrupt();"),
+    )),
+)
+
+COMMANDS = (
     Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is asked first, or two modules get it", (
         Edit("core/bus/discovery.cpp",
              "return enter(Phase::Probe);",
@@ -49,17 +109,129 @@ MUTANTS = (
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
         Edit("core/bus/retrypolicy.h",
-             "        case CommandCode::StartMotion:\n        case CommandCode::ResetPosition:",
-             "        case CommandCode::StartMotion:\n            return {AfterSilence::Repeat, 2};\n"
-             "        case CommandCode::ResetPosition:"),
+             "        case CommandCode::StartMotion:      // a look at the module decides, see verification.h\n",
+             "        case CommandCode::StartMotion:\n            return {AfterSilence::Repeat, 2};\n"),
     )),
-    Mutant("reset-position-in-motion", "protocol.md: not in a trapezoidal move", (
+    Mutant("blind-retry-of-a-refused-start", "faults.md F-09: that it was refused is the module's word alone", (
+        Edit("core/bus/engineoutcome.cpp",
+             "return !isStart(work) && work.refusals < work.refusedAttempts;",
+             "return work.refusals < work.refusedAttempts;"),
+    )),
+    Mutant("start-without-all-loads", "faults.md M-26: the start is withheld when one member refused its load", (
+        Edit("core/bus/engineoutcome.cpp",
+             "    if (end.result == ReplyResult::Accepted) {\n        m_attempts = 0;",
+             "    if (!unanswered(end.result)) {\n        m_attempts = 0;"),
+    )),
+    Mutant("reset-position-in-motion", "faults.md M-19: never sent while the motor moves", (
         Edit("core/bus/gate.cpp",
              "Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }",
              "Verdict operator()(const ResetPosition&) const { return Verdict::Allowed; }"),
+    )),
+    Mutant("gate-believes-an-old-status", "link.md 2.4: a status from before the last motion permits nothing", (
+        Edit("core/bus/gate.cpp",
+             "    if (!belief.fresh())\n        return Verdict::NeedsStatus;\n    if (belief.mayMove())\n",
+             "    if (belief.mayMove())\n"),
+    )),
+    Mutant("hard-reset-to-connect", "faults.md F-23: connecting asks only; a reset needs consent", (
+        Edit("core/bus/discovery.cpp",
+             "m_phase(start == Start::Look ? Phase::Look : Phase::Restart),",
+             "m_phase(Phase::Restart),"),
+    )),
+)
+
+STOPPING = (
+    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link in doubt, or the stop is swallowed", (
+        Edit("core/bus/enginestop.cpp",
+             "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
+             "script.insert(script.end(), {Line::Pause{kAfterNulls}});"),
+        Edit("core/bus/enginerecovery.cpp",
+             "line.run({Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}}, now);",
+             "line.run({Line::Pause{kAfterNulls}, DiscardInput{}}, now);"),
+    )),
+    Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
+        Edit("core/bus/engine.cpp",
+             "m_blindStopsDue = suspect || line.busy();",
+             "m_blindStopsDue = !suspect && line.busy();"),
+        Edit("core/bus/enginedispatch.cpp",
+             "    if (std::exchange(m_suspect, false))\n        return flushBuffers(now);\n    const auto ask",
+             "    if (m_suspect)\n        return resync(now);\n    const auto ask"),
+    )),
+    Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
+        Edit("core/bus/engine.cpp",
+             "    m_blindStopsDue = suspect || line.busy();\n    interrupt(now);\n",
+             "    m_blindStopsDue = suspect;\n"),
+    )),
+    Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
+        Edit("core/bus/engine.cpp",
+             "void Engine::Private::stopAll(TimePoint now) {\n    cancelOperations();\n",
+             "void Engine::Private::stopAll(TimePoint now) {\n"),
     )),
     Mutant("one-look-after-a-stop", "link.md 2.6: confirmed twice", (
         Edit("core/bus/stoprun.cpp", "} else if (target.confirmed == 2) {",
              "} else if (target.confirmed >= 1) {"),
     )),
+    Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
+        Edit("core/bus/stoprun.cpp",
+             "            if (belief.mayBeOn())\n                return ServoCommand(",
+             "            if (true)\n                return ServoCommand("),
+    )),
+    Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
+        Edit("core/bus/enginestop.cpp",
+             "const bool all = m_groupsKnown && stops.size() > 1",
+             "const bool all = stops.size() > 1"),
+    )),
+    Mutant("hold-without-an-end", "README: hold to move ends when the evidence stops coming", (
+        Edit("core/bus/holdlane.cpp", "    if (!m_wanted || now < m_until)\n", "    if (true)\n"),
+    )),
+    Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
+        Edit("core/bus/engineoutcome.cpp", "    m_guards.push_back({module, ServoCommand(servo::StopMotor{",
+             "    static_cast<void>(Step{module, ServoCommand(servo::StopMotor{"),
+    )),
 )
+
+LOSING = (
+    Mutant("silent-module-at-the-full-rate", "faults.md F-10: a silent module is asked ever more rarely", (
+        Edit("core/bus/pollschedule.cpp",
+             "    if (!m_lastProbe)\n        return module.due;\n",
+             "    return TimePoint{};\n"),
+    )),
+    Mutant("lost-link-never-told", "faults.md F-11: silence of all is one cause, told once", (
+        Edit("core/bus/enginerecovery.cpp", "    events.emplace_back(LinkLost{});\n", ""),
+    )),
+    Mutant("no-stops-on-a-dead-line", "faults.md F-11: commands may still arrive", (
+        Edit("core/bus/enginerecovery.cpp", "m_lostBursts = kLostBursts;", "m_lostBursts = 0;"),
+    )),
+    Mutant("health-never-lost", "link.md 2.5: LOST from 100 on", (
+        Edit("core/bus/health.cpp", "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (false)"),
+    )),
+    Mutant("health-comes-back", "link.md 2.5: LOST is latched", (
+        Edit("core/bus/health.cpp",
+             "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (m_bucket >= kLost)"),
+    )),
+    Mutant("restarted-module-is-only-silent", "faults.md F-15: it is told that it lost everything", (
+        Edit("core/bus/enginerecovery.cpp",
+             "if (unanswered(end.result) || !end.report.identity || explained) {",
+             "if (true) {"),
+    )),
+    Mutant("restarted-module-gets-its-address-back", "faults.md F-15: never brought back unasked", (
+        Edit("core/bus/enginerecovery.cpp",
+             "    restarted->belief.setRestarted();\n",
+             "    if (m_look == Look::None)\n"
+             "        return line.run({Line::Packet{toPacket({BusAddress(0),\n"
+             "            SetAddress{restarted->belief.info().address, BusAddress(0xFF), false}.encode()})},\n"
+             "            Line::Pause{kAfterNulls + line.timing().adapter()}, DiscardInput{}}, now);\n"
+             "    restarted->belief.setRestarted();\n"),
+    )),
+    Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at the rate that it does not hear", (
+        Edit("core/bus/enginerecovery.cpp", "    if (quiet)\n        giveUp(now);\n", ""),
+    )),
+)
+
+PORT = (
+    Mutant("port-kept-open-after-a-hangup", "faults.md F-27: told once, closed at once; Qt alone would spin", (
+        Edit("core/link/serialtransport.cpp",
+             "    if (fds[0].revents != 0)\n        return tl::unexpected(gone());\n", ""),
+    ), "link"),
+)
+
+MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPPING + LOSING + PORT

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Breaks the bus engine on purpose, one way after the other, and says whether a test notices.
+"""Breaks the bus engine and the port on purpose, one way after the other, and says whether a test notices.
 
 usage: run_mutants.py [--check | --list] [-j JOBS] [NAME...]
 
@@ -14,14 +14,35 @@ import os
 import shutil
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 from mutants import MUTANTS
 
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "mutants"
-PROGRAMS = ("bus_tests", "fault_tests")
+TREE = WORK / "tree"
 LONGEST = 300  # seconds for a test program
+
+
+@dataclass(frozen=True)
+class Suite:
+    """The tests that a mutant is shown to."""
+    folder: str
+    gui: str  # whether they need the Qt parts
+    programs: tuple[str, ...]
+    helpers: tuple[str, ...] = ()  # programs that they start
+    filter: str = "*"
+
+    @property
+    def build(self):
+        return WORK / self.folder
+
+
+SUITES = {
+    "engine": Suite("build", "OFF", ("bus_tests", "fault_tests")),
+    "link": Suite("build-link", "ON", ("link_tests",), ("nmcsim",), "F27*"),
+}
 
 
 def misfits(mutant):
@@ -33,67 +54,92 @@ def misfits(mutant):
             yield f"{mutant.name}: {edit.file} has {times} times: {edit.old.strip()}"
 
 
-def copy_tree(tree):
+def copy_tree():
     """What git knows or would, as it is now; what has not changed keeps its time, so that little is built."""
     listing = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
                              capture_output=True, text=True).stdout
     names = {name for name in listing.split("\0") if name and (ROOT / name).is_file()}
     for name in names:
-        source, target = ROOT / name, tree / name
+        source, target = ROOT / name, TREE / name
         if not target.exists() or target.read_bytes() != source.read_bytes():
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, target)
             shutil.copymode(source, target)
-    for old in [path for path in tree.rglob("*") if path.is_file()]:
-        if str(old.relative_to(tree)) not in names:
+    for old in [path for path in TREE.rglob("*") if path.is_file()]:
+        if str(old.relative_to(TREE)) not in names:
             old.unlink()
 
 
-def configure(tree, build):
+def configure(suite):
     # What a mutant leaves unused is no error.
-    subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
-                    "-DNMC_BUILD_GUI=OFF", "-DCMAKE_CXX_FLAGS=-w"], check=True, capture_output=True)
+    subprocess.run(["cmake", "-S", TREE, "-B", suite.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+                    f"-DNMC_BUILD_GUI={suite.gui}", "-DCMAKE_CXX_FLAGS=-w"], check=True, capture_output=True)
 
 
-def compiles(build, jobs):
-    command = ["cmake", "--build", build, "-j", str(jobs), "--target", *PROGRAMS]
+def compiles(suite, jobs):
+    command = ["cmake", "--build", suite.build, "-j", str(jobs), "--target", *suite.programs, *suite.helpers]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout[-3000:], file=sys.stderr)
     return done.returncode == 0
 
 
-def failures(build, program):
+def failures(suite, program):
     """The names of the tests that fail; and one for the program when it does not come to its end."""
-    report = build / f"{program}.json"
+    report = suite.build / f"{program}.json"
     report.unlink(missing_ok=True)
+    command = [suite.build / "bin" / program, f"--gtest_output=json:{report}", f"--gtest_filter={suite.filter}"]
     try:
-        subprocess.run([build / "bin" / program, f"--gtest_output=json:{report}"], timeout=LONGEST,
-                       capture_output=True, env={**os.environ, "RC_PARAMS": "seed=1"})
+        subprocess.run(command, timeout=LONGEST, capture_output=True, env={**os.environ, "RC_PARAMS": "seed=1"})
     except subprocess.TimeoutExpired:
         return {f"{program} does not end"}
     if not report.exists():
         return {f"{program} crashes"}
-    suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
-    return {f"{suite['name']}.{test['name']}" for suite in suites for test in suite["testsuite"]
+    found = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
+    return {f"{group['name']}.{test['name']}" for group in found for test in group["testsuite"]
             if test.get("failures")}
 
 
-def all_failures(build):
-    return set().union(*(failures(build, program) for program in PROGRAMS))
+def noticed_by(suite, before):
+    """The tests of the first program in which any fails that did not before."""
+    for program in suite.programs:
+        new = failures(suite, program) - before
+        if new:
+            return new
+    return set()
 
 
-def run(mutant, tree, build, jobs, before):
+def run(mutant, suite, jobs, before):
     """Names of the tests that noticed it; nothing when it does not compile."""
-    originals = {edit.file: (tree / edit.file).read_text(encoding="utf-8") for edit in mutant.edits}
+    originals = {edit.file: (TREE / edit.file).read_text(encoding="utf-8") for edit in mutant.edits}
     try:
         for edit in mutant.edits:
-            path = tree / edit.file
+            path = TREE / edit.file
             path.write_text(path.read_text(encoding="utf-8").replace(edit.old, edit.new), encoding="utf-8")
-        return all_failures(build) - before if compiles(build, jobs) else None
+        return noticed_by(suite, before) if compiles(suite, jobs) else None
     finally:
         for name, text in originals.items():
-            (tree / name).write_text(text, encoding="utf-8")
+            (TREE / name).write_text(text, encoding="utf-8")
+
+
+def run_all(suite, mutants, jobs):
+    """How many survive; nothing when the tree does not build without any."""
+    configure(suite)
+    if not compiles(suite, jobs):
+        print("run_mutants: the tree does not build", file=sys.stderr)
+        return None
+    before = set().union(*(failures(suite, program) for program in suite.programs))
+    if before:
+        print(f"{len(before)} tests fail without any mutant; they count for nothing", flush=True)
+    survived = 0
+    for mutant in mutants:
+        noticed = run(mutant, suite, jobs, before)
+        if noticed:
+            print(f"killed    {mutant.name}: {len(noticed)} tests, such as {min(noticed)}", flush=True)
+        else:
+            survived += 1
+            print(f"{'BROKEN  ' if noticed is None else 'SURVIVED'}  {mutant.name}: {mutant.breaks}", flush=True)
+    return survived
 
 
 def main():
@@ -118,23 +164,15 @@ def main():
         print(f"{len(chosen)} mutants, {len(wrong)} edits do not fit")
         return 1 if wrong else 0
 
-    tree, build = WORK / "tree", WORK / "build"
-    copy_tree(tree)
-    configure(tree, build)
-    if not compiles(build, arguments.jobs):
-        print("run_mutants: the tree does not build", file=sys.stderr)
-        return 1
-    before = all_failures(build)
-    if before:
-        print(f"{len(before)} tests fail without any mutant; they count for nothing", flush=True)
+    copy_tree()
     survived = 0
-    for mutant in chosen:
-        noticed = run(mutant, tree, build, arguments.jobs, before)
-        if noticed:
-            print(f"killed    {mutant.name}: {len(noticed)} tests, such as {min(noticed)}", flush=True)
-        else:
-            survived += 1
-            print(f"{'BROKEN  ' if noticed is None else 'SURVIVED'}  {mutant.name}: {mutant.breaks}", flush=True)
+    for name, suite in SUITES.items():
+        mutants = [mutant for mutant in chosen if mutant.suite == name]
+        if mutants:
+            alive = run_all(suite, mutants, arguments.jobs)
+            if alive is None:
+                return 1
+            survived += alive
     print(f"{len(chosen)} mutants, {survived} survived")
     return 1 if survived else 0
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// link.md 2.5: 10 into the bucket for each wrong answer, 1 out of it for each right one; lost from 100 on.
+#include <gtest/gtest.h>
+
+#include "tests/bus/scriptedbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint8_t kServoOn = 0x04;
+
+/// Two servos that are on. Every fourth answer of the second one has a wrong sum.
+class LinkHealthOfOneModule : public testing::Test {
+protected:
+    void SetUp() override {
+        bus.aux = kServoOn;
+        ASSERT_TRUE(bus.connect());
+        bus.runFor(200ms);
+        bus.answer = [this](ByteSpan packet) {
+            auto bytes = bus.likeAServo(packet);
+            if (packet[1] == 2 && !bytes.empty() && ++m_answers % 4 == 0) {
+                ++bytes.back();
+                ++wrong;
+            }
+            return bytes;
+        };
+    }
+    /// The levels of the second module in their order.
+    [[nodiscard]] std::vector<LinkHealth> levels() const {
+        std::vector<LinkHealth> all;
+        for (const HealthChanged& event : bus.all<HealthChanged>())
+            if (event.module == ModuleIndex(1))
+                all.push_back(event.health);
+        return all;
+    }
+    [[nodiscard]] bool reaches(LinkHealth level) {
+        return bus.runUntil([&] { return !levels().empty() && levels().back() == level; });
+    }
+
+    ScriptedBus bus{2};
+    unsigned wrong = 0;
+
+private:
+    unsigned m_answers = 0;
+};
+
+// Each round of four puts 10 in and takes 3 out: 10, 17, 24, 31; and 94, 101 at the 13th and 14th.
+TEST_F(LinkHealthOfOneModule, IsDoubtfulFromThirtyAndLostFromAHundred) {
+    ASSERT_TRUE(reaches(LinkHealth::Doubtful));
+    EXPECT_EQ(wrong, 4U);
+    ASSERT_TRUE(reaches(LinkHealth::Lost));
+    EXPECT_EQ(wrong, 14U);
+}
+
+TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndAsksItNoMore) {
+    ASSERT_TRUE(reaches(LinkHealth::Lost));
+    const std::size_t from = bus.sent.size();
+    bus.runFor(5s);
+    EXPECT_GE(bus.sends("AA 02 17 05 1E", from), 1U);
+    std::size_t toIt = 0;
+    std::size_t toTheOther = 0;
+    for (std::size_t i = from; i < bus.sent.size(); ++i) {
+        toIt += bus.sent[i].hex.starts_with("AA 02") ? 1U : 0U;
+        toTheOther += bus.sent[i].hex.starts_with("AA 01") ? 1U : 0U;
+    }
+    EXPECT_EQ(toIt, bus.sends("AA 02 17 05 1E", from)) << "nothing but stops";
+    EXPECT_GT(toTheOther, 100U);
+}
+
+// What it answers to a stop of all takes more than the one out again that was above the hundred.
+TEST_F(LinkHealthOfOneModule, StaysLost) {
+    ASSERT_TRUE(reaches(LinkHealth::Lost));
+    bus.runFor(1s);
+    bus.engine.stopAll(bus.now);
+    bus.runFor(5s);
+    ASSERT_EQ(bus.count<StopFinished>(), 1U);
+    EXPECT_EQ(levels(), (std::vector{LinkHealth::Doubtful, LinkHealth::Lost}));
+}
+
+}  // namespace
+
+}  // namespace nmc::test
