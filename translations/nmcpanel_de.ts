@@ -1357,6 +1357,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>%1 at address %2 on the wire. %3</source>
         <translation>%1 mit Adresse %2 an der Leitung. %3</translation>
     </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation>%1 · %2/s</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainView</name>

@@ -31,6 +31,10 @@ bool Engine::Private::dispatch(TimePoint now) {
     m_resyncing = false;  // one that was under way is over
     if (m_phase == Phase::Off)
         return false;
+    if (strayed() && stopDue(now)) {
+        goBack(now);
+        return true;
+    }
     if (m_stop) {
         dispatchStop(now);
         return true;
@@ -60,6 +64,16 @@ bool Engine::Private::dispatch(TimePoint now) {
         return true;
     }
     return dispatchHold(now) || dispatchOperation(now) || dispatchPoll(now);
+}
+
+/// The port is at another rate than the chain: a module without an address is being looked for.
+bool Engine::Private::strayed() const {
+    return (m_phase == Phase::Running || m_phase == Phase::Quiet) && line.baud() != m_baud;
+}
+
+bool Engine::Private::stopDue(TimePoint now) const {
+    return m_stop || !m_guards.empty() || m_hold.stop() || lostBurstDue(now) ||
+           (m_again && m_again->repeatAtOnce);
 }
 
 /// What does not wait for a link in doubt.

@@ -116,6 +116,8 @@ private:
     [[nodiscard]] bool mayPipeline() const;
     [[nodiscard]] bool dispatch(TimePoint now);
     [[nodiscard]] bool dispatchUrgent(TimePoint now);
+    [[nodiscard]] bool strayed() const;
+    [[nodiscard]] bool stopDue(TimePoint now) const;
     void dispatchGuard(TimePoint now);
     void dispatchDiscovery(TimePoint now);
     void dispatchStop(TimePoint now);
@@ -161,6 +163,7 @@ private:
     void lose(ModuleIndex module, TimePoint now);
     void loseAll(TimePoint now);
     void dispatchLook(TimePoint now);
+    void goBack(TimePoint now);
     void deliverLook(const ReplyEnd& end, TimePoint now);
     void noteHealth(const Work& work, const ReplyEnd& end, TimePoint now);
     void noteExchange(ModuleIndex module, bool right, TimePoint now);

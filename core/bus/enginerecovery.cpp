@@ -210,11 +210,16 @@ void Engine::Private::dispatchLook(TimePoint now) {
             return begin(std::move(work), now);
         }
         case Look::Back:
-            m_look = Look::None;
-            return line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{m_baud}, Line::Nulls{},
-                             Line::Pause{kAfterNulls + latency}, DiscardInput{}},
-                            now);
+            return goBack(now);
     }
+}
+
+void Engine::Private::goBack(TimePoint now) {
+    m_look = Look::None;
+    const Duration latency = line.timing().adapter();
+    line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{m_baud}, Line::Nulls{},
+              Line::Pause{kAfterNulls + latency}, DiscardInput{}},
+             now);
 }
 
 void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
