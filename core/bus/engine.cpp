@@ -150,7 +150,8 @@ void Engine::Private::stopAll(TimePoint now) {
     else
         m_stop.emplace(beliefs(), m_schedule, now);
     const bool suspect = m_suspect || m_resyncing || m_hurried || m_lost || m_doubt;
-    m_blindStopsDue = suspect || line.busy();
+    // One packet to all of them is sooner than one to each, even on a line that is free.
+    m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;
     interrupt(now);
     m_suspect = suspect;
     proceed(now);
