@@ -1358,8 +1358,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 mit Adresse %2 an der Leitung. %3</translation>
     </message>
     <message>
-        <source>%1 · %2/s</source>
-        <translation>%1 · %2/s</translation>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>

@@ -150,7 +150,7 @@ STOPPING = (
     )),
     Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
         Edit("core/bus/engine.cpp",
-             "m_blindStopsDue = suspect || line.busy();",
+             "m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;",
              "m_blindStopsDue = !suspect && line.busy();"),
         Edit("core/bus/enginedispatch.cpp",
              "    if (std::exchange(m_suspect, false))\n        return flushBuffers(now);\n    const auto ask",
@@ -158,7 +158,7 @@ STOPPING = (
     )),
     Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
         Edit("core/bus/engine.cpp",
-             "    m_blindStopsDue = suspect || line.busy();\n    interrupt(now);\n",
+             "    m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;\n    interrupt(now);\n",
              "    m_blindStopsDue = suspect;\n"),
     )),
     Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (

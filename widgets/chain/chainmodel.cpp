@@ -15,7 +15,7 @@ ChainModel::Row ChainModel::rowOf(const ModuleState& module) {
     row.name = texts::moduleName(module.info.index);
     row.type = texts::moduleType(module.info.identity);
     if (module.repliesPerSecond > 0.0)
-        row.type = tr("%1 · %2/s").arg(row.type, texts::readout(std::round(module.repliesPerSecond)));
+        row.rate = tr("%1/s").arg(texts::readout(std::round(module.repliesPerSecond)));
     row.activity = module.activity();
     row.position = module.latest.has_value() && module.latest->position.has_value()
                        ? texts::grouped(*module.latest->position)
@@ -83,7 +83,8 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case ActivityValue:
             return static_cast<int>(row.activity);
         case ActivityText:
-            return texts::activity(row.activity);
+            return row.rate.isEmpty() ? texts::activity(row.activity)
+                                      : tr("%1 · %2").arg(texts::activity(row.activity), row.rate);
         case Position:
             return row.position;
         case PositionIsOld:

@@ -17,9 +17,9 @@ public:
         IsHost = Qt::UserRole,
         Address,   ///< int
         Name,      ///< "Module 1"
-        TypeText,  ///< "PIC-SERVO v4 · 92/s", with the status replies per second
+        TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
-        ActivityText,
+        ActivityText,  ///< "Holding · 92/s", with the status replies per second
         Position,      ///< "12 345", or a dash
         PositionIsOld  ///< the module does not answer
     };
@@ -38,6 +38,7 @@ private:
         int address = 0;
         QString name;
         QString type;
+        QString rate;
         Activity activity = Activity::Unknown;
         QString position;
         bool old = false;
