@@ -93,13 +93,15 @@ void Plausibility::jerk(TimePoint at, double reach) {
 }
 
 bool Plausibility::jerked(TimePoint at) const {
-    return m_jerk && at - m_jerk->since < kJerkTime;
+    // However long ago, when no position has been seen since: in a long chain a whole motion lies in between.
+    return m_jerk && (at - m_jerk->since < kJerkTime || m_known.from <= m_jerk->since);
 }
 
 /// How far a motor may get from a straight line in so many ticks.
 double Plausibility::bend(TimePoint at, double most) const {
     if (jerked(at))
-        return std::min(kViolent * most * most / 4, m_jerk->reach) + kMargin;
+        return std::min(kViolent * most * most / 4, m_jerk->reach * std::max(1.0, most / ticks(kJerkTime))) +
+               kMargin;
     // At a low servo rate a servo swings slowly and far, and its velocities are not those of a tick.
     if (m_divisor > 1)
         return std::min(kViolent * most * most / 4, kSwing) + kMargin;

@@ -58,6 +58,25 @@ TEST(Polls, AreStampedWithTheTimeAtWhichTheModuleLatchedThem) {
     }
 }
 
+/// 32 modules at 19 200 Bd: one that nobody looks at is asked every 0.6 s, and runs and stops in between.
+TEST(Polls, BelieveAMotionThatLiesBetweenTwoOfThem) {
+    VirtualBus bus(servos(32));
+    ASSERT_TRUE(bus.connect());
+    bus.engine.watch({ModuleIndex(31)});
+    for (std::uint8_t i = 0; i < 4; ++i)
+        ASSERT_EQ(bus.perform({gains(i), enable(i)}), Outcome::Done);
+    for (int round = 0; round < 5; ++round) {
+        for (std::uint8_t i = 0; i < 4; ++i)
+            ASSERT_EQ(bus.perform({loadVelocity(i, 8 * 65'536, true)}), Outcome::Done);
+        bus.runFor(550ms + round * 50ms);
+        const auto stopped = bus.stopAll();
+        ASSERT_TRUE(stopped);
+        EXPECT_EQ(stopped->stopped.size(), 32U);
+    }
+    EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+    bus.expectNoViolations();
+}
+
 TEST(Polls, SurviveALostReply) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
