@@ -119,6 +119,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
+    connect(&m_window, &MainWindow::axisEdited, this, &Composition::editAxis);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
@@ -194,6 +195,13 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return;
     }
     m_worker.submit({bus::OperationId(++m_lastOperation), std::move(*steps)});
+}
+
+void Composition::editAxis(ModuleIndex module, const AxisSettings& settings) {
+    if (m_machine.axes.size() <= module.value())
+        m_machine.axes.resize(module.value() + std::size_t{1});
+    m_machine.axes[module.value()] = settings;
+    m_window.showMachine(m_machine);
 }
 
 void Composition::act(const QString& key, const QString& action) {

@@ -54,6 +54,7 @@ private:
     void openNow(const Target& target);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
+    void editAxis(ModuleIndex module, const AxisSettings& settings);
     void act(const QString& key, const QString& action);
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
@@ -86,6 +87,7 @@ private:
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
+    Machine m_machine;                     ///< what the user has told of it
     std::optional<Target> m_target;        ///< what is connected, or was last
     std::optional<Target> m_openNext;      ///< to be opened when the present connection has closed
     std::optional<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it

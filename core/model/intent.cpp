@@ -37,15 +37,20 @@ struct Planner {
     }
 
     Plan operator()(const intent::GoTo& goTo) const {
-        if (goTo.velocity.value() == 0)
-            return tl::unexpected(Refusal::NoVelocity);
-        if (goTo.acceleration.value() == 0)
-            return tl::unexpected(Refusal::NoAcceleration);
-        servo::LoadTrajectory load;
-        load.position = goTo.position;
-        load.velocity = goTo.velocity;
-        load.acceleration = goTo.acceleration;
-        return allowed(Request::Move, module, [&] { return stepsFor(module, load, StartMotion{}); });
+        if (const auto refusal = lacking(goTo))
+            return tl::unexpected(*refusal);
+        return allowed(Request::Move, module,
+                       [&] { return stepsFor(module, trajectory(goTo), StartMotion{}); });
+    }
+
+    Plan operator()(const intent::LoadMove& load) const {
+        if (const auto refusal = lacking(load.move))
+            return tl::unexpected(*refusal);
+        return allowed(Request::Move, module, [&] { return stepsFor(module, trajectory(load.move)); });
+    }
+
+    Plan operator()(const intent::StartLoaded&) const {
+        return allowed(Request::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
     }
 
     Plan operator()(const intent::RunAtVelocity& run) const {
@@ -90,7 +95,50 @@ struct Planner {
                        [this] { return stepsFor(module, nmc::ResetPosition{}); });
     }
 
+    Plan operator()(const intent::SaveAsHome&) const {
+        return allowed(Request::SaveAsHome, module, [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+    }
+
+    Plan operator()(const intent::StopHere&) const {
+        return allowed(Request::StopHere, module, [this] {
+            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here,
+                                                     Counts(*module.latest->position)});
+        });
+    }
+
+    Plan operator()(const intent::DrivePwm& drive) const {
+        servo::LoadTrajectory load;
+        load.servo = false;
+        load.pwm = drive.pwm;
+        load.reverse = drive.reverse;
+        return allowed(Request::DrivePwm, module, [&] { return stepsFor(module, load, StartMotion{}); });
+    }
+
+    Plan operator()(const intent::SetAmplifier& amplifier) const {
+        return allowed(Request::SetAmplifier, module, [&] {
+            return stepsFor(module, servo::StopMotor{amplifier.enable, servo::StopManner::AmplifierOnly, {}});
+        });
+    }
+
+    Plan operator()(const intent::ControlIo& control) const {
+        return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
+    }
+
 private:
+    [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
+        if (goTo.velocity.value() == 0)
+            return Refusal::NoVelocity;
+        if (goTo.acceleration.value() == 0)
+            return Refusal::NoAcceleration;
+        return std::nullopt;
+    }
+    [[nodiscard]] static servo::LoadTrajectory trajectory(const intent::GoTo& goTo) {
+        servo::LoadTrajectory load;
+        load.position = goTo.position;
+        load.velocity = goTo.velocity;
+        load.acceleration = goTo.acceleration;
+        return load;
+    }
     [[nodiscard]] Plan stop(servo::StopManner manner) const {
         return allowed(Request::StopMotion, module, [&] {
             return stepsFor(module, servo::StopMotor{module.amplifierEnabled, manner, {}});
@@ -127,6 +175,26 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case Request::ResetPosition:
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::StartLoaded:
+            if (!module.loadWaiting)
+                return Refusal::NothingLoaded;
+            return whyNot(Request::Move, module);
+        case Request::StopHere:
+            if (module.info.identity.version < servo::kStopHereVersion)
+                return Refusal::VersionLacksIt;
+            if (!module.latest->position)
+                return Refusal::PositionUnknown;
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+        case Request::DrivePwm:
+            if (!module.latest->servoStatus().powerOn())
+                return Refusal::NoPower;
+            return module.servoOn() ? std::optional(Refusal::ServoOn) : std::nullopt;
+        case Request::ControlIo:
+            return module.info.identity.version < servo::kOtherIoVersion
+                       ? std::nullopt
+                       : std::optional(Refusal::VersionLacksIt);
+        case Request::SaveAsHome:
+        case Request::SetAmplifier:
         case Request::MotorOff:
         case Request::ApplyGains:
         case Request::ClearStickyBits:

@@ -33,11 +33,33 @@ struct ApplyGains {
 };
 struct ClearStickyBits {};
 struct ResetPosition {};  ///< "zero here"
+struct SaveAsHome {};     ///< the present position
+/// As GoTo, to be started by StartLoaded: of this module, or of its group.
+struct LoadMove {
+    GoTo move;
+};
+struct StartLoaded {};
+/// Holds the position it has now, without a profile.
+struct StopHere {};
+/// Drives the motor without servo: no position limit, no position error, no output limit applies.
+struct DrivePwm {
+    std::uint8_t pwm = 0;
+    bool reverse = false;
+};
+/// AMP_EN alone; the servo stays as it is.
+struct SetAmplifier {
+    bool enable = false;
+};
+struct ControlIo {
+    servo::IoControl io;
+};
 }  // namespace intent
 
-using Intent = std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
-                            intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
-                            intent::ClearStickyBits, intent::ResetPosition>;
+using Intent =
+    std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
+                 intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
+                 intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo>;
 
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
@@ -50,6 +72,10 @@ enum class Refusal : std::uint8_t {
     Moving,          ///< trapezoidal moves start from standstill only
     NoAcceleration,  ///< with acceleration 0 nothing would ever move or stop
     NoVelocity,
+    NothingLoaded,  ///< no confirmed load waits for a start
+    PositionUnknown,
+    ServoOn,         ///< PWM mode is for a servo that is off
+    VersionLacksIt,  ///< the chip's version cannot do it
 };
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
@@ -67,7 +93,13 @@ enum class Request : std::uint8_t {
     MotorOff,
     ApplyGains,
     ClearStickyBits,
-    ResetPosition
+    ResetPosition,
+    SaveAsHome,
+    StartLoaded,
+    StopHere,
+    DrivePwm,
+    SetAmplifier,
+    ControlIo
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 

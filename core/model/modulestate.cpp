@@ -93,20 +93,26 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
             m_loadedVelocity = load->velocity->value() / 65'536.0;
         if (load->acceleration)
             accelerationLoaded = load->acceleration->value() != 0;
+        loadWaiting = !load->startNow;
         if (load->startNow)
             applyLoaded();
     } else if (std::holds_alternative<StartMotion>(*command)) {
+        loadWaiting = false;
         applyLoaded();
     } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
         apply(*stop);
     } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
         gains = *sent;
+    } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
+        io = *control;
     }
 }
 
 void ModuleState::restarted() {
     hasRestarted = true;
     gains.reset();
+    io.reset();
+    loadWaiting = false;
     motion = MotionMode::None;
     goalVelocity = m_loadedVelocity = 0.0;
     amplifierEnabled = accelerationLoaded = false;
@@ -130,7 +136,7 @@ void ModuleState::apply(const servo::StopMotor& stop) {
         return;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
-    m_motionUnknown = false;
+    loadWaiting = m_motionUnknown = false;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;
         offCommanded = true;

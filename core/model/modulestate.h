@@ -54,6 +54,10 @@ struct ModuleState {
     /// An acceleration above 0 was loaded: a smooth stop can slow down.
     bool accelerationLoaded = false;
     bool amplifierEnabled = false;
+    /// A load was confirmed and waits for a start.
+    bool loadWaiting = false;
+    /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
+    std::optional<servo::IoControl> io;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
     /// As above, and motor power was missing when it was noticed.

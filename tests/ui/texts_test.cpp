@@ -158,7 +158,7 @@ TEST(Texts, NoForbiddenWords) {
     for (int o = 0; o <= static_cast<int>(bus::Outcome::Cancelled); ++o)
         add(texts::operationFailed(
             {bus::OperationId(1), static_cast<bus::Outcome>(o), ModuleIndex(0), 0x17}));
-    for (int r = 0; r <= static_cast<int>(Refusal::NoVelocity); ++r) {
+    for (int r = 0; r <= static_cast<int>(Refusal::VersionLacksIt); ++r) {
         all << texts::refusal(static_cast<Refusal>(r));
         EXPECT_FALSE(all.back().isEmpty()) << r;
     }

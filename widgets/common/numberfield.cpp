@@ -45,6 +45,11 @@ void NumberField::setRange(double min, double max) {
     judge();
 }
 
+void NumberField::setDecimals(int decimals) {
+    m_decimals = decimals;
+    judge();
+}
+
 void NumberField::setDigits(int digits) {
     m_digits = digits;
     updateGeometry();

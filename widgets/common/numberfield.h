@@ -21,6 +21,9 @@ public:
     explicit NumberField(int decimals, QWidget* parent = nullptr);
 
     void setRange(double min, double max);
+    /// 0: whole numbers only.
+    void setDecimals(int decimals);
+    [[nodiscard]] int decimals() const { return m_decimals; }
     void setSingleStep(double step) { m_step = step; }
     /// How many digits it is wide.
     void setDigits(int digits);

@@ -16,13 +16,21 @@ class Texts {
     Q_DECLARE_TR_FUNCTIONS(Texts)
 };
 
+QStringList g_moduleNames;
+
 double tickSeconds(int servoRate) {
     return toSeconds(kServoTick) * servoRate;
 }
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
-    return Texts::tr("Module %1").arg(module.value() + 1);
+    const QString name = g_moduleNames.value(module.value());
+    return name.isEmpty() ? Texts::tr("Module %1").arg(module.value() + 1)
+                          : Texts::tr("Module %1 \"%2\"").arg(QString::number(module.value() + 1), name);
+}
+
+void setModuleNames(const QStringList& names) {
+    g_moduleNames = names;
 }
 
 QString moduleType(const ModuleIdentity& identity) {
@@ -131,6 +139,14 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The acceleration is 0: the motor could neither start nor stop.");
         case Refusal::NoVelocity:
             return Texts::tr("The velocity is 0: the motor would not move.");
+        case Refusal::NothingLoaded:
+            return Texts::tr("Nothing is loaded that could be started.");
+        case Refusal::PositionUnknown:
+            return Texts::tr("The position is not known.");
+        case Refusal::ServoOn:
+            return Texts::tr("The servo is on. Switch the motor off first.");
+        case Refusal::VersionLacksIt:
+            return Texts::tr("This version of the chip cannot do it.");
     }
     return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "bus/types.h"
 #include "model/intent.h"
@@ -11,8 +12,10 @@
 /// The short words of the panel, one place for all: states, reasons, names, numbers.
 namespace nmc::texts {
 
-/// "Module 1". Users count from 1.
+/// "Module 1", "Module 3 "Z axis"" where the user has given it a name. Users count from 1.
 [[nodiscard]] QString moduleName(ModuleIndex module);
+/// The names by module, for every text from now on, as QLocale's default is for every number. GUI thread.
+void setModuleNames(const QStringList& names);
 /// "PIC-SERVO v4", "PIC-STEP v1", "type 7 v2".
 [[nodiscard]] QString moduleType(const ModuleIdentity& identity);
 /// "Holding", "Servo off", "Position error"...

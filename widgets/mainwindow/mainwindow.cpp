@@ -25,7 +25,6 @@
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/packetmonitor.h"
 #include "widgets/panels/modulepanel.h"
-#include "widgets/panels/servopanel.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/simulator/simulatordock.h"
 
@@ -176,10 +175,10 @@ void MainWindow::connectParts() {
         showSelected();
         emit moduleSelected(module);
     });
-    ServoPanel* servo = m_panel->servoPanel();
-    connect(servo, &ServoPanel::intentRequested, this, &MainWindow::intentRequested);
-    connect(servo, &ServoPanel::holdRequested, this, &MainWindow::holdRequested);
-    connect(servo, &ServoPanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(m_panel, &ModulePanel::intentRequested, this, &MainWindow::intentRequested);
+    connect(m_panel, &ModulePanel::holdRequested, this, &MainWindow::holdRequested);
+    connect(m_panel, &ModulePanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
@@ -202,8 +201,9 @@ void MainWindow::showLink(const LinkState& state) {
         state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
     m_link = state;
     if (connecting) {
-        m_panel->servoPanel()->resetSpeeds();
+        m_panel->resetSpeeds();
         m_scope->forget();
+        m_procedures.clear();
         m_now.reset();
     }
     if (another)
@@ -260,10 +260,14 @@ std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
 }
 
 void MainWindow::showSelected() {
-    if (const ModuleState* module = selectedState())
-        m_panel->showModule(*module, m_link.phase == LinkPhase::Connected, ageOf(*module));
-    else
+    if (const ModuleState* module = selectedState()) {
+        const auto procedure = m_procedures.find(module->info.index);
+        m_panel->showModule({*module, m_machine.axis(module->info.index),
+                             procedure != m_procedures.end() ? &procedure->second : nullptr,
+                             m_link.phase == LinkPhase::Connected, ageOf(*module)});
+    } else {
         m_panel->showNothing(nothingText());
+    }
     m_simulator->showSelected(selectedModule());
 }
 
@@ -282,6 +286,20 @@ void MainWindow::beginPackets(const PacketSession& session) {
 
 void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
     m_monitor->showPackets(std::move(records));
+}
+
+void MainWindow::showMachine(const Machine& machine) {
+    m_machine = machine;
+    QStringList names;
+    for (const AxisSettings& axis : machine.axes)
+        names.append(QString::fromStdString(axis.name));
+    texts::setModuleNames(names);
+    showLink(m_link);
+}
+
+void MainWindow::showProcedure(const ProcedureReport& report) {
+    m_procedures.insert_or_assign(report.module, report);
+    showSelected();
 }
 
 void MainWindow::showHistory(const ModuleHistory& history, TimePoint now) {
@@ -332,7 +350,7 @@ void MainWindow::showSafetyOnce() {
 void MainWindow::requestStop() {
     if (m_link.phase == LinkPhase::Disconnected)
         return;
-    m_panel->servoPanel()->endHold();
+    m_panel->endHold();
     emit stopAllRequested();
 }
 
@@ -356,7 +374,7 @@ void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json
 }
 
 void MainWindow::setHoldInterval(int milliseconds) {
-    m_panel->servoPanel()->setHoldInterval(milliseconds);
+    m_panel->setHoldInterval(milliseconds);
 }
 
 int MainWindow::movingMotors() const {
@@ -391,7 +409,7 @@ void MainWindow::askBeforeRestart() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     const int moving = movingMotors();
     if (m_mayClose || moving == 0) {
-        m_panel->servoPanel()->endHold();
+        m_panel->endHold();
         saveLayout();
         event->accept();
         return;

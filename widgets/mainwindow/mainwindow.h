@@ -4,12 +4,15 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <map>
 #include <optional>
 
 #include "link/linktypes.h"
 #include "model/intent.h"
 #include "model/linkstate.h"
+#include "model/machine.h"
 #include "model/packetlog.h"
+#include "model/procedure.h"
 #include "model/series.h"
 #include "widgets/common/texts.h"
 
@@ -49,6 +52,10 @@ public:
     void showFigures(const LinkFigures& figures);
     /// The selected module's history, at most 60 times a second.
     void showHistory(const ModuleHistory& history, TimePoint now);
+    /// What the user has told about the machine: names, units, values kept for each axis.
+    void showMachine(const Machine& machine);
+    /// How a procedure of some module goes, or went.
+    void showProcedure(const ProcedureReport& report);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
     /// The cause is gone.
@@ -83,6 +90,8 @@ signals:
     /// On press and every 100 ms while held.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
+    /// The user changed what the panel knows of an axis; nothing is sent by that.
+    void axisEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
     /// A control line for the built-in simulator; only while attached to it.
     void simulatorLineEntered(const QString& line);
     /// The packet monitor wants every exchange from now on, or no more.
@@ -126,6 +135,8 @@ private:
 
     QSettings& m_settings;
     LinkState m_link;
+    Machine m_machine;
+    std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
     std::optional<TimePoint> m_now;
     ConnectionBar* m_bar = nullptr;
     QLabel* m_ribbon = nullptr;

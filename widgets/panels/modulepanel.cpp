@@ -26,6 +26,22 @@ ModulePanel::ModulePanel(QWidget* parent)
     addWidget(m_generic);
     setCurrentWidget(m_servo);
     bringUp(m_empty);
+    connect(m_servo, &ServoPanel::intentRequested, this, &ModulePanel::intentRequested);
+    connect(m_servo, &ServoPanel::holdRequested, this, &ModulePanel::holdRequested);
+    connect(m_servo, &ServoPanel::holdReleased, this, &ModulePanel::holdReleased);
+    connect(m_servo, &ServoPanel::settingsEdited, this, &ModulePanel::settingsEdited);
+}
+
+void ModulePanel::resetSpeeds() {
+    m_servo->resetSpeeds();
+}
+
+void ModulePanel::endHold() {
+    m_servo->endHold();
+}
+
+void ModulePanel::setHoldInterval(int milliseconds) {
+    m_servo->setHoldInterval(milliseconds);
 }
 
 void ModulePanel::bringUp(QWidget* page) {
@@ -38,13 +54,13 @@ void ModulePanel::bringUp(QWidget* page) {
     setCurrentWidget(page);
 }
 
-void ModulePanel::showModule(const ModuleState& module, bool connected, std::optional<double> age) {
-    if (module.isServo()) {
-        m_servo->showModule(module, connected, age);
+void ModulePanel::showModule(const PanelView& view) {
+    if (view.module.isServo()) {
+        m_servo->showModule(view);
         bringUp(m_servo);
     } else {
         m_servo->endHold();
-        m_generic->showModule(module);
+        m_generic->showModule(view.module);
         bringUp(m_generic);
     }
 }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <QStackedWidget>
-#include <optional>
 
-#include "model/intent.h"
+#include "widgets/panels/panelview.h"
 
 class QLabel;
 
@@ -20,10 +19,22 @@ class ModulePanel : public QStackedWidget {
 public:
     explicit ModulePanel(QWidget* parent = nullptr);
 
-    void showModule(const ModuleState& module, bool connected, std::optional<double> age);
+    /// Emits nothing, except that a hold ends when its module or its permission goes.
+    void showModule(const PanelView& view);
     /// No module: `text` says why and what to do.
     void showNothing(const QString& text);
-    [[nodiscard]] ServoPanel* servoPanel() const { return m_servo; }
+    /// A new connection: low speeds again.
+    void resetSpeeds();
+    void endHold();
+    void setHoldInterval(int milliseconds);
+
+signals:
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    /// On press and every 100 ms while held.
+    void holdRequested(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+    /// The user changed what the panel knows of an axis; nothing is sent by that.
+    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
     /// Only the page in sight decides how much room is needed.

@@ -77,18 +77,19 @@ void ServoPanel::setBusy(bool busy) {
     m_details->setBusy(busy);
 }
 
-void ServoPanel::showModule(const ModuleState& module, bool connected, std::optional<double> age) {
+void ServoPanel::showModule(const PanelView& view) {
+    const ModuleState& module = view.module;
     if (m_askedAt.has_value() &&
-        (module.info.index != m_module || module.latestTime != *m_askedAt || !connected)) {
+        (module.info.index != m_module || module.latestTime != *m_askedAt || !view.connected)) {
         m_askedAt.reset();
         setBusy(false);
     }
     m_module = module.info.index;
     m_latestTime = module.latestTime;
-    const auto why = [module, connected](Request request) {
+    const auto why = [module, connected = view.connected](Request request) {
         return connected ? whyNot(request, module) : std::optional(Refusal::NotConnected);
     };
-    m_head->showModule(module, why, age);
+    m_head->showModule(module, why, view.age);
     m_motion->showModule(module, why);
     m_gains->showModule(module, why(Request::ApplyGains));
     m_details->showModule(module, why);

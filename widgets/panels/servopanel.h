@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "model/intent.h"
+#include "widgets/panels/panelview.h"
 
 class QTabWidget;
 
@@ -23,8 +23,8 @@ class ServoPanel : public QWidget {
 public:
     explicit ServoPanel(QWidget* parent = nullptr);
 
-    /// Emits nothing. `age` as in PanelHead.
-    void showModule(const ModuleState& module, bool connected, std::optional<double> age);
+    /// Emits nothing.
+    void showModule(const PanelView& view);
     void resetSpeeds();
     void endHold();
     void setHoldInterval(int milliseconds);
@@ -33,6 +33,7 @@ signals:
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
+    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
     void pass(const Intent& intent);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace nmc {
+
+/// What the user reads an axis in (interface.md, "Values"). The chip only knows counts (PIC-STEP: steps).
+enum class UnitKind : std::uint8_t { Native, Turns, Degrees, Millimetres, Own };
+
+struct AxisUnit {
+    UnitKind kind = UnitKind::Native;
+    /// Counts (steps) in one of them; above 0. 1 for UnitKind::Native.
+    double countsPerUnit = 1.0;
+    std::string ownSymbol{};  ///< of UnitKind::Own
+
+    bool operator==(const AxisUnit&) const = default;
+};
+
+/// Between the chip's numbers and the user's. "Native" is what the chip counts in: counts, counts per servo
+/// tick, counts per servo tick squared on a PIC-SERVO, whose tick the servo rate stretches; steps, steps/s
+/// and steps/s^2 on a PIC-STEP. With UnitKind::Native the user reads native numbers, too. Pure.
+class AxisScale {
+public:
+    AxisScale() = default;
+    /// `servoRate`: SR, 1..255 (DS-V 4.3).
+    [[nodiscard]] static AxisScale servo(AxisUnit unit, int servoRate);
+    [[nodiscard]] static AxisScale step(AxisUnit unit);
+
+    [[nodiscard]] const AxisUnit& unit() const { return m_unit; }
+    /// A PIC-STEP: its positions are steps.
+    [[nodiscard]] bool steps() const { return m_steps; }
+    [[nodiscard]] bool native() const { return m_unit.kind == UnitKind::Native; }
+    /// Native velocity times this is counts (steps) per second.
+    [[nodiscard]] double perSecond() const { return m_perSecond; }
+
+    [[nodiscard]] double position(double counts) const { return counts / countsPerUnit(); }
+    [[nodiscard]] double counts(double position) const { return position * countsPerUnit(); }
+    /// Of a native velocity: user's units per second, or native with UnitKind::Native.
+    [[nodiscard]] double velocity(double nativeVelocity) const;
+    [[nodiscard]] double nativeVelocity(double velocity) const;
+    [[nodiscard]] double acceleration(double nativeAcceleration) const;
+    [[nodiscard]] double nativeAcceleration(double acceleration) const;
+
+    bool operator==(const AxisScale&) const = default;
+
+private:
+    AxisScale(AxisUnit unit, double perSecond, bool steps);
+    [[nodiscard]] double countsPerUnit() const { return native() ? 1.0 : m_unit.countsPerUnit; }
+
+    AxisUnit m_unit;
+    double m_perSecond = 1.0;
+    bool m_steps = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/quantityfield.h"
+
+#include <QLabel>
+#include <cmath>
+
+#include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kVelocityDecimals = 4;
+constexpr int kAccelerationDecimals = 5;
+constexpr int kMostDecimals = 6;
+/// Digits that a velocity in the user's unit keeps below that of one count per tick.
+constexpr double kFinePart = 1e-4;
+}  // namespace
+
+QuantityField::QuantityField(Kind kind, QWidget* parent)
+    : NumberField(0, parent),
+      m_kind(kind),
+      m_unit(new QLabel(parent)),
+      m_other(look::newMutedLabel({}, parent)) {
+    m_other->setFont(look::tabular(font()));
+    connect(this, &NumberField::edited, this, &QuantityField::takeText);
+    refresh();
+}
+
+void QuantityField::setName(const QString& objectName, const QString& accessibleName) {
+    look::name(this, objectName, accessibleName);
+    m_unit->setObjectName(objectName + u"Unit"_s);
+    m_other->setObjectName(objectName + u"PerSecond"_s);
+}
+
+void QuantityField::setQuantity(const QString& quantity) {
+    m_quantity = quantity;
+    refresh();
+}
+
+void QuantityField::setNativeRange(double min, double max) {
+    m_min = min;
+    m_max = max;
+    refresh();
+}
+
+void QuantityField::setScale(const AxisScale& scale) {
+    if (scale == m_scale)
+        return;
+    m_scale = scale;
+    refresh();
+    if (m_native)
+        showValue(toUser(*m_native));
+}
+
+void QuantityField::showNative(double native) {
+    m_native = native;
+    showValue(toUser(native));
+    refresh();
+}
+
+std::optional<double> QuantityField::native() const {
+    return value().has_value() ? m_native : std::nullopt;
+}
+
+void QuantityField::takeText() {
+    const std::optional<double> user = value();
+    m_native = user ? std::optional(toNative(*user)) : std::nullopt;
+    refresh();
+    emit nativeEdited();
+}
+
+void QuantityField::refresh() {
+    setDecimals(decimalsWanted());
+    setWords(m_quantity, unitText());
+    setRange(toUser(m_min), toUser(m_max));
+    look::setText(m_unit, unitText());
+    const std::optional<double> now = native();
+    look::setText(m_other, now ? otherText(*now) : u"–"_s);
+}
+
+double QuantityField::toUser(double native) const {
+    switch (m_kind) {
+        case Kind::Position:
+            return m_scale.position(native);
+        case Kind::Velocity:
+            return m_scale.velocity(native);
+        case Kind::Acceleration:
+            return m_scale.acceleration(native);
+    }
+    return native;
+}
+
+double QuantityField::toNative(double user) const {
+    switch (m_kind) {
+        case Kind::Position:
+            // The chip knows whole counts.
+            return std::round(m_scale.counts(user));
+        case Kind::Velocity:
+            return m_scale.nativeVelocity(user);
+        case Kind::Acceleration:
+            return m_scale.nativeAcceleration(user);
+    }
+    return user;
+}
+
+/// As many as the chip can tell apart.
+int QuantityField::decimalsWanted() const {
+    double finest = 1.0;
+    switch (m_kind) {
+        case Kind::Position:
+            finest = toUser(1.0);
+            break;
+        case Kind::Velocity:
+            if (m_scale.native())
+                return m_scale.steps() ? 1 : kVelocityDecimals;
+            finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
+            break;
+        case Kind::Acceleration:
+            if (m_scale.native())
+                return m_scale.steps() ? 0 : kAccelerationDecimals;
+            finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
+            break;
+    }
+    return qBound(0, static_cast<int>(std::ceil(-std::log10(finest))), kMostDecimals);
+}
+
+QString QuantityField::unitText() const {
+    switch (m_kind) {
+        case Kind::Position:
+            return texts::unitOf(m_scale);
+        case Kind::Velocity:
+            return texts::velocityUnitOf(m_scale);
+        case Kind::Acceleration:
+            return texts::accelerationUnitOf(m_scale);
+    }
+    return {};
+}
+
+QString QuantityField::otherText(double native) const {
+    switch (m_kind) {
+        case Kind::Position:
+            return texts::otherPosition(m_scale, native);
+        case Kind::Velocity:
+            return texts::otherVelocity(m_scale, native);
+        case Kind::Acceleration:
+            return texts::otherAcceleration(m_scale, native);
+    }
+    return {};
+}
+
+}  // namespace nmc

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/unitwords.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/words.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class Units {
+    Q_DECLARE_TR_FUNCTIONS(Units)
+};
+
+QString equal(double value, const QString& unit) {
+    return u"= %1 %2"_s.arg(readout(value), unit);
+}
+
+QString countsOf(const AxisScale& scale) {
+    return scale.steps() ? unitSteps() : unitCounts();
+}
+
+QString nativeVelocityUnit(const AxisScale& scale) {
+    return scale.steps() ? Units::tr("steps/s") : unitVelocity();
+}
+
+QString nativeAccelerationUnit(const AxisScale& scale) {
+    return scale.steps() ? Units::tr("steps/s²") : unitAcceleration();
+}
+
+}  // namespace
+
+QString unitOf(const AxisScale& scale) {
+    switch (scale.unit().kind) {
+        case UnitKind::Native:
+            return countsOf(scale);
+        case UnitKind::Turns:
+            return Units::tr("turns");
+        case UnitKind::Degrees:
+            return u"°"_s;
+        case UnitKind::Millimetres:
+            return Units::tr("mm");
+        case UnitKind::Own:
+            return QString::fromStdString(scale.unit().ownSymbol);
+    }
+    return {};
+}
+
+QString velocityUnitOf(const AxisScale& scale) {
+    return scale.native() ? nativeVelocityUnit(scale) : Units::tr("%1/s").arg(unitOf(scale));
+}
+
+QString accelerationUnitOf(const AxisScale& scale) {
+    return scale.native() ? nativeAccelerationUnit(scale) : Units::tr("%1/s²").arg(unitOf(scale));
+}
+
+QString position(const AxisScale& scale, double counts) {
+    return readout(scale.position(counts), 6) + u' ' + unitOf(scale);
+}
+
+QString otherPosition(const AxisScale& scale, double counts) {
+    return scale.native() ? QString() : equal(counts, countsOf(scale));
+}
+
+QString otherVelocity(const AxisScale& scale, double nativeVelocity) {
+    if (!scale.native())
+        return equal(nativeVelocity, nativeVelocityUnit(scale));
+    return scale.steps() ? QString() : equal(nativeVelocity * scale.perSecond(), Units::tr("counts/s"));
+}
+
+QString otherAcceleration(const AxisScale& scale, double nativeAcceleration) {
+    if (!scale.native())
+        return equal(nativeAcceleration, nativeAccelerationUnit(scale));
+    const double perSecond = scale.perSecond();
+    return scale.steps() ? QString()
+                         : equal(nativeAcceleration * perSecond * perSecond, Units::tr("counts/s²"));
+}
+
+}  // namespace nmc::texts

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "model/axisscale.h"
+
+/// Numbers of an axis in words, in the unit that its user reads it in.
+namespace nmc::texts {
+
+/// "counts", "turns", "°", "mm", or the user's own.
+[[nodiscard]] QString unitOf(const AxisScale& scale);
+/// "counts/tick" (PIC-STEP: "steps/s"), or the user's unit per second.
+[[nodiscard]] QString velocityUnitOf(const AxisScale& scale);
+[[nodiscard]] QString accelerationUnitOf(const AxisScale& scale);
+/// "1 234 counts", "0.617 turns".
+[[nodiscard]] QString position(const AxisScale& scale, double counts);
+/// A native number in the view that a field does not have: "= 977 counts/s" beside counts/tick, "= 0.5
+/// counts/tick" beside turns/s. Empty where there is only one view.
+[[nodiscard]] QString otherPosition(const AxisScale& scale, double counts);
+[[nodiscard]] QString otherVelocity(const AxisScale& scale, double nativeVelocity);
+[[nodiscard]] QString otherAcceleration(const AxisScale& scale, double nativeAcceleration);
+
+}  // namespace nmc::texts

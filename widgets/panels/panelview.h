@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "model/axisscale.h"
+#include "model/intent.h"
+#include "model/machine.h"
+#include "model/procedure.h"
+
+namespace nmc {
+
+/// Everything that the panel of a module shows, as one value; valid for the call only.
+struct PanelView {
+    const ModuleState& module;
+    const AxisSettings& settings;
+    const ProcedureReport* procedure = nullptr;  ///< the last one of this module
+    bool connected = false;
+    std::optional<double> age{};  ///< s, of what is older than it should be
+
+    [[nodiscard]] std::optional<Refusal> whyNot(Request request) const {
+        return connected ? nmc::whyNot(request, module) : std::optional(Refusal::NotConnected);
+    }
+    [[nodiscard]] AxisScale scale() const {
+        if (!module.isServo())
+            return AxisScale::step(settings.unit);
+        return AxisScale::servo(settings.unit, module.gains ? module.gains->sr : 1);
+    }
+};
+
+}  // namespace nmc
