@@ -111,7 +111,13 @@ struct Planner {
         load.servo = false;
         load.pwm = drive.pwm;
         load.reverse = drive.reverse;
-        return allowed(Request::DrivePwm, module, [&] { return stepsFor(module, load, StartMotion{}); });
+        return allowed(Request::DrivePwm, module, [&]() -> Steps {
+            if (module.amplifierEnabled)
+                return stepsFor(module, load, StartMotion{});
+            // Without AMP_EN nothing would turn.
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,
+                            StartMotion{});
+        });
     }
 
     Plan operator()(const intent::SetAmplifier& amplifier) const {

@@ -135,5 +135,60 @@ TEST(Plan, KnowsNoCommandsForOtherModules) {
     EXPECT_EQ(refusalOf(intent::MotorOff{}, module), Refusal::NotAServo);
 }
 
+TEST(Plan, LoadsNowAndStartsLater) {
+    EXPECT_EQ(payloads(intent::LoadMove{kGoTo}, holdingServo()),
+              (Hex{"D4 17 20 4E 00 00 00 00 08 00 1F 05 00 00"}));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, holdingServo()), Refusal::NothingLoaded);
+    ModuleState module = holdingServo();
+    const auto steps = plan(intent::LoadMove{kGoTo}, module);
+    ASSERT_TRUE(steps);
+    module.apply(executedAt(5, std::get<ServoCommand>(steps->front().command)));
+    EXPECT_TRUE(module.loadWaiting);
+    EXPECT_FALSE(module.moving());
+    EXPECT_EQ(payloads(intent::StartLoaded{}, module), (Hex{"05"}));
+}
+
+TEST(Plan, AStopUsesUpWhatWasLoaded) {
+    ModuleState module = holdingServo();
+    module.apply(
+        executedAt(5, std::get<ServoCommand>(plan(intent::LoadMove{kGoTo}, module)->front().command)));
+    module.apply(executedAt(6, stopWith(servo::StopManner::Abruptly, true)));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NothingLoaded);
+}
+
+TEST(Plan, StopsHereAtThePositionItHas) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(10, kMoveDone | kPower, kServoOn, 100));
+    // Stop here and AMP_EN: 0x11, position 100 = 0x64 (protocol.md 4, golden frame).
+    EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 64 00 00 00"}));
+    module.info.identity.version = 1;
+    EXPECT_EQ(refusalOf(intent::StopHere{}, module), Refusal::VersionLacksIt);
+}
+
+TEST(Plan, PwmIsForAServoThatIsOffAndNeedsTheAmplifier) {
+    EXPECT_EQ(refusalOf(intent::DrivePwm{100, true}, holdingServo()), Refusal::ServoOn);
+    ModuleState module = servoModule();
+    module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));
+    // Motor off with AMP_EN = 0x03, load PWM (bit 3) in reverse (bit 6) = 0x48, start.
+    EXPECT_EQ(payloads(intent::DrivePwm{100, true}, module), (Hex{"17 03", "24 48 64", "05"}));
+    module.apply(sampleOf(1, kMoveDone | kPosError, 0));
+    EXPECT_EQ(refusalOf(intent::DrivePwm{100, true}, module), Refusal::NoPower);
+}
+
+TEST(Plan, TheAmplifierAloneIsAStopMotorWithoutAMotion) {
+    EXPECT_EQ(payloads(intent::SetAmplifier{true}, holdingServo()), Hex{"17 01"});
+    EXPECT_EQ(payloads(intent::SetAmplifier{false}, holdingServo()), Hex{"17 00"});
+}
+
+TEST(Plan, LimitPinsBecomeOutputs) {
+    // Limit 1 output high, limit 2 input: bits 0 and 3 (DS-V 5.2).
+    const servo::IoControl io{true, false, false, true};
+    EXPECT_EQ(payloads(intent::ControlIo{io}, holdingServo()), Hex{"18 09"});
+    ModuleState module = holdingServo();
+    module.apply(executedAt(3, io));
+    EXPECT_EQ(module.io, io);
+    EXPECT_EQ(payloads(intent::SaveAsHome{}, module), Hex{"0C"});
+}
+
 }  // namespace
 }  // namespace nmc

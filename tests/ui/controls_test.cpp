@@ -6,6 +6,7 @@
 #include <QPlainTextEdit>
 #include <QSet>
 #include <QSlider>
+#include <QTabWidget>
 
 #include "windowtest.h"
 
@@ -80,25 +81,30 @@ TEST_F(Controls, EachIsReachedByTab) {
     }
 }
 
-TEST_F(Controls, MnemonicsDoNotCollide) {
+TEST_F(Controls, MnemonicsOfWhatIsSeenTogetherDoNotCollide) {
     showSimulatedServo();
-    QHash<QString, QString> owners;
-    const auto check = [&owners](const QString& text, const QString& owner) {
-        const QKeySequence mnemonic = QKeySequence::mnemonic(text);
-        if (mnemonic.isEmpty())
-            return;
-        const QString key = mnemonic.toString();
-        EXPECT_FALSE(owners.contains(key))
-            << key.toStdString() << ": " << owner.toStdString() << " and " << owners.value(key).toStdString();
-        owners.insert(key, owner);
-    };
-    for (const QMenu* menu : window->findChildren<QMenu*>())
-        check(menu->title(), menu->title());
-    for (const QAbstractButton* control : window->findChildren<QAbstractButton*>())
-        check(control->text(), control->objectName());
-    for (const QLabel* label : window->findChildren<QLabel*>())
-        if (label->buddy() != nullptr)
-            check(label->text(), label->buddy()->objectName());
+    auto* pages = find<QTabWidget>(u"servoPages"_s);
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        QHash<QString, QString> owners;
+        const auto check = [&owners](const QString& text, const QString& owner) {
+            const QKeySequence mnemonic = QKeySequence::mnemonic(text);
+            if (mnemonic.isEmpty())
+                return;
+            const QString key = mnemonic.toString();
+            EXPECT_FALSE(owners.contains(key)) << key.toStdString() << ": " << owner.toStdString() << " and "
+                                               << owners.value(key).toStdString();
+            owners.insert(key, owner);
+        };
+        for (const QMenu* menu : window->findChildren<QMenu*>())
+            check(menu->title(), menu->title());
+        for (const QAbstractButton* control : window->findChildren<QAbstractButton*>())
+            if (control->isVisible())
+                check(control->text(), control->objectName());
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->buddy() != nullptr)
+                check(label->text(), label->buddy()->objectName());
+    }
 }
 
 TEST_F(Controls, EachDockHasAMenuEntry) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QComboBox>
 
 #include "windowtest.h"
 
@@ -114,6 +115,61 @@ TEST_F(Gains, SayWhenTheyActAtOnce) {
     EXPECT_TRUE(button(u"applyGainsButton"_s)->text().contains(u"live"_s));
     showServo({.on = false});
     EXPECT_FALSE(button(u"applyGainsButton"_s)->text().contains(u"live"_s));
+}
+
+TEST_F(Gains, UndoChangesTheFieldAndNotTheMotor) {
+    showServo();
+    type(u"kpField"_s, u"150"_s);
+    type(u"kdField"_s, u"2000"_s);
+    QTest::keyClick(field(u"kdField"_s), Qt::Key_Z, Qt::ControlModifier);
+    // A button that is clicked by its shortcut lets itself be seen pressed first.
+    EXPECT_TRUE(QTest::qWaitFor([this] { return field(u"kdField"_s)->value() == 1000; }));
+    EXPECT_EQ(field(u"kpField"_s)->value(), 150);
+    click(u"undoGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 100);
+    EXPECT_FALSE(button(u"undoGainsButton"_s)->isEnabled());
+    click(u"redoGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 150);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Gains, UndoTakesBackAFillAsOneEdit) {
+    showServo();
+    click(u"zeroGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 0);
+    EXPECT_EQ(field(u"srField"_s)->value(), 1);  // the least the chip takes
+    click(u"undoGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 100);
+    EXPECT_EQ(field(u"elField"_s)->value(), 4000);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Gains, TheCurrentLimitsSenseIsItsParity) {
+    showServo();
+    auto* sense = find<QComboBox>(u"clSenseBox"_s);
+    EXPECT_EQ(sense->currentText(), u"no current limit"_s);
+    type(u"clField"_s, u"101"_s);
+    EXPECT_TRUE(sense->currentText().contains(u"above"_s));
+    // 101 of 255 steps of 5 V.
+    EXPECT_EQ(text(u"clRemark"_s), u"= 1.98 V"_s);
+    sense->setFocus();
+    QTest::keyClick(sense, Qt::Key_Down);
+    EXPECT_TRUE(sense->currentText().contains(u"below"_s));
+    EXPECT_EQ(field(u"clField"_s)->value(), 100);
+    QTest::keyClick(sense, Qt::Key_Up);
+    EXPECT_EQ(field(u"clField"_s)->value(), 101);
+    QTest::keyClick(sense, Qt::Key_Up);
+    EXPECT_EQ(field(u"clField"_s)->value(), 0);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Gains, AnotherServoRateSaysWhatItDoesToVelocities) {
+    showServo();
+    type(u"srField"_s, u"2"_s);
+    EXPECT_TRUE(find<QLabel>(u"gainsHint"_s)->isVisible());
+    EXPECT_TRUE(text(u"gainsHint"_s).contains(u"another speed"_s));
+    type(u"srField"_s, u"1"_s);
+    EXPECT_FALSE(find<QLabel>(u"gainsHint"_s)->isVisible());
 }
 
 }  // namespace

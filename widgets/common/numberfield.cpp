@@ -149,17 +149,18 @@ QString NumberField::problemText() const {
 }
 
 void NumberField::showValue(double value) {
-    const QString text = format(value, m_decimals);
+    showText(format(value, m_decimals));
+}
+
+void NumberField::showNothing() {
+    showText({});
+}
+
+void NumberField::showText(const QString& text) {
     if (this->text() == text)
         return;
     const QSignalBlocker blocker(this);
     setText(text);
-    judge();
-}
-
-void NumberField::showNothing() {
-    const QSignalBlocker blocker(this);
-    clear();
     judge();
 }
 
@@ -188,6 +189,18 @@ void NumberField::stepBy(int steps) {
         return;
     showValue(next);
     emit edited();
+}
+
+bool NumberField::event(QEvent* event) {
+    // Undo belongs to whoever owns the values, not to the letters of one field.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

@@ -41,6 +41,8 @@ public:
     /// Emits nothing.
     void showValue(double value);
     void showNothing();
+    /// Whatever stands there, a value or not. Emits nothing.
+    void showText(const QString& text);
 
     [[nodiscard]] static std::optional<double> parse(const QString& text, bool wholeOnly, Problem* problem);
     /// In the locale's decimal mark, without group separators and without trailing zeros.
@@ -54,6 +56,7 @@ signals:
     void edited();
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

@@ -111,8 +111,7 @@ int QuantityField::decimalsWanted() const {
     double finest = 1.0;
     switch (m_kind) {
         case Kind::Position:
-            finest = toUser(1.0);
-            break;
+            return texts::positionDecimals(m_scale);
         case Kind::Velocity:
             if (m_scale.native())
                 return m_scale.steps() ? 1 : kVelocityDecimals;

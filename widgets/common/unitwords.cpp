@@ -2,6 +2,8 @@
 #include "widgets/common/unitwords.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
 
 #include "widgets/common/words.h"
 
@@ -57,6 +59,20 @@ QString accelerationUnitOf(const AxisScale& scale) {
     return scale.native() ? nativeAccelerationUnit(scale) : Units::tr("%1/s²").arg(unitOf(scale));
 }
 
+int positionDecimals(const AxisScale& scale) {
+    constexpr int kMost = 6;
+    return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMost);
+}
+
+QString fixedPosition(const AxisScale& scale, double counts) {
+    const double value = scale.position(counts);
+    const QString digits = QLocale::c().toString(std::abs(value), 'f', positionDecimals(scale)).remove(u',');
+    const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());
+    const QString fraction = digits.section(u'.', 1);
+    const QString text = fraction.isEmpty() ? whole : whole + QLocale().decimalPoint() + fraction;
+    return value < 0 ? QChar(0x2212) + text : text;
+}
+
 QString position(const AxisScale& scale, double counts) {
     return readout(scale.position(counts), 6) + u' ' + unitOf(scale);
 }
@@ -77,6 +93,10 @@ QString otherAcceleration(const AxisScale& scale, double nativeAcceleration) {
     const double perSecond = scale.perSecond();
     return scale.steps() ? QString()
                          : equal(nativeAcceleration * perSecond * perSecond, Units::tr("counts/s²"));
+}
+
+QString analog(const AnalogScale& scale, int value) {
+    return readout(scale.atZero + scale.perCount * value, 3) + u' ' + QString::fromStdString(scale.unit);
 }
 
 }  // namespace nmc::texts

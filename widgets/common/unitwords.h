@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "model/axisscale.h"
+#include "model/machine.h"
 
 /// Numbers of an axis in words, in the unit that its user reads it in.
 namespace nmc::texts {
@@ -13,6 +14,10 @@ namespace nmc::texts {
 /// "counts/tick" (PIC-STEP: "steps/s"), or the user's unit per second.
 [[nodiscard]] QString velocityUnitOf(const AxisScale& scale);
 [[nodiscard]] QString accelerationUnitOf(const AxisScale& scale);
+/// Digits for a readout that changes all the time: as many decimals as counts can tell apart, always.
+[[nodiscard]] QString fixedPosition(const AxisScale& scale, double counts);
+/// How many decimals that is.
+[[nodiscard]] int positionDecimals(const AxisScale& scale);
 /// "1 234 counts", "0.617 turns".
 [[nodiscard]] QString position(const AxisScale& scale, double counts);
 /// A native number in the view that a field does not have: "= 977 counts/s" beside counts/tick, "= 0.5
@@ -20,5 +25,8 @@ namespace nmc::texts {
 [[nodiscard]] QString otherPosition(const AxisScale& scale, double counts);
 [[nodiscard]] QString otherVelocity(const AxisScale& scale, double nativeVelocity);
 [[nodiscard]] QString otherAcceleration(const AxisScale& scale, double nativeAcceleration);
+
+/// "1.98 V": what an A/D value stands for.
+[[nodiscard]] QString analog(const AnalogScale& scale, int value);
 
 }  // namespace nmc::texts

@@ -132,7 +132,7 @@ void MainWindow::buildDocks() {
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 28}, Qt::Vertical);
+    resizeDocks({scope}, {em * 23}, Qt::Vertical);
     addSimulatorDock();
     m_monitor = new PacketMonitor(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);

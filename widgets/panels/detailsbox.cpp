@@ -8,6 +8,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -51,13 +52,9 @@ QString bitName(std::string_view name) {
 }  // namespace
 
 DetailsBox::DetailsBox(QWidget* parent)
-    : QWidget(parent),
-      m_clear(new QPushButton(icons::tinted(u"eraser"_s), tr("Clear stic&ky bits"), this)),
-      m_zero(new QPushButton(icons::tinted(u"home"_s), tr("&Zero here"), this)),
-      m_whyNot([](Request) { return std::optional(Refusal::NotConnected); }) {
+    : QWidget(parent), m_clear(new QPushButton(icons::tinted(u"eraser"_s), tr("Clear stic&ky bits"), this)) {
     look::name(this, u"detailsBox"_s, tr("Details"));
     look::name(m_clear, u"clearStickyButton"_s, tr("Clear the sticky status bits"));
-    look::name(m_zero, u"zeroHereButton"_s, tr("Make the present position zero"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);
@@ -74,7 +71,6 @@ DetailsBox::DetailsBox(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->addWidget(m_clear);
-    buttons->addWidget(m_zero);
     buttons->addStretch(1);
     grid->setRowMinimumHeight(line++, unit);
     grid->addLayout(buttons, line++, 0, 1, 6);
@@ -84,7 +80,6 @@ DetailsBox::DetailsBox(QWidget* parent)
 
     connect(m_clear, &QPushButton::clicked, this,
             [this] { emit intentRequested(intent::ClearStickyBits{}); });
-    connect(m_zero, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ResetPosition{}); });
 }
 
 void DetailsBox::addBits(QGridLayout* grid, int column, const QString& title, bool aux) {
@@ -131,8 +126,10 @@ void DetailsBox::showBit(const Bit& bit, std::optional<bool> set) {
     look::setText(bit.value, !set.has_value() ? u"–"_s : *set ? tr("on") : tr("off"));
 }
 
-void DetailsBox::showModule(const ModuleState& module, const WhyNot& whyNot) {
-    m_whyNot = whyNot;
+void DetailsBox::showModule(const PanelView& view) {
+    const ModuleState& module = view.module;
+    const auto refusal = view.whyNot(Request::ClearStickyBits);
+    m_clearReason = refusal ? texts::refusal(*refusal) : QString();
     const std::optional<StatusReport>& report = module.latest;
     const bool aux = report.has_value() && report->aux.has_value();
     for (unsigned i = 0; i < 8; ++i) {
@@ -142,11 +139,10 @@ void DetailsBox::showModule(const ModuleState& module, const WhyNot& whyNot) {
     }
     const QString dash = u"–"_s;
     const bool analog = report.has_value() && report->analog.has_value();
-    look::setText(
-        m_analog,
-        analog
-            ? tr("%1 of 255, %2 V").arg(*report->analog).arg(texts::readout(*report->analog * 5.0 / 255.0, 3))
-            : dash);
+    look::setText(m_analog, analog ? tr("%1 (%2 of 255)")
+                                         .arg(texts::analog(view.settings.analog, *report->analog))
+                                         .arg(*report->analog)
+                                   : dash);
     const bool velocity = report.has_value() && report->velocity.has_value();
     look::setText(m_velocity,
                   velocity ? texts::grouped(*report->velocity) + u' ' + texts::unitVelocity() : dash);
@@ -170,16 +166,9 @@ void DetailsBox::setBusy(bool busy) {
 }
 
 void DetailsBox::refresh() {
-    const auto reason = [this](Request request) {
-        const std::optional<Refusal> refusal = m_whyNot(request);
-        return refusal.has_value() ? texts::refusal(*refusal)
-               : m_busy            ? tr("Waiting for the module's answer.")
-                                   : QString();
-    };
-    look::setPossible(m_clear, reason(Request::ClearStickyBits),
+    const QString waiting = m_busy ? tr("Waiting for the module's answer.") : QString();
+    look::setPossible(m_clear, m_clearReason.isEmpty() ? waiting : m_clearReason,
                       tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
-    look::setPossible(m_zero, reason(Request::ResetPosition),
-                      tr("Makes the present position 0. The motor does not move."));
 }
 
 }  // namespace nmc

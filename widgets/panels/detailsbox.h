@@ -3,10 +3,9 @@
 
 #include <QWidget>
 #include <array>
-#include <functional>
 #include <optional>
 
-#include "model/intent.h"
+#include "widgets/panels/panelview.h"
 
 class QGridLayout;
 class QLabel;
@@ -21,11 +20,10 @@ class DetailsBox : public QWidget {
     Q_OBJECT
 
 public:
-    using WhyNot = std::function<std::optional<Refusal>(Request)>;
-
     explicit DetailsBox(QWidget* parent = nullptr);
 
-    void showModule(const ModuleState& module, const WhyNot& whyNot);
+    /// Emits nothing.
+    void showModule(const PanelView& view);
     void setBusy(bool busy);
 
 signals:
@@ -48,8 +46,7 @@ private:
     QLabel* m_home = nullptr;
     QLabel* m_raw = nullptr;
     QPushButton* m_clear;
-    QPushButton* m_zero;
-    WhyNot m_whyNot;
+    QString m_clearReason;
     bool m_busy = false;
 };
 

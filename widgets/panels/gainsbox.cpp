@@ -1,26 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/gainsbox.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QUndoStack>
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
+#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-GainsBox::GainsBox(QWidget* parent)
-    : QWidget(parent),
-      m_hint(new QLabel(this)),
-      m_apply(new QPushButton(tr("&Apply gains"), this)),
-      m_revert(new QPushButton(tr("Revert"), this)),
-      m_fill(new QPushButton(tr("Start&ing values"), this)) {
+/// A change of what stands in the fields; it never reaches the motor. Typing in one field is one of them.
+class GainsBox::Edit : public QUndoCommand {
+public:
+    Edit(GainsBox& box, std::optional<Gain> gain, Texts before, Texts after)
+        : m_box(box), m_gain(gain), m_before(std::move(before)), m_after(std::move(after)) {}
+
+    void undo() override { m_box.show(m_before); }
+    void redo() override { m_box.show(m_after); }
+    [[nodiscard]] int id() const override { return m_gain ? static_cast<int>(*m_gain) : -1; }
+    bool mergeWith(const QUndoCommand* other) override {
+        m_after = static_cast<const Edit*>(other)->m_after;
+        return true;
+    }
+
+private:
+    GainsBox& m_box;
+    std::optional<Gain> m_gain;
+    Texts m_before;
+    Texts m_after;
+};
+
+GainsBox::GainsBox(QWidget* parent) : QWidget(parent), m_hint(new QLabel(this)) {
     look::name(this, u"gainsBox"_s, tr("Gains"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
@@ -28,39 +47,30 @@ GainsBox::GainsBox(QWidget* parent)
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);
     int line = 0;
-    for (Gain gain : kAllGains)
+    for (Gain gain : kAllGains) {
         addRow(gain, line++, grid);
+        if (gain == Gain::Cl)
+            addSense(line++, grid);
+    }
+    addButtons(line++, grid);
     m_hint->setObjectName(u"gainsHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->setContentsMargins(0, unit / 2, 0, 0);
-    buttons->addWidget(m_fill);
-    buttons->addStretch(1);
-    buttons->addWidget(m_revert);
-    buttons->addWidget(m_apply);
-    grid->addLayout(buttons, line++, 0, 1, 4);
     // Below the buttons: it comes and goes, and nothing may move under the pointer.
-    grid->addWidget(m_hint, line++, 0, 1, 4);
-    grid->setRowStretch(line, 1);
+    grid->addWidget(m_hint, ++line, 0, 1, 4);
+    grid->setRowStretch(line + 1, 1);
     grid->setColumnStretch(3, 1);
+    m_before = shown();
+}
 
-    look::name(m_apply, u"applyGainsButton"_s, tr("Apply all gains"));
-    look::name(m_revert, u"revertGainsButton"_s, tr("Revert the gains to what was sent"));
-    look::name(m_fill, u"fillGainsButton"_s, tr("Fill in starting values"));
-    m_apply->setIcon(icons::tinted(u"send"_s));
-    m_fill->setIcon(icons::tinted(u"wand"_s));
-    m_revert->setIcon(icons::tinted(u"arrow-back-up"_s));
-    m_fill->setToolTip(tr("Fills the fields with values to begin tuning with. Sends nothing."));
-    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    connect(m_apply, &QPushButton::clicked, this, &GainsBox::apply);
-    connect(m_revert, &QPushButton::clicked, this, &GainsBox::revert);
-    connect(m_fill, &QPushButton::clicked, this, &GainsBox::fillIn);
+GainsBox::~GainsBox() {
+    // On their way out they tell that nothing can be undone any more.
+    for (QUndoStack* stack : std::as_const(m_undoStacks))
+        stack->disconnect(this);
 }
 
 void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
-    Row& row = m_rows[static_cast<std::size_t>(gain)];
+    Row& row = rowOf(gain);
     const QString letters = gainLetters(gain);
     row.gain = gain;
     row.label = new QLabel(u"%1  %2"_s.arg(letters, gainName(gain)), this);
@@ -75,50 +85,176 @@ void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
     row.label->setToolTip(gainMeaning(gain));
     row.label->setBuddy(row.field);
     row.remark = look::newMutedLabel({}, this);
+    row.remark->setObjectName(letters.toLower() + u"Remark"_s);
     row.state = look::newMutedLabel({}, this);
     row.state->setObjectName(letters.toLower() + u"State"_s);
     grid->addWidget(row.label, line, 0);
     grid->addWidget(row.field, line, 1);
     grid->addWidget(row.remark, line, 2);
     grid->addWidget(row.state, line, 3);
-    connect(row.field, &NumberField::edited, this, [this] {
-        keepDraft();
-        refresh();
-    });
+    connect(row.field, &NumberField::edited, this, [this, gain] { edited(gain); });
 }
 
-void GainsBox::keepDraft() {
-    if (!m_module.has_value())
-        return;
-    Draft& draft = m_drafts[m_module->value()];
+void GainsBox::addSense(int line, QGridLayout* grid) {
+    m_sense = new QComboBox(this);
+    look::name(m_sense, u"clSenseBox"_s, tr("Sense of the current limit"));
+    for (const CurrentSense sense : {CurrentSense::Off, CurrentSense::Above, CurrentSense::Below})
+        m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
+    m_sense->setToolTip(
+        tr("Whether a large or a small A/D value means too much current. The chip tells them "
+           "apart by odd and even numbers."));
+    grid->addWidget(m_sense, line, 1, 1, 2);
+    connect(m_sense, &QComboBox::activated, this, [this] { chooseSense(m_sense->currentData().toInt()); });
+}
+
+QPushButton* GainsBox::newButton(const QString& icon, const QString& text, const QString& objectName,
+                                 const QString& name, const QString& toolTip) {
+    auto* button = new QPushButton(icons::tinted(icon), text, this);
+    look::name(button, objectName, name);
+    button->setToolTip(toolTip);
+    return button;
+}
+
+void GainsBox::addButtons(int line, QGridLayout* grid) {
+    m_undo =
+        newButton(u"arrow-back-up"_s, tr("Undo"), u"undoGainsButton"_s, tr("Undo the last edit of a gain"),
+                  tr("Takes back the last edit in these fields (Ctrl+Z). Sends nothing."));
+    m_undo->setShortcut(QKeySequence::Undo);
+    m_redo = newButton(u"arrow-forward-up"_s, tr("Redo"), u"redoGainsButton"_s, tr("Redo the edit of a gain"),
+                       tr("Makes the edit again that was undone (Ctrl+Shift+Z). Sends nothing."));
+    m_redo->setShortcut(QKeySequence::Redo);
+    m_revert = newButton(u"repeat"_s, tr("Revert"), u"revertGainsButton"_s,
+                         tr("Revert the gains to what was sent"), {});
+    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    m_zero =
+        newButton(u"eraser"_s, tr("All zero"), u"zeroGainsButton"_s, tr("Fill in zero for all gains"),
+                  tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor "
+                     "does not hold any more (Ctrl+0)."));
+    m_zero->setShortcut(Qt::CTRL | Qt::Key_0);
+    m_fill = newButton(u"wand"_s, tr("Start&ing values"), u"fillGainsButton"_s, tr("Fill in starting values"),
+                       tr("Fills the fields with values to begin tuning with. Sends nothing."));
+    m_apply = newButton(u"send"_s, tr("&Apply gains"), u"applyGainsButton"_s, tr("Apply all gains"), {});
+    const int unit = look::gridUnit(this);
+    const auto addLine = [&](int at, std::initializer_list<QPushButton*> left,
+                             std::initializer_list<QPushButton*> right) {
+        auto* buttons = new QHBoxLayout;
+        buttons->setSpacing(unit);
+        buttons->setContentsMargins(0, unit / 2, 0, 0);
+        for (QPushButton* button : left)
+            buttons->addWidget(button);
+        buttons->addStretch(1);
+        for (QPushButton* button : right)
+            buttons->addWidget(button);
+        grid->addLayout(buttons, at, 0, 1, 4);
+    };
+    addLine(line, {m_fill, m_zero}, {m_undo, m_redo});
+    addLine(line + 1, {}, {m_revert, m_apply});
+    connect(m_apply, &QPushButton::clicked, this, &GainsBox::apply);
+    connect(m_revert, &QPushButton::clicked, this, &GainsBox::revert);
+    connect(m_fill, &QPushButton::clicked, this, [this] { fill(startingValue); });
+    connect(m_zero, &QPushButton::clicked, this, [this] { fill(zeroValue); });
+    connect(m_undo, &QPushButton::clicked, this, [this] { undoStack().undo(); });
+    connect(m_redo, &QPushButton::clicked, this, [this] { undoStack().redo(); });
+}
+
+// ---- what stands in the fields ----
+
+GainsBox::Texts GainsBox::shown() const {
+    Texts texts;
     for (const Row& row : m_rows)
-        draft[static_cast<std::size_t>(row.gain)] = row.field->text();
+        texts[static_cast<std::size_t>(row.gain)] = row.field->text();
+    return texts;
 }
 
-void GainsBox::showModule(const ModuleState& module, std::optional<Refusal> refused) {
-    const bool other = m_module != module.info.index;
-    const bool newlySent = m_sent != module.gains;
+GainsBox::Texts GainsBox::textsOf(const std::optional<servo::SetGain>& gains) const {
+    Texts texts;
+    for (const Row& row : m_rows)
+        if (const auto value = gains ? gainOf(*gains, row.gain) : std::nullopt)
+            texts[static_cast<std::size_t>(row.gain)] = NumberField::format(*value, 0);
+    return texts;
+}
+
+void GainsBox::show(const Texts& texts) {
+    for (Row& row : m_rows)
+        row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+    m_before = texts;
+    keep();
+    refresh();
+}
+
+QUndoStack& GainsBox::undoStack() {
+    QUndoStack*& stack = m_undoStacks[m_module ? m_module->value() : -1];
+    if (stack == nullptr) {
+        stack = new QUndoStack(this);
+        connect(stack, &QUndoStack::indexChanged, this, &GainsBox::refreshUndo);
+    }
+    return *stack;
+}
+
+void GainsBox::edited(std::optional<Gain> gain) {
+    const Texts after = shown();
+    if (after != m_before)
+        undoStack().push(new Edit(*this, gain, m_before, after));
+}
+
+/// Drafts live here; gains that are whole are kept with the axis as well.
+void GainsBox::keep() {
+    if (!m_module)
+        return;
+    const Texts texts = shown();
+    if (texts == textsOf(m_sent))
+        m_drafts.remove(m_module->value());
+    else
+        m_drafts[m_module->value()] = texts;
+    const std::optional<servo::SetGain> gains = entered();
+    if (!gains || gains == m_settings.gains)
+        return;
+    m_settings.gains = gains;
+    emit settingsEdited(m_settings);
+}
+
+void GainsBox::fill(int (*value)(Gain)) {
+    for (Row& row : m_rows)
+        row.field->showValue(value(row.gain));
+    edited(std::nullopt);
+}
+
+void GainsBox::revert() {
+    const Texts texts = textsOf(m_sent);
+    for (Row& row : m_rows)
+        row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+    edited(std::nullopt);
+}
+
+void GainsBox::chooseSense(int sense) {
+    NumberField* field = rowOf(Gain::Cl).field;
+    const int now = static_cast<int>(field->value().value_or(0.0));
+    field->showValue(currentLimit(static_cast<CurrentSense>(sense), now));
+    edited(std::nullopt);
+}
+
+void GainsBox::showModule(const PanelView& view) {
+    const ModuleState& module = view.module;
+    const bool another = m_module != module.info.index;
+    const bool news = another || m_sent != module.gains || m_settings.gains != view.settings.gains;
     m_module = module.info.index;
     m_sent = module.gains;
-    m_refused = refused;
+    m_settings = view.settings;
+    m_refused = view.whyNot(Request::ApplyGains);
     m_live = module.servoOn();
     m_hasDeadband = module.info.identity.version >= servo::kDeadbandVersion;
-    if (other) {
+    if (news) {
         const auto draft = m_drafts.constFind(module.info.index.value());
-        for (Row& row : m_rows) {
-            const QSignalBlocker blocker(row.field);
-            row.field->showNothing();
-            if (draft == m_drafts.constEnd())
-                continue;
-            NumberField::Problem problem = NumberField::Problem::None;
-            const QString& text = (*draft)[static_cast<std::size_t>(row.gain)];
-            if (const auto value = NumberField::parse(text, true, &problem))
-                row.field->showValue(*value);
-        }
-        if (draft == m_drafts.constEnd() && m_sent.has_value())
-            revert();
-    } else if (newlySent && m_sent.has_value() && !m_drafts.contains(module.info.index.value())) {
-        revert();
+        const bool sentNow = !another && m_sent && shown() == textsOf(m_sent);
+        const Texts texts = draft != m_drafts.constEnd() && !sentNow ? *draft
+                            : m_settings.gains                       ? textsOf(m_settings.gains)
+                                                                     : textsOf(m_sent);
+        if (texts != shown())
+            for (Row& row : m_rows)
+                row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+        m_before = shown();
+        if (m_before == textsOf(m_sent))
+            m_drafts.remove(module.info.index.value());
     }
     refresh();
 }
@@ -127,26 +263,6 @@ void GainsBox::setBusy(bool busy) {
     if (m_busy == busy)
         return;
     m_busy = busy;
-    refresh();
-}
-
-void GainsBox::fillIn() {
-    for (Row& row : m_rows)
-        row.field->showValue(startingValue(row.gain));
-    keepDraft();
-    refresh();
-}
-
-void GainsBox::revert() {
-    if (m_module.has_value())
-        m_drafts.remove(m_module->value());
-    for (Row& row : m_rows) {
-        const std::optional<int> value = m_sent.has_value() ? gainOf(*m_sent, row.gain) : std::nullopt;
-        if (value.has_value())
-            row.field->showValue(*value);
-        else
-            row.field->showNothing();
-    }
     refresh();
 }
 
@@ -177,13 +293,18 @@ void GainsBox::apply() {
         emit applyRequested(*gains);
 }
 
+// ---- how it looks ----
+
 void GainsBox::refreshRow(Row& row) {
-    const bool shown = used(row.gain);
+    const bool visible = used(row.gain);
     for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.field),
                             static_cast<QWidget*>(row.remark), static_cast<QWidget*>(row.state)})
-        widget->setVisible(shown);
+        widget->setVisible(visible);
     const std::optional<double> value = row.field->value();
-    look::setText(row.remark, value.has_value() ? gainRemark(row.gain, static_cast<int>(*value)) : QString());
+    QString remark = value.has_value() ? gainRemark(row.gain, static_cast<int>(*value)) : QString();
+    if (row.gain == Gain::Cl && value.value_or(0.0) != 0.0)
+        remark = u"= "_s + texts::analog(m_settings.analog, static_cast<int>(*value));
+    look::setText(row.remark, remark);
     const std::optional<int> sent = m_sent.has_value() ? gainOf(*m_sent, row.gain) : std::nullopt;
     Known known = Known::Edited;
     if (row.field->problem() == NumberField::Problem::Empty && !sent.has_value())
@@ -210,19 +331,25 @@ void GainsBox::refreshRow(Row& row) {
         row.state->setFont(font);
 }
 
-void GainsBox::refresh() {
-    for (Row& row : m_rows)
-        refreshRow(row);
-    const QString problem = trouble();
-    const bool anything = !problem.isEmpty() && !entered().has_value();
+QString GainsBox::hint() const {
     bool empty = true;
     for (const Row& row : m_rows)
         empty = empty && (!used(row.gain) || row.field->problem() == NumberField::Problem::Empty);
-    look::setText(
-        m_hint, empty
-                    ? tr("Gains cannot be read back from the module. Until you apply them they are unknown.")
-                    : problem);
-    m_hint->setVisible(anything);
+    if (empty)
+        return tr("Gains cannot be read back from the module. Until you apply them they are unknown.");
+    if (const QString problem = trouble(); !problem.isEmpty())
+        return problem;
+    const auto rate = rowOf(Gain::Sr).field->value();
+    if (!m_sent || !rate || static_cast<int>(*rate) == m_sent->sr)
+        return {};
+    return tr("SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per "
+              "tick "
+              "means another speed then.")
+        .arg(static_cast<int>(*rate))
+        .arg(m_sent->sr);
+}
+
+void GainsBox::refreshApply(const QString& problem) {
     QString reason;
     if (m_refused.has_value())
         reason = texts::refusal(*m_refused);
@@ -230,18 +357,36 @@ void GainsBox::refresh() {
         reason = tr("Waiting for the module's answer.");
     else
         reason = problem;
-    m_apply->setEnabled(reason.isEmpty());
-    m_apply->setToolTip(!reason.isEmpty() ? reason
-                        : m_live ? tr("Sends all gains at once. The servo is on: they act immediately.")
-                                 : tr("Sends all gains at once. The motor does not move."));
-    m_apply->setAccessibleDescription(m_apply->toolTip());
+    look::setPossible(m_apply, reason,
+                      m_live ? tr("Sends all gains at once. The servo is on: they act immediately.")
+                             : tr("Sends all gains at once. The motor does not move."));
     const QString text = m_live ? tr("&Apply gains, live") : tr("&Apply gains");
     if (m_apply->text() != text)
         m_apply->setText(text);
-    m_revert->setEnabled(m_module.has_value() && m_drafts.contains(m_module->value()));
+}
+
+void GainsBox::refreshUndo() {
+    const QUndoStack& stack = undoStack();
+    m_undo->setEnabled(stack.canUndo());
+    m_redo->setEnabled(stack.canRedo());
+    m_revert->setEnabled(m_module.has_value() && shown() != textsOf(m_sent));
     m_revert->setToolTip(m_sent.has_value()
                              ? tr("Back to the gains that were sent. Sends nothing.")
                              : tr("Empties the fields: no gains have been sent yet. Sends nothing."));
+}
+
+void GainsBox::refresh() {
+    for (Row& row : m_rows)
+        refreshRow(row);
+    const auto limit = rowOf(Gain::Cl).field->value();
+    m_sense->setEnabled(limit.has_value() || rowOf(Gain::Cl).field->text().isEmpty());
+    m_sense->setCurrentIndex(
+        m_sense->findData(static_cast<int>(currentSense(static_cast<int>(limit.value_or(0.0))))));
+    const QString hint = this->hint();
+    look::setText(m_hint, hint);
+    m_hint->setVisible(!hint.isEmpty());
+    refreshApply(trouble());
+    refreshUndo();
 }
 
 }  // namespace nmc

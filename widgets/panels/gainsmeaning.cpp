@@ -221,4 +221,39 @@ int startingValue(Gain gain) {
     return 0;
 }
 
+int zeroValue(Gain gain) {
+    return static_cast<int>(gainRange(gain).min);
+}
+
+CurrentSense currentSense(int cl) {
+    if (cl == 0)
+        return CurrentSense::Off;
+    return cl % 2 != 0 ? CurrentSense::Above : CurrentSense::Below;
+}
+
+QString currentSenseName(CurrentSense sense) {
+    switch (sense) {
+        case CurrentSense::Off:
+            return Gains::tr("no current limit");
+        case CurrentSense::Above:
+            return Gains::tr("limits above (odd)");
+        case CurrentSense::Below:
+            return Gains::tr("limits below (even)");
+    }
+    return {};
+}
+
+int currentLimit(CurrentSense sense, int cl) {
+    constexpr int kLargestEven = 254;
+    switch (sense) {
+        case CurrentSense::Off:
+            return 0;
+        case CurrentSense::Above:
+            return cl | 1;
+        case CurrentSense::Below:
+            return cl == 0 ? kLargestEven : cl - cl % 2 == 0 ? 2 : cl - cl % 2;
+    }
+    return 0;
+}
+
 }  // namespace nmc

@@ -29,5 +29,14 @@ void setGain(servo::SetGain& gains, Gain gain, int value);
 /// Where to begin with a motor that nothing is known of: the family's own test values. Never sent by
 /// themselves.
 [[nodiscard]] int startingValue(Gain gain);
+/// 0, or the least the chip takes.
+[[nodiscard]] int zeroValue(Gain gain);
+
+/// Which A/D values are too much current; the chip tells by the parity of CL (DS-V 4.5).
+enum class CurrentSense : std::uint8_t { Off, Above, Below };
+[[nodiscard]] CurrentSense currentSense(int cl);
+[[nodiscard]] QString currentSenseName(CurrentSense sense);
+/// The CL of that sense nearest to `cl`.
+[[nodiscard]] int currentLimit(CurrentSense sense, int cl);
 
 }  // namespace nmc

@@ -3,84 +3,84 @@
 
 #include <QGroupBox>
 #include <QHash>
-#include <array>
-#include <functional>
 #include <optional>
 
-#include "model/intent.h"
+#include "widgets/panels/panelview.h"
 
-class QGridLayout;
+class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace nmc {
 
-class HoldButton;
-class NumberField;
+class QuantityField;
 
-/// Go to a position, run at a velocity, move while held. Each value stands in the chip's unit with what it
-/// comes to in seconds beside it.
+/// Go to a position, now or when it is started later; run at a velocity. Each value stands in the user's unit
+/// with the chip's beside it, and a move says before its start how long it will take.
 class MotionBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    using WhyNot = std::function<std::optional<Refusal>(Request)>;
-
     explicit MotionBox(QWidget* parent = nullptr);
 
-    /// Emits nothing, except that a hold ends when its module or its permission goes.
-    void showModule(const ModuleState& module, const WhyNot& whyNot);
+    /// Emits nothing.
+    void showModule(const PanelView& view);
     /// A click was passed on; moves wait for the module's next word.
     void setBusy(bool busy);
-    /// A new connection: low speeds again.
-    void resetSpeeds();
-    void endHold();
-    void setHoldInterval(int milliseconds);
+    /// A new connection: the goals that were typed are forgotten.
+    void forgetGoals();
+    /// Empty while the field has no value.
+    [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
+    [[nodiscard]] const QuantityField& accelerationField() const { return *m_acceleration; }
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
+    void settingsEdited(const nmc::AxisSettings& settings);
+    /// What is held was asked for at another acceleration.
+    void accelerationEdited();
 
 private:
-    struct Quantity {
-        NumberField* field = nullptr;
-        QLabel* perSecond = nullptr;
-        bool acceleration = false;
-    };
-
     void build();
-    Quantity addQuantity(QGridLayout* grid, int line, const QString& label, const QString& objectName,
-                         const QString& accessibleName, bool acceleration);
-    void addTitle(QGridLayout* grid, int line, const QString& text, const QString& remark);
+    void buildMove(class QGridLayout* grid, int& line);
+    void buildRun(class QGridLayout* grid, int& line);
+    QuantityField* addQuantity(class QGridLayout* grid, int line, const QString& label,
+                               const QString& objectName, const QString& accessibleName, bool acceleration);
     void connectControls();
-    void go();
+    [[nodiscard]] std::optional<intent::GoTo> entered() const;
+    void move(bool later);
+    void goHome();
     void run(bool reverse);
-    void hold(bool reverse);
+    void keep();
+    void showGoal();
     void refresh();
-    void refreshConversions();
-    [[nodiscard]] QString reasonFor(Request request, std::initializer_list<const NumberField*> fields) const;
+    void refreshForecast();
+    [[nodiscard]] bool relative() const;
+    [[nodiscard]] QString reasonFor(Request request,
+                                    std::initializer_list<const QuantityField*> fields) const;
 
-    NumberField* m_goal = nullptr;
-    Quantity m_velocity;
-    Quantity m_acceleration;
-    Quantity m_runVelocity;
-    Quantity m_holdVelocity;
+    QuantityField* m_goal = nullptr;
+    QComboBox* m_goalKind = nullptr;
+    QuantityField* m_velocity = nullptr;
+    QuantityField* m_acceleration = nullptr;
+    QuantityField* m_runVelocity = nullptr;
+    QLabel* m_forecast = nullptr;
     QPushButton* m_go = nullptr;
+    QPushButton* m_load = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_goHome = nullptr;
+    QPushButton* m_zero = nullptr;
     QPushButton* m_runForward = nullptr;
     QPushButton* m_runReverse = nullptr;
-    HoldButton* m_holdForward = nullptr;
-    HoldButton* m_holdReverse = nullptr;
     QLabel* m_hint = nullptr;
 
-    struct Draft {
-        std::array<QString, 5> texts;
+    struct Goal {
+        double counts = 0.0;
+        bool relative = false;
     };
-    [[nodiscard]] std::array<NumberField*, 5> fields() const;
-    QHash<int, Draft> m_drafts;
-    std::optional<ModuleIndex> m_module;
-    WhyNot m_whyNot;
-    int m_servoRate = 1;
+    QHash<int, Goal> m_goals;  ///< as typed, of each module
+    std::optional<ModuleState> m_module;
+    AxisSettings m_settings;
+    bool m_connected = false;
     bool m_busy = false;
 };
 

@@ -9,6 +9,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -21,17 +22,20 @@ PanelHead::PanelHead(QWidget* parent)
       m_name(new QLabel(this)),
       m_type(look::newMutedLabel({}, this)),
       m_state(new QLabel(this)),
+      m_meaning(look::newMutedLabel({}, this)),
       m_position(new QLabel(this)),
       m_positionUnit(look::newMutedLabel(texts::unitCounts(), this)),
+      m_otherPosition(look::newMutedLabel({}, this)),
       m_enable(addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
                          tr("Enable the servo of this module"), intent::Enable{})),
       m_stopSmoothly(addButton(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
                                tr("Stop this module smoothly"), intent::StopSmoothly{})),
       m_stopAbruptly(addButton(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
                                tr("Stop this module abruptly"), intent::StopAbruptly{})),
+      m_stopHere(addButton(u"player-stop"_s, tr("Stop here"), u"stopHereButton"_s,
+                           tr("Stop this module at its present position"), intent::StopHere{})),
       m_motorOff(addButton(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
-                           intent::MotorOff{})),
-      m_whyNot([](Request) { return std::optional(Refusal::NotConnected); }) {
+                           intent::MotorOff{})) {
     look::name(this, u"panelHead"_s, tr("State of the selected module"));
     m_name->setObjectName(u"moduleName"_s);
     m_type->setObjectName(u"moduleType"_s);
@@ -47,6 +51,12 @@ PanelHead::PanelHead(QWidget* parent)
     m_position->setFont(look::tabular(look::scaled(font(), 2.8)));
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_positionUnit->setObjectName(u"positionUnit"_s);
+    m_otherPosition->setObjectName(u"otherPosition"_s);
+    m_otherPosition->setFont(look::tabular(font()));
+    m_meaning->setObjectName(u"stateMeaning"_s);
+    m_meaning->setWordWrap(true);
+
+    m_stopHere->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_H);
 
     const int unit = look::gridUnit(this);
     auto* who = new QHBoxLayout;
@@ -65,6 +75,7 @@ PanelHead::PanelHead(QWidget* parent)
     buttons->addSpacing(unit);
     buttons->addWidget(m_stopSmoothly);
     buttons->addWidget(m_stopAbruptly);
+    buttons->addWidget(m_stopHere);
     buttons->addSpacing(unit);
     buttons->addWidget(m_motorOff);
     buttons->addStretch(1);
@@ -77,7 +88,9 @@ PanelHead::PanelHead(QWidget* parent)
     grid->addLayout(what, 1, 0);
     grid->addWidget(m_position, 0, 1, 2, 1, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_positionUnit, 0, 2, 2, 1, Qt::AlignVCenter);
-    grid->addLayout(buttons, 2, 0, 1, 3);
+    grid->addWidget(m_meaning, 2, 0);
+    grid->addWidget(m_otherPosition, 2, 1, 1, 2, Qt::AlignRight);
+    grid->addLayout(buttons, 3, 0, 1, 3);
     grid->setColumnStretch(0, 1);
 }
 
@@ -89,27 +102,35 @@ QPushButton* PanelHead::addButton(const QString& icon, const QString& text, cons
     return button;
 }
 
-void PanelHead::showPosition(const ModuleState& module, std::optional<double> age) {
-    const bool known = module.latest.has_value() && module.latest->position.has_value();
-    look::setText(m_position, known ? texts::grouped(*module.latest->position) : u"–"_s);
-    m_position->setProperty("counts", known ? QVariant(*module.latest->position) : QVariant());
-    m_position->setAccessibleName(known ? tr("Position %1 counts").arg(*module.latest->position)
-                                        : tr("Position unknown"));
-    const bool old = age.has_value();
+void PanelHead::showPosition(const PanelView& view) {
+    const AxisScale scale = view.scale();
+    const std::optional<StatusReport>& latest = view.module.latest;
+    const bool known = latest.has_value() && latest->position.has_value();
+    const bool old = view.age.has_value();
+    const QString unit = texts::unitOf(scale);
+    const QString number = !known           ? u"–"_s
+                           : scale.native() ? texts::grouped(*latest->position)
+                                            : texts::fixedPosition(scale, *latest->position);
+    look::setText(m_position, number);
+    m_position->setProperty("counts", known ? QVariant(*latest->position) : QVariant());
+    m_position->setAccessibleName(known ? tr("Position %1 %2").arg(number, unit) : tr("Position unknown"));
     QFont font = m_position->font();
     if (font.strikeOut() != old) {
         font.setStrikeOut(old);
         m_position->setFont(font);
         m_position->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
     }
-    const QString ageText = old && *age >= 0.1
-                                ? tr("%1 s old").arg(texts::readout(std::floor(*age * 10) / 10, 3))
+    const QString ageText = old && *view.age >= 0.1
+                                ? tr("%1 s old").arg(texts::readout(std::floor(*view.age * 10) / 10, 3))
                                 : tr("out of date");
-    look::setText(m_positionUnit, old ? texts::unitCounts() + u", "_s + ageText : texts::unitCounts());
+    look::setText(m_positionUnit, old ? unit + u", "_s + ageText : unit);
+    look::setText(m_otherPosition, known ? texts::otherPosition(scale, *latest->position) : QString());
 }
 
-void PanelHead::showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age) {
-    m_whyNot = whyNot;
+void PanelHead::showModule(const PanelView& view) {
+    const ModuleState& module = view.module;
+    m_module = module;
+    m_connected = view.connected;
     m_on = module.servoOn() && module.amplifierEnabled;
     const Activity activity = module.activity();
     look::setText(m_name, texts::moduleName(module.info.index));
@@ -117,10 +138,10 @@ void PanelHead::showModule(const ModuleState& module, const WhyNot& whyNot, std:
         m_type,
         tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
-    m_state->setToolTip(texts::activityMeaning(activity));
+    look::setText(m_meaning, texts::activityMeaning(activity));
     m_glyph->showActivity(activity);
     m_glyph->setToolTip(texts::activityMeaning(activity));
-    showPosition(module, age);
+    showPosition(view);
     refresh();
 }
 
@@ -133,7 +154,8 @@ void PanelHead::setBusy(bool busy) {
 
 void PanelHead::refresh() {
     const auto reason = [this](Request request) {
-        const std::optional<Refusal> refusal = m_whyNot(request);
+        const std::optional<Refusal> refusal =
+            m_connected && m_module ? whyNot(request, *m_module) : std::optional(Refusal::NotConnected);
         return refusal.has_value() ? texts::refusal(*refusal) : QString();
     };
     const QString enable = m_on ? tr("The servo is on already.") : reason(Request::Enable);
@@ -142,6 +164,9 @@ void PanelHead::refresh() {
     const QString stop = reason(Request::StopMotion);
     look::setPossible(m_stopSmoothly, stop, tr("Slows down at the acceleration in force, then holds."));
     look::setPossible(m_stopAbruptly, stop, tr("Stops at once, then holds."));
+    look::setPossible(m_stopHere, reason(Request::StopHere),
+                      tr("Jumps without a profile to the position it has at this moment, then holds there "
+                         "(Ctrl+Shift+H)."));
     look::setPossible(
         m_motorOff, reason(Request::MotorOff),
         tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <QFrame>
-#include <functional>
 #include <optional>
 
-#include "model/intent.h"
+#include "widgets/panels/panelview.h"
 
 class QLabel;
 class QPushButton;
@@ -20,12 +19,10 @@ class PanelHead : public QFrame {
     Q_OBJECT
 
 public:
-    using WhyNot = std::function<std::optional<Refusal>(Request)>;
-
     explicit PanelHead(QWidget* parent = nullptr);
 
-    /// `age`: how old the value is when it is too old to be trusted, s; else empty.
-    void showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age);
+    /// Emits nothing.
+    void showModule(const PanelView& view);
     /// Enable waits for the module's next word; stops never wait.
     void setBusy(bool busy);
 
@@ -36,19 +33,23 @@ private:
     QPushButton* addButton(const QString& icon, const QString& text, const QString& objectName,
                            const QString& accessibleName, Intent intent);
     void refresh();
-    void showPosition(const ModuleState& module, std::optional<double> age);
+    void showPosition(const PanelView& view);
 
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;
     QLabel* m_state;
+    QLabel* m_meaning;
     QLabel* m_position;
     QLabel* m_positionUnit;
+    QLabel* m_otherPosition;
     QPushButton* m_enable;
     QPushButton* m_stopSmoothly;
     QPushButton* m_stopAbruptly;
+    QPushButton* m_stopHere;
     QPushButton* m_motorOff;
-    WhyNot m_whyNot;
+    std::optional<ModuleState> m_module;
+    bool m_connected = false;
     bool m_on = false;
     bool m_busy = false;
 };

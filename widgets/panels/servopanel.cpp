@@ -7,10 +7,14 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/gainsbox.h"
+#include "widgets/panels/iobox.h"
+#include "widgets/panels/jogbox.h"
 #include "widgets/panels/motionbox.h"
 #include "widgets/panels/panelhead.h"
+#include "widgets/panels/pwmbox.h"
 
 namespace nmc {
 
@@ -21,6 +25,7 @@ namespace {
 bool isStop(const Intent& intent) {
     return std::holds_alternative<intent::StopSmoothly>(intent) ||
            std::holds_alternative<intent::StopAbruptly>(intent) ||
+           std::holds_alternative<intent::StopHere>(intent) ||
            std::holds_alternative<intent::MotorOff>(intent);
 }
 }  // namespace
@@ -29,35 +34,57 @@ ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent),
       m_head(new PanelHead(this)),
       m_motion(new MotionBox(this)),
+      m_jog(new JogBox(this)),
       m_pages(new QTabWidget(this)),
       m_gains(new GainsBox(this)),
+      m_io(new IoBox(this)),
+      m_pwm(new PwmBox(this)),
+      m_axis(new AxisBox(this)),
       m_details(new DetailsBox(this)) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
-    look::name(m_pages, u"servoPages"_s, tr("Gains and details"));
+    look::name(m_pages, u"servoPages"_s, tr("Pages of the module"));
     m_pages->setDocumentMode(true);
     m_pages->addTab(m_gains, tr("Gains"));
+    m_pages->addTab(m_io, tr("Limits && I/O"));
+    m_pages->addTab(m_pwm, tr("PWM"));
+    m_pages->addTab(m_axis, tr("Axis"));
     m_pages->addTab(m_details, tr("Details"));
     m_pages->tabBar()->setAccessibleName(tr("Pages of the module"));
     m_pages->tabBar()->setObjectName(u"servoPagesBar"_s);
 
     const int unit = look::gridUnit(this);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit / 2);
+    left->addWidget(m_motion);
+    left->addWidget(m_jog);
+    left->addStretch(1);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(unit * 3 / 2);
-    columns->addWidget(m_motion, 5);
+    columns->addLayout(left, 5);
     columns->addWidget(m_pages, 4);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit);
     layout->setSpacing(unit / 2);
     layout->addWidget(m_head);
     layout->addLayout(columns, 1);
+    connectBoxes();
+}
 
+void ServoPanel::connectBoxes() {
     connect(m_head, &PanelHead::intentRequested, this, &ServoPanel::pass);
     connect(m_motion, &MotionBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_io, &IoBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
-    connect(m_motion, &MotionBox::holdRequested, this, &ServoPanel::holdRequested);
-    connect(m_motion, &MotionBox::holdReleased, this, &ServoPanel::holdReleased);
+    connect(m_jog, &JogBox::holdRequested, this, &ServoPanel::holdRequested);
+    connect(m_jog, &JogBox::holdReleased, this, &ServoPanel::holdReleased);
+    connect(m_motion, &MotionBox::accelerationEdited, m_jog, &JogBox::endHold);
+    const auto keep = [this](const AxisSettings& settings) { emit settingsEdited(m_module, settings); };
+    connect(m_motion, &MotionBox::settingsEdited, this, keep);
+    connect(m_gains, &GainsBox::settingsEdited, this, keep);
+    connect(m_axis, &AxisBox::settingsEdited, this, keep);
 }
 
 void ServoPanel::pass(const Intent& intent) {
@@ -74,6 +101,8 @@ void ServoPanel::setBusy(bool busy) {
     m_head->setBusy(busy);
     m_motion->setBusy(busy);
     m_gains->setBusy(busy);
+    m_io->setBusy(busy);
+    m_pwm->setBusy(busy);
     m_details->setBusy(busy);
 }
 
@@ -86,25 +115,27 @@ void ServoPanel::showModule(const PanelView& view) {
     }
     m_module = module.info.index;
     m_latestTime = module.latestTime;
-    const auto why = [module, connected = view.connected](Request request) {
-        return connected ? whyNot(request, module) : std::optional(Refusal::NotConnected);
-    };
-    m_head->showModule(module, why, view.age);
-    m_motion->showModule(module, why);
-    m_gains->showModule(module, why(Request::ApplyGains));
-    m_details->showModule(module, why);
+    m_head->showModule(view);
+    m_motion->showModule(view);
+    m_jog->showModule(view, m_motion->acceleration());
+    m_gains->showModule(view);
+    m_io->showModule(view);
+    m_pwm->showModule(view);
+    m_axis->showModule(view);
+    m_details->showModule(view);
 }
 
 void ServoPanel::resetSpeeds() {
-    m_motion->resetSpeeds();
+    m_motion->forgetGoals();
+    m_jog->resetSpeeds();
 }
 
 void ServoPanel::endHold() {
-    m_motion->endHold();
+    m_jog->endHold();
 }
 
 void ServoPanel::setHoldInterval(int milliseconds) {
-    m_motion->setHoldInterval(milliseconds);
+    m_jog->setHoldInterval(milliseconds);
 }
 
 }  // namespace nmc

@@ -10,13 +10,17 @@ class QTabWidget;
 
 namespace nmc {
 
+class AxisBox;
 class DetailsBox;
 class GainsBox;
+class IoBox;
+class JogBox;
 class MotionBox;
 class PanelHead;
+class PwmBox;
 
-/// Everything one PIC-SERVO can be asked for. Motion is always in sight; gains and details (and later limits
-/// and homing) share the pages beside it.
+/// Everything one PIC-SERVO can be asked for. Motion and jog are always in sight; the rest shares the pages
+/// beside them.
 class ServoPanel : public QWidget {
     Q_OBJECT
 
@@ -36,13 +40,18 @@ signals:
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
+    void connectBoxes();
     void pass(const Intent& intent);
     void setBusy(bool busy);
 
     PanelHead* m_head;
     MotionBox* m_motion;
+    JogBox* m_jog;
     QTabWidget* m_pages;
     GainsBox* m_gains;
+    IoBox* m_io;
+    PwmBox* m_pwm;
+    AxisBox* m_axis;
     DetailsBox* m_details;
     ModuleIndex m_module;
     TimePoint m_latestTime;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace nmc {
+
+/// What a trapezoidal move from standstill will be like (DS-V 4.4), before it is started.
+struct MoveForecast {
+    double seconds = 0.0;
+    double peakVelocity = 0.0;  ///< native
+    bool triangular = false;    ///< too short to reach its velocity
+};
+
+/// `distance` in counts, of either sign; velocity and acceleration native and above 0, `perSecond` as in
+/// AxisScale. Pure.
+[[nodiscard]] MoveForecast forecast(double distance, double velocity, double acceleration, double perSecond);
+
+}  // namespace nmc

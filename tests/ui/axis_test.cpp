@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QTabWidget>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+/// A servo whose settings are kept, as the program keeps them.
+class Axis : public WindowTest {
+protected:
+    Axis() {
+        QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
+                         [this](ModuleIndex module, const AxisSettings& edited) {
+                             machine.axes.resize(module.value() + std::size_t{1});
+                             machine.axes[module.value()] = edited;
+                             window->showMachine(machine);
+                         });
+        showServo({.position = 500});
+    }
+    ~Axis() override { texts::setModuleNames({}); }
+    void showPage(const QString& page) {
+        auto* pages = find<QTabWidget>(u"servoPages"_s);
+        for (int i = 0; i < pages->count(); ++i)
+            if (pages->tabText(i) == page)
+                pages->setCurrentIndex(i);
+    }
+    /// 2000 counts a turn.
+    void readInTurns() {
+        showPage(u"Axis"_s);
+        choose(u"axisUnitBox"_s, u"turns"_s);
+        type(u"countsPerUnitField"_s, u"2000"_s);
+    }
+    void choose(const QString& box, const QString& entry) {
+        auto* combo = find<QComboBox>(box);
+        combo->setCurrentIndex(combo->findText(entry));
+    }
+    Machine machine;
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(Axis, ItsNameStandsEverywhere) {
+    showPage(u"Axis"_s);
+    auto* name = find<QLineEdit>(u"axisNameField"_s);
+    QTest::keyClicks(name, u"Z axis"_s);
+    EXPECT_EQ(text(u"moduleName"_s), u"Module 1 \"Z axis\""_s);
+    EXPECT_EQ(machine.axes.front().name, "Z axis");
+    EXPECT_EQ(name->text(), u"Z axis"_s);
+}
+
+TEST_F(Axis, U05_AnotherUnitKeepsEveryAmountAndSendsNothing) {
+    type(u"goalField"_s, u"3000"_s);
+    type(u"velocityField"_s, u"1"_s);
+    readInTurns();
+    EXPECT_EQ(text(u"positionLabel"_s), u"0.2500"_s);
+    EXPECT_EQ(text(u"positionUnit"_s), u"turns"_s);
+    EXPECT_EQ(text(u"otherPosition"_s), u"= 500 counts"_s);
+    EXPECT_EQ(field(u"goalField"_s)->value(), 1.5);
+    EXPECT_EQ(text(u"goalFieldPerSecond"_s), u"= 3\u202f000 counts"_s);
+    // 1 count/tick is 1953.125 counts/s.
+    EXPECT_DOUBLE_EQ(*field(u"velocityField"_s)->value(), 0.97656);
+    EXPECT_EQ(text(u"velocityFieldUnit"_s), u"turns/s"_s);
+    EXPECT_EQ(text(u"velocityFieldPerSecond"_s), u"= 1 counts/tick"_s);
+    EXPECT_EQ(intents.size(), 0);
+    // What is sent is what was typed, not what is left of it after rounding for show.
+    click(u"goButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    const auto go = std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>());
+    EXPECT_EQ(go.position.value(), 3000);
+    EXPECT_EQ(go.velocity.value(), 65536U);
+}
+
+TEST_F(Axis, ValuesAreTypedInTheUsersUnit) {
+    readInTurns();
+    type(u"goalField"_s, u"-0,75"_s);
+    type(u"velocityField"_s, u"0.9765625"_s);
+    click(u"goButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    const auto go = std::get<intent::GoTo>(intents.at(0).at(1).value<Intent>());
+    EXPECT_EQ(go.position.value(), -1500);
+    EXPECT_EQ(go.velocity.value(), 65536U);
+}
+
+TEST_F(Axis, WhatIsBeingTypedIsNotTouched) {
+    readInTurns();
+    type(u"velocityField"_s, u"1."_s);
+    EXPECT_EQ(field(u"velocityField"_s)->text(), u"1."_s);
+    type(u"velocityField"_s, u"0.50"_s);
+    EXPECT_EQ(field(u"velocityField"_s)->text(), u"0.50"_s);
+    type(u"velocityField"_s, u"x"_s);
+    showServo({.position = 501});
+    EXPECT_EQ(field(u"velocityField"_s)->text(), u"x"_s);
+}
+
+TEST_F(Axis, HoldToMoveHasACapThatIsRaisedElsewhere) {
+    type(u"holdVelocityField"_s, u"2.5"_s);
+    EXPECT_FALSE(button(u"holdForwardButton"_s)->isEnabled());
+    EXPECT_TRUE(text(u"jogHint"_s).contains(u"to 2 counts/tick"_s)) << text(u"jogHint"_s).toStdString();
+    showPage(u"Axis"_s);
+    type(u"holdCapField"_s, u"4"_s);
+    type(u"holdVelocityField"_s, u"2.5"_s);
+    EXPECT_TRUE(button(u"holdForwardButton"_s)->isEnabled());
+}
+
+TEST_F(Axis, TheAnalogValueIsReadInItsOwnScale) {
+    showPage(u"Axis"_s);
+    type(u"analogPerCountField"_s, u"0.02"_s);
+    type(u"analogAtZeroField"_s, u"-1"_s);
+    auto* unit = find<QLineEdit>(u"analogUnitField"_s);
+    unit->selectAll();
+    QTest::keyClicks(unit, u"A"_s);
+    ModuleState module = Servo{}.state();
+    module.latest->analog = std::uint8_t(125);
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"analogValue"_s), u"1.5 A (125 of 255)"_s);  // -1 + 125 x 0.02
+}
+
+}  // namespace
+}  // namespace nmc

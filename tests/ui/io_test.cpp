@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QTabWidget>
+
+#include "widgets/common/words.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class IoPage : public WindowTest {
+protected:
+    void showPage(const QString& page) {
+        auto* pages = find<QTabWidget>(u"servoPages"_s);
+        for (int i = 0; i < pages->count(); ++i)
+            if (pages->tabText(i).remove(u'&') == page)
+                pages->setCurrentIndex(i);
+    }
+    template <typename Asked>
+    Asked only() {
+        EXPECT_EQ(intents.size(), 1);
+        return std::get<Asked>(intents.takeFirst().at(1).template value<Intent>());
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(IoPage, ALimitPinBecomesAnOutputAtOnce) {
+    showServo();
+    showPage(u"Limits  I/O"_s);
+    auto* use = find<QComboBox>(u"limit1UseBox"_s);
+    EXPECT_EQ(use->currentText(), u"input"_s);
+    use->setFocus();
+    QTest::keyClick(use, Qt::Key_End);
+    const auto io = only<intent::ControlIo>().io;
+    EXPECT_FALSE(io.limit1IsInput);
+    EXPECT_TRUE(io.limit1Output);
+    EXPECT_TRUE(io.limit2IsInput);
+}
+
+TEST_F(IoPage, SaysThatALimitDoesNotStopTheMotor) {
+    showServo();
+    EXPECT_TRUE(text(u"limitRemark"_s).contains(u"does not stop the motor"_s));
+}
+
+TEST_F(IoPage, TheAmplifiersBoxFollowsTheModuleAndNotTheClick) {
+    showServo();
+    showPage(u"Limits  I/O"_s);
+    auto* box = button(u"amplifierBox"_s);
+    QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+    EXPECT_TRUE(only<intent::SetAmplifier>().enable);
+    EXPECT_FALSE(box->isChecked());
+    ModuleState module = Servo{.millisecond = 20}.state();
+    module.amplifierEnabled = true;
+    window->showLink(connectedTo({module}));
+    EXPECT_TRUE(box->isChecked());
+}
+
+TEST_F(IoPage, PwmIsSetApartAndOnlyForAServoThatIsOff) {
+    showServo();
+    showPage(u"PWM"_s);
+    EXPECT_TRUE(text(u"pwmWarning"_s).contains(u"no position limit"_s));
+    EXPECT_EQ(button(u"pwmForwardButton"_s)->toolTip(), texts::refusal(Refusal::ServoOn));
+    showServo({.on = false, .millisecond = 10});
+    type(u"pwmField"_s, u"51"_s);
+    click(u"pwmReverseButton"_s);
+    const auto drive = only<intent::DrivePwm>();
+    EXPECT_EQ(drive.pwm, 51);
+    EXPECT_TRUE(drive.reverse);
+    type(u"pwmField"_s, u"256"_s);
+    showServo({.on = false, .millisecond = 20});
+    EXPECT_FALSE(button(u"pwmForwardButton"_s)->isEnabled());
+}
+
+TEST_F(IoPage, MovesSayBeforehandHowLongTheyTake) {
+    showServo();
+    type(u"goalField"_s, u"20000"_s);
+    type(u"velocityField"_s, u"8"_s);
+    type(u"accelerationField"_s, u"0.02"_s);
+    // 2900 ticks of 0.512 ms.
+    EXPECT_EQ(text(u"forecastLabel"_s), u"Takes 1.48 s, peak 8 counts/tick"_s);
+    type(u"goalField"_s, u"800"_s);
+    // 400 ticks are 0.2048 s; peak sqrt(800 x 0.02).
+    EXPECT_EQ(text(u"forecastLabel"_s),
+              u"Takes 0.2 s, peak 4 counts/tick: too short to reach its velocity"_s);
+}
+
+TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
+    showServo({.position = 1000});
+    auto* kind = find<QComboBox>(u"goalKindBox"_s);
+    kind->setCurrentIndex(1);
+    type(u"goalField"_s, u"-250"_s);
+    click(u"loadButton"_s);
+    EXPECT_EQ(only<intent::LoadMove>().move.position.value(), 750);
+    EXPECT_FALSE(button(u"startButton"_s)->isEnabled());
+    ModuleState module = Servo{.position = 1000, .millisecond = 10}.state();
+    module.loadWaiting = true;
+    window->showLink(connectedTo({module}));
+    click(u"startButton"_s);
+    only<intent::StartLoaded>();
+}
+
+TEST_F(IoPage, GoesHomeAndStopsHere) {
+    ModuleState module = Servo{.position = 10}.state();
+    module.latest->home = 4321;
+    window->showLink(connectedTo({module}));
+    click(u"goHomeButton"_s);
+    EXPECT_EQ(only<intent::GoTo>().position.value(), 4321);
+    showServo({.moveDone = false, .position = 77, .millisecond = 10});
+    click(u"stopHereButton"_s);
+    only<intent::StopHere>();
+    showServo({.version = 1, .millisecond = 20});
+    EXPECT_EQ(button(u"stopHereButton"_s)->toolTip(), texts::refusal(Refusal::VersionLacksIt));
+}
+
+}  // namespace
+}  // namespace nmc

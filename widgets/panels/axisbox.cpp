@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/axisbox.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/servodefaults.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLongestName = 40;
+constexpr int kLongestUnit = 12;
+constexpr int kScaleDecimals = 6;
+constexpr double kMostCountsPerUnit = 1e9;
+constexpr double kLeastCountsPerUnit = 1e-6;
+
+/// Shows a text that is kept elsewhere, without disturbing one that is being typed.
+void showText(QLineEdit* field, const std::string& text) {
+    if (const QString shown = QString::fromStdString(text); field->text() != shown) {
+        const QSignalBlocker blocker(field);
+        field->setText(shown);
+    }
+}
+
+void showNumber(NumberField* field, double value, double before, bool another) {
+    if (another || (value != before && field->value() != value))
+        field->showValue(value);
+}
+
+}  // namespace
+
+AxisBox::AxisBox(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"axisBox"_s, tr("Axis"));
+    build();
+    connect(m_name, &QLineEdit::textEdited, this, &AxisBox::keep);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &AxisBox::keepUnit);
+    connect(m_countsPerUnit, &NumberField::edited, this, &AxisBox::keepUnit);
+    connect(m_symbol, &QLineEdit::textEdited, this, &AxisBox::keepUnit);
+    connect(m_holdCap, &QuantityField::nativeEdited, this, &AxisBox::keep);
+    connect(m_analogPerCount, &NumberField::edited, this, &AxisBox::keep);
+    connect(m_analogAtZero, &NumberField::edited, this, &AxisBox::keep);
+    connect(m_analogUnit, &QLineEdit::textEdited, this, &AxisBox::keep);
+    refresh();
+}
+
+NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
+                                const QString& meaning) {
+    auto* field = new NumberField(kScaleDecimals, this);
+    QString name = label;
+    look::name(field, objectName, name.remove(u'&'));
+    field->setMeaning(meaning);
+    form->addRow(label, field);
+    return field;
+}
+
+void AxisBox::build() {
+    const int unit = look::gridUnit(this);
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(unit, unit, unit, unit);
+    form->setHorizontalSpacing(unit);
+    form->setVerticalSpacing(unit / 2);
+    m_name = new QLineEdit(this);
+    look::name(m_name, u"axisNameField"_s, tr("Name of the axis"));
+    m_name->setMaxLength(kLongestName);
+    m_name->setPlaceholderText(tr("for example Z axis"));
+    m_name->setToolTip(tr("What this axis is called, in the list, in messages and in files."));
+    form->addRow(tr("N&ame"), m_name);
+
+    m_unit = new QComboBox(this);
+    look::name(m_unit, u"axisUnitBox"_s, tr("Unit of the axis"));
+    m_unit->addItem(tr("the chip's own"), static_cast<int>(UnitKind::Native));
+    m_unit->addItem(tr("turns"), static_cast<int>(UnitKind::Turns));
+    m_unit->addItem(tr("degrees"), static_cast<int>(UnitKind::Degrees));
+    m_unit->addItem(tr("millimetres"), static_cast<int>(UnitKind::Millimetres));
+    m_unit->addItem(tr("a unit of your own"), static_cast<int>(UnitKind::Own));
+    m_unit->setToolTip(
+        tr("What positions and speeds are shown in. Changing it keeps every amount and sends nothing."));
+    form->addRow(tr("Un&it"), m_unit);
+    m_countsPerUnit = addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s,
+                                tr("How many counts or steps of the chip make one unit."));
+    m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
+    m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
+    m_symbol = new QLineEdit(this);
+    look::name(m_symbol, u"axisSymbolField"_s, tr("Symbol of the unit"));
+    m_symbol->setMaxLength(kLongestUnit);
+    m_symbol->setToolTip(tr("What stands behind the numbers, for example µl."));
+    form->addRow(tr("Symbol"), m_symbol);
+    m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
+
+    m_holdCap = new QuantityField(QuantityField::Kind::Velocity, this);
+    m_holdCap->setName(u"holdCapField"_s, tr("Cap of hold to move"));
+    m_holdCap->setQuantity(tr("The cap of hold to move"));
+    m_holdCap->setMeaning(tr("Hold to move never goes faster than this."));
+    auto* cap = new QHBoxLayout;
+    cap->addWidget(m_holdCap);
+    cap->addWidget(m_holdCap->unitLabel());
+    cap->addWidget(m_holdCap->otherView());
+    cap->addStretch(1);
+    form->addRow(tr("&Jog cap"), cap);
+    qobject_cast<QLabel*>(form->labelForField(cap))->setBuddy(m_holdCap);
+
+    m_analogPerCount =
+        addNumber(form, tr("A/D, each step"), u"analogPerCountField"_s,
+                  tr("What one of the 255 steps of the A/D value stands for, for example 5 V / "
+                     "255, or amperes by the amplifier's current sense."));
+    m_analogPerCount->setRange(-1e6, 1e6);
+    m_analogAtZero =
+        addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("What an A/D value of 0 stands for."));
+    m_analogAtZero->setRange(-1e6, 1e6);
+    m_analogUnit = new QLineEdit(this);
+    look::name(m_analogUnit, u"analogUnitField"_s, tr("Unit of the A/D value"));
+    m_analogUnit->setMaxLength(kLongestUnit);
+    m_analogUnit->setToolTip(tr("A, V, or what the A/D input measures here."));
+    form->addRow(tr("A/D unit"), m_analogUnit);
+    m_hint = new QLabel(this);
+    m_hint->setObjectName(u"axisHint"_s);
+    m_hint->setWordWrap(true);
+    m_hint->setTextFormat(Qt::PlainText);
+    form->addRow(m_hint);
+}
+
+UnitKind AxisBox::kind() const {
+    return static_cast<UnitKind>(m_unit->currentData().toInt());
+}
+
+void AxisBox::showModule(const PanelView& view) {
+    const bool another = m_module != view.module.info.index;
+    const AxisSettings before = m_settings;
+    m_module = view.module.info.index;
+    m_settings = view.settings;
+    m_scale = view.scale();
+    showText(m_name, m_settings.name);
+    {
+        const QSignalBlocker blocker(m_unit);
+        m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(m_settings.unit.kind)));
+    }
+    showNumber(m_countsPerUnit, m_settings.unit.countsPerUnit, before.unit.countsPerUnit, another);
+    showText(m_symbol, m_settings.unit.ownSymbol);
+    m_holdCap->setScale(m_scale);
+    m_holdCap->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
+    const double cap = servodefaults::motionOf(m_settings).holdCap;
+    if (another || m_holdCap->native() != cap)
+        m_holdCap->showNative(cap);
+    showNumber(m_analogPerCount, m_settings.analog.perCount, before.analog.perCount, another);
+    showNumber(m_analogAtZero, m_settings.analog.atZero, before.analog.atZero, another);
+    showText(m_analogUnit, m_settings.analog.unit);
+    refresh();
+}
+
+void AxisBox::keepUnit() {
+    AxisUnit& unit = m_settings.unit;
+    unit.kind = kind();
+    if (unit.kind == UnitKind::Native)
+        unit.countsPerUnit = 1.0;
+    else
+        unit.countsPerUnit = m_countsPerUnit->value().value_or(unit.countsPerUnit);
+    unit.ownSymbol = m_symbol->text().trimmed().toStdString();
+    keep();
+}
+
+void AxisBox::keep() {
+    m_settings.name = m_name->text().toStdString();
+    m_settings.motion.holdCap = m_holdCap->native().value_or(m_settings.motion.holdCap);
+    AnalogScale& analog = m_settings.analog;
+    analog.perCount = m_analogPerCount->value().value_or(analog.perCount);
+    analog.atZero = m_analogAtZero->value().value_or(analog.atZero);
+    analog.unit = m_analogUnit->text().toStdString();
+    refresh();
+    if (m_module)
+        emit settingsEdited(m_settings);
+}
+
+void AxisBox::refresh() {
+    const UnitKind unit = kind();
+    const bool own = unit == UnitKind::Own;
+    m_symbol->setVisible(own);
+    m_symbolLabel->setVisible(own);
+    m_countsPerUnit->setVisible(unit != UnitKind::Native);
+    m_countsPerUnitLabel->setVisible(unit != UnitKind::Native);
+    AxisUnit shown = m_settings.unit;
+    shown.kind = unit;
+    const AxisScale scale = m_scale.steps() ? AxisScale::step(shown) : AxisScale::servo(shown, 1);
+    const QString counts = m_scale.steps() ? texts::unitSteps() : texts::unitCounts();
+    const QString label = tr("%1 in 1 %2").arg(counts, texts::unitOf(scale));
+    look::setText(m_countsPerUnitLabel, label);
+    m_countsPerUnit->setWords(label, {});
+    m_countsPerUnit->setAccessibleName(label);
+    QString hint;
+    for (const NumberField* field : {m_countsPerUnit, m_analogPerCount, m_analogAtZero})
+        if (hint.isEmpty() && !field->isHidden())
+            hint = field->problemText();
+    if (hint.isEmpty())
+        hint = m_holdCap->problemText();
+    look::setText(m_hint, hint);
+    m_hint->setVisible(!hint.isEmpty());
+}
+
+}  // namespace nmc

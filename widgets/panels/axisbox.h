@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/panels/panelview.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace nmc {
+
+class NumberField;
+class QuantityField;
+
+/// What the user calls an axis and reads it in. Nothing here is sent: changing the unit keeps every physical
+/// amount.
+class AxisBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AxisBox(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showModule(const PanelView& view);
+
+signals:
+    void settingsEdited(const nmc::AxisSettings& settings);
+
+private:
+    void build();
+    NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName,
+                           const QString& meaning);
+    void keep();
+    void keepUnit();
+    void refresh();
+    [[nodiscard]] UnitKind kind() const;
+
+    QLineEdit* m_name = nullptr;
+    QComboBox* m_unit = nullptr;
+    NumberField* m_countsPerUnit = nullptr;
+    QLabel* m_countsPerUnitLabel = nullptr;
+    QLineEdit* m_symbol = nullptr;
+    QLabel* m_symbolLabel = nullptr;
+    QuantityField* m_holdCap = nullptr;
+    NumberField* m_analogPerCount = nullptr;
+    NumberField* m_analogAtZero = nullptr;
+    QLineEdit* m_analogUnit = nullptr;
+    QLabel* m_hint = nullptr;
+    AxisSettings m_settings;
+    std::optional<ModuleIndex> m_module;
+    AxisScale m_scale;
+};
+
+}  // namespace nmc

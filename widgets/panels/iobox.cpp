@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/iobox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+enum Use { Input, OutputLow, OutputHigh };
+
+Use useOf(const servo::IoControl& io, int pin) {
+    if (pin == 0 ? io.limit1IsInput : io.limit2IsInput)
+        return Input;
+    return (pin == 0 ? io.limit1Output : io.limit2Output) ? OutputHigh : OutputLow;
+}
+}  // namespace
+
+IoBox::IoBox(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"ioBox"_s, tr("Limits and I/O"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    int line = 0;
+    m_pins[0] = addPin(grid, line++, 1);
+    m_pins[1] = addPin(grid, line++, 2);
+    m_index = addInput(grid, line++, tr("Index"), u"indexValue"_s,
+                       tr("The encoder's index pulse, once a turn with most encoders."));
+    m_power = addInput(grid, line++, tr("Motor power"), u"powerValue"_s,
+                       tr("Without it the servo switches off, and stays off when power returns."));
+    m_analog = new QLabel(u"–"_s, this);
+    m_analog->setObjectName(u"analogValue"_s);
+    m_analog->setFont(look::tabular(font()));
+    m_analog->setToolTip(
+        tr("The A/D input, by most amplifiers the motor current. Its scale is set on the page "
+           "Axis."));
+    grid->addWidget(new QLabel(tr("A/D"), this), line, 0);
+    grid->addWidget(m_analog, line++, 2, 1, 2);
+    m_amplifier = new QCheckBox(tr("Amplifier enabled (&AMP_EN)"), this);
+    look::name(m_amplifier, u"amplifierBox"_s, tr("Amplifier enabled"));
+    grid->addWidget(m_amplifier, line++, 0, 1, 4);
+    m_remark = look::newMutedLabel(tr("A limit input does not stop the motor by itself on this chip: arm a "
+                                      "limit stop on the page Homing."),
+                                   this);
+    m_remark->setObjectName(u"limitRemark"_s);
+    m_remark->setWordWrap(true);
+    grid->addWidget(m_remark, line++, 0, 1, 4);
+    grid->setRowStretch(line, 1);
+    grid->setColumnStretch(3, 1);
+    connect(m_amplifier, &QCheckBox::clicked, this, [this](bool enable) {
+        refresh();  // the box follows the module, not the click
+        emit intentRequested(intent::SetAmplifier{enable});
+    });
+    refresh();
+}
+
+IoBox::Pin IoBox::addPin(QGridLayout* grid, int line, int number) {
+    Pin pin;
+    auto* label = new QLabel(number == 1 ? tr("Limit &1") : tr("Limit &2"), this);
+    pin.use = new QComboBox(this);
+    look::name(pin.use, u"limit%1UseBox"_s.arg(number), tr("Use of the pin Limit %1").arg(number));
+    pin.use->addItem(tr("input"), Input);
+    pin.use->addItem(tr("output, low"), OutputLow);
+    pin.use->addItem(tr("output, high"), OutputHigh);
+    label->setBuddy(pin.use);
+    pin.glyph = new GlyphLabel(this);
+    pin.value = new QLabel(u"–"_s, this);
+    pin.value->setObjectName(u"limit%1Value"_s.arg(number));
+    grid->addWidget(label, line, 0);
+    grid->addWidget(pin.use, line, 1);
+    grid->addWidget(pin.glyph, line, 2);
+    grid->addWidget(pin.value, line, 3);
+    connect(pin.use, &QComboBox::activated, this, &IoBox::control);
+    return pin;
+}
+
+IoBox::Indicator IoBox::addInput(QGridLayout* grid, int line, const QString& label, const QString& objectName,
+                                 const QString& meaning) {
+    Indicator input;
+    auto* name = new QLabel(label, this);
+    input.glyph = new GlyphLabel(this);
+    input.value = new QLabel(u"–"_s, this);
+    input.value->setObjectName(objectName);
+    for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(input.glyph),
+                            static_cast<QWidget*>(input.value)})
+        widget->setToolTip(meaning);
+    grid->addWidget(name, line, 0);
+    grid->addWidget(input.glyph, line, 2);
+    grid->addWidget(input.value, line, 3);
+    return input;
+}
+
+void IoBox::show(const IoBox::Indicator& input, std::optional<bool> set, const QString& on,
+                 const QString& off) {
+    input.glyph->showBit(set);
+    look::setText(input.value, !set ? u"–"_s : *set ? on : off);
+}
+
+void IoBox::showModule(const PanelView& view) {
+    m_module = view.module;
+    m_connected = view.connected;
+    m_scale = view.settings.analog;
+    // A pin is an input after power-up (DS-V 5.2); of a chain that was found running nobody knows.
+    const servo::IoControl io = m_module->io.value_or(servo::IoControl{});
+    for (int i = 0; i < 2; ++i) {
+        QComboBox* use = m_pins[static_cast<std::size_t>(i)].use;
+        const QSignalBlocker blocker(use);
+        use->setCurrentIndex(use->findData(useOf(io, i)));
+    }
+    refresh();
+}
+
+void IoBox::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+void IoBox::control() {
+    servo::IoControl io;
+    const auto use = [this](std::size_t pin) { return m_pins[pin].use->currentData().toInt(); };
+    io.limit1IsInput = use(0) == Input;
+    io.limit1Output = use(0) == OutputHigh;
+    io.limit2IsInput = use(1) == Input;
+    io.limit2Output = use(1) == OutputHigh;
+    emit intentRequested(intent::ControlIo{io});
+}
+
+void IoBox::refresh() {
+    const bool known = m_module && m_module->latest;
+    const bool connected = m_connected && m_module;
+    const auto reasonFor = [&](Request request) {
+        const auto refusal = connected ? whyNot(request, *m_module) : std::optional(Refusal::NotConnected);
+        return refusal  ? texts::refusal(*refusal)
+               : m_busy ? tr("Waiting for the module's answer.")
+                        : QString();
+    };
+    const auto status = [&](auto bit) {
+        return known ? std::optional(bit(m_module->latest->servoStatus())) : std::nullopt;
+    };
+    const std::array<std::optional<bool>, 2> limits{status([](auto s) { return s.limit1(); }),
+                                                    status([](auto s) { return s.limit2(); })};
+    const QString io = reasonFor(Request::ControlIo);
+    for (std::size_t i = 0; i < m_pins.size(); ++i) {
+        show({m_pins[i].glyph, m_pins[i].value}, limits[i], tr("high"), tr("low"));
+        look::setPossible(m_pins[i].use, io,
+                          tr("Whether the pin is an input, or an output and its level. Sent at once."));
+    }
+    std::optional<bool> index;
+    if (known && m_module->latest->aux)
+        index = !servo::AuxByte{*m_module->latest->aux}.indexComplement();
+    show(m_index, index, tr("at the index"), tr("not at the index"));
+    show(m_power, status([](auto s) { return s.powerOn(); }), tr("present"), tr("missing"));
+    const bool analog = known && m_module->latest->analog;
+    look::setText(m_analog, analog ? tr("%1 (%2 of 255)")
+                                         .arg(texts::analog(m_scale, *m_module->latest->analog))
+                                         .arg(*m_module->latest->analog)
+                                   : u"–"_s);
+    const QSignalBlocker blocker(m_amplifier);
+    m_amplifier->setChecked(m_module && m_module->amplifierEnabled);
+    look::setPossible(m_amplifier, reasonFor(Request::SetAmplifier),
+                      tr("Sets the amplifier's enable line alone; the servo stays as it is. Without it the "
+                         "motor gets no current, whatever the servo does."));
+}
+
+}  // namespace nmc

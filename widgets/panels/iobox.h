@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "widgets/panels/panelview.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+
+namespace nmc {
+
+class GlyphLabel;
+
+/// Inputs and outputs of a PIC-SERVO: the limit pins, which may be inputs or outputs (DS-V 5.2 I/O Control),
+/// the index, the A/D value in the user's scale, motor power, and AMP_EN.
+class IoBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit IoBox(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showModule(const PanelView& view);
+    void setBusy(bool busy);
+
+signals:
+    void intentRequested(const nmc::Intent& intent);
+
+private:
+    struct Pin {
+        QComboBox* use = nullptr;
+        GlyphLabel* glyph = nullptr;
+        QLabel* value = nullptr;
+    };
+    struct Indicator {
+        GlyphLabel* glyph = nullptr;
+        QLabel* value = nullptr;
+    };
+
+    Pin addPin(QGridLayout* grid, int line, int number);
+    Indicator addInput(QGridLayout* grid, int line, const QString& label, const QString& objectName,
+                       const QString& meaning);
+    static void show(const Indicator& input, std::optional<bool> set, const QString& on, const QString& off);
+    void control();
+    void refresh();
+
+    std::array<Pin, 2> m_pins;
+    Indicator m_index;
+    Indicator m_power;
+    QLabel* m_analog = nullptr;
+    QCheckBox* m_amplifier = nullptr;
+    QLabel* m_remark = nullptr;
+    std::optional<ModuleState> m_module;
+    AnalogScale m_scale;
+    bool m_connected = false;
+    bool m_busy = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/quantitygrid.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+
+namespace nmc::quantitygrid {
+
+QGridLayout* newGrid(QWidget* parent) {
+    const int unit = look::gridUnit(parent);
+    auto* grid = new QGridLayout(parent);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    grid->setColumnStretch(kButtonColumn - 1, 1);
+    return grid;
+}
+
+void addTitle(QGridLayout* grid, int line, const QString& text, const QString& remark) {
+    auto* title = new QLabel(text, grid->parentWidget());
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    grid->addWidget(title, line, 0);
+    grid->addWidget(look::newMutedLabel(remark, grid->parentWidget()), line, 1, 1, kColumns - 1);
+}
+
+void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+    auto* name = new QLabel(label, grid->parentWidget());
+    name->setBuddy(field);
+    grid->addWidget(name, line, 0);
+    grid->addWidget(field, line, 1);
+    grid->addWidget(field->unitLabel(), line, 2);
+    grid->addWidget(field->otherView(), line, 3);
+}
+
+void follow(QuantityField* field, double native, double nativeBefore) {
+    if (native != nativeBefore && field->native() != native)
+        field->showNative(native);
+}
+
+}  // namespace nmc::quantitygrid

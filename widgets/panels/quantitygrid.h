@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QGridLayout;
+
+namespace nmc {
+
+class QuantityField;
+
+/// The rows that the boxes of a panel have in common: label, field, unit, other view, and room for buttons.
+namespace quantitygrid {
+
+inline constexpr int kButtonColumn = 4;
+inline constexpr int kColumns = 5;
+
+/// A grid with the panel's spacing, in the widget that is about to get its layout.
+[[nodiscard]] QGridLayout* newGrid(QWidget* parent);
+/// A bold title with a quiet remark beside it.
+void addTitle(QGridLayout* grid, int line, const QString& text, const QString& remark);
+void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
+/// Shows a value that is kept elsewhere, unless that is what the field stands for already: what is being
+/// typed stays as it is.
+void follow(QuantityField* field, double native, double nativeBefore);
+
+}  // namespace quantitygrid
+}  // namespace nmc
