@@ -247,6 +247,19 @@ TEST_F(Failing, AServoThatCannotReachItsHomeExactlyMakesNoZero) {
     EXPECT_NEAR(bench.procedure->report().home.value_or(0), -1'000, kSwitchIsAt) << "found, all the same";
 }
 
+TEST_F(Failing, TwoReadingsThatDifferAreNoHome) {
+    ASSERT_TRUE(bench.enable());
+    bench.putSwitch(Input::Limit1, -400, true);
+    unsigned turns = 0;
+    bench.onTurn = [&](Procedure& run) {
+        // Another home in what the first reading brought.
+        if (run.report().stage == ProcedureStage::Reading && ++turns == 1)
+            bench.module().latest->home = -399;
+    };
+    expectFailure(bench.run(intent::Home{onLimit1()}), ProcedureFailure::ReadingsDiffer);
+    EXPECT_FALSE(bench.procedure->report().home);
+}
+
 TEST_F(Failing, M15_ALinkInDoubtIsNeverHomed) {
     ASSERT_TRUE(bench.enable());
     bench.putSwitch(Input::Limit1, -1'000, true);
