@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent.h"
 
+#include "model/homingplan.h"
+
 namespace nmc {
 
 namespace {
@@ -130,6 +132,26 @@ struct Planner {
         return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
     }
 
+    // Procedures have their own way (model/procedures.h); only why one is not possible is told here.
+    Plan operator()(const intent::Home& home) const {
+        const auto refusal = whyNotHome(home.recipe, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
+    Plan operator()(const intent::StepBy& stepBy) const {
+        if (const auto refusal = lacking({{}, stepBy.velocity, stepBy.acceleration}))
+            return tl::unexpected(*refusal);
+        if (stepBy.counts == 0)
+            return tl::unexpected(Refusal::StepTooShort);
+        return allowed(Request::Move, module, [] { return Steps{}; });
+    }
+    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+
+    Plan operator()(const intent::ArmLimitStop& arm) const {
+        if (const auto refusal = whyNotArm(arm, module))
+            return tl::unexpected(*refusal);
+        return stepsFor(module, limitStop(arm));
+    }
+
 private:
     [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
         if (goTo.velocity.value() == 0)
@@ -159,6 +181,8 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
 }
 
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+    if (request == Request::Home)
+        return whyNotHome(module);
     if (!module.isServo())
         return Refusal::NotAServo;
     if (request == Request::MotorOff)
@@ -199,6 +223,11 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return module.info.identity.version < servo::kOtherIoVersion
                        ? std::nullopt
                        : std::optional(Refusal::VersionLacksIt);
+        case Request::ArmLimitStop:
+            return module.info.identity.version < servo::kAutoStopVersion
+                       ? std::optional(Refusal::VersionLacksIt)
+                       : std::nullopt;
+        case Request::Home:  // above
         case Request::SaveAsHome:
         case Request::SetAmplifier:
         case Request::MotorOff:

@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "bus/types.h"
+#include "model/machine.h"
 #include "model/modulestate.h"
 
 namespace nmc {
@@ -53,13 +54,36 @@ struct SetAmplifier {
 struct ControlIo {
     servo::IoControl io;
 };
+/// Look for home; either chip. A procedure.
+struct Home {
+    HomingRecipe recipe;
+};
+/// Trapezoidal moves by N, one after the other. A procedure.
+struct StepBy {
+    std::int32_t counts = 0;  ///< signed
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+    unsigned rounds = 1;
+    double pause = 0.0;         ///< s, after each move
+    bool backAndForth = false;  ///< a round is there and back
+};
+/// Ends whatever procedure runs with this module: the motor is stopped smoothly.
+struct CancelProcedure {};
+/// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes. Neither:
+/// no longer.
+struct ArmLimitStop {
+    bool limit1 = false;
+    bool limit2 = false;
+    HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
+};
 }  // namespace intent
 
 using Intent =
     std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
                  intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
                  intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo>;
+                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
+                 intent::StepBy, intent::CancelProcedure, intent::ArmLimitStop>;
 
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
@@ -74,8 +98,14 @@ enum class Refusal : std::uint8_t {
     NoVelocity,
     NothingLoaded,  ///< no confirmed load waits for a start
     PositionUnknown,
-    ServoOn,         ///< PWM mode is for a servo that is off
-    VersionLacksIt,  ///< the chip's version cannot do it
+    ServoOn,            ///< PWM mode is for a servo that is off
+    VersionLacksIt,     ///< the chip's version cannot do it
+    NothingToFind,      ///< no condition for home was chosen
+    NoSearchLimits,     ///< a search without a travel or a time limit
+    LimitActive,        ///< a stop on its change would come when it is left
+    LimitIsOutput,      ///< the pin is an output, so it tells nothing
+    ParametersUnknown,  ///< PIC-STEP: Set Parameters comes before any motion
+    StepTooShort,       ///< a move by 0 counts
 };
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
@@ -99,7 +129,9 @@ enum class Request : std::uint8_t {
     StopHere,
     DrivePwm,
     SetAmplifier,
-    ControlIo
+    ControlIo,
+    Home,
+    ArmLimitStop
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 

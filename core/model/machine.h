@@ -45,12 +45,12 @@ struct HomingRecipe {
     bool reverse = true;         ///< direction of the search
     double velocity = 0.0;       ///< native
     double indexVelocity = 0.0;  ///< native, of the second search; its direction is the other one
-    double acceleration = 0.0;   ///< native, PIC-SERVO
+    double acceleration = 0.0;   ///< native
     Stop stop = Stop::Abruptly;
     double travelLimit = 0.0;  ///< counts, of each search; above 0
     double timeLimit = 0.0;    ///< s, of each search; above 0
     bool goToHome = true;
-    bool makeZero = true;
+    bool makeZero = true;  ///< where it stands becomes 0, so it goes to home first
 
     bool operator==(const HomingRecipe&) const = default;
 };

@@ -71,19 +71,57 @@ void ModuleState::apply(const bus::Sample& sample) {
         latest.emplace();
     merge(*latest, sample.report);
     latestTime = sample.time;
+    watchHome(sample);
     if (!isServo() || !sample.report.aux)
         return;
     watchDrift(sample);
     if (servoOn()) {
         switchedItselfOff = powerLostWhileOn = false;
+        m_looksWhileOff = 0;
     } else if (wasOn && !offCommanded) {
-        switchedItselfOff = true;
-        powerLostWhileOn = !latest->servoStatus().powerOn();
+        // Home may have done it: that it was found shows two replies later (bus/trust.h).
+        if (homing.state() == HomeWatch::State::Armed && homing.switchesOff() &&
+            latest->servoStatus().powerOn())
+            m_looksWhileOff = 1;
+        else
+            wentOff();
+    } else if (m_looksWhileOff > 0 && ++m_looksWhileOff > 3) {
+        wentOff();
+    }
+}
+
+void ModuleState::wentOff() {
+    m_looksWhileOff = 0;
+    m_goal.reset();
+    switchedItselfOff = true;
+    powerLostWhileOn = !latest->servoStatus().powerOn();
+    motion = MotionMode::None;
+}
+
+/// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
+void ModuleState::watchHome(const bus::Sample& sample) {
+    if (!homing.apply(sample) || !isServo())
+        return;
+    const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
+    if (off && homing.switchesOff()) {
+        offCommanded = true;
+        m_looksWhileOff = 0;
         motion = MotionMode::None;
+    } else if (homing.stops()) {
+        motion = MotionMode::Velocity;
+    }
+    if (homing.stops()) {
+        goalVelocity = m_loadedVelocity = 0.0;
+        loadWaiting = false;
+        m_goal.reset();
     }
 }
 
 void ModuleState::apply(const bus::CommandExecuted& executed) {
+    homing.apply(executed);
+    if (const auto* step = std::get_if<StepCommand>(&executed.command))
+        if (const auto* sent = std::get_if<step::SetParameters>(step))
+            parameters = *sent;
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
@@ -105,6 +143,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         gains = *sent;
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
         io = *control;
+    } else if (std::holds_alternative<ResetPosition>(*command)) {
+        m_goal.reset();
     }
 }
 
@@ -112,6 +152,10 @@ void ModuleState::restarted() {
     hasRestarted = true;
     gains.reset();
     io.reset();
+    parameters.reset();
+    homing = {};
+    m_goal.reset();
+    m_looksWhileOff = 0;
     loadWaiting = false;
     motion = MotionMode::None;
     goalVelocity = m_loadedVelocity = 0.0;
@@ -119,6 +163,7 @@ void ModuleState::restarted() {
 }
 
 void ModuleState::applyLoaded() {
+    m_goal.reset();
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
         offCommanded = true;
@@ -127,6 +172,8 @@ void ModuleState::applyLoaded() {
     offCommanded = m_motionUnknown = false;
     const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
+    if (!velocityMode && m_loaded.position)
+        m_goal = m_loaded.position->value();
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
 }
 
@@ -136,6 +183,7 @@ void ModuleState::apply(const servo::StopMotor& stop) {
         return;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
+    m_goal.reset();
     loadWaiting = m_motionUnknown = false;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;

@@ -7,6 +7,7 @@
 
 #include "base/time.h"
 #include "bus/types.h"
+#include "model/homewatch.h"
 
 namespace nmc {
 
@@ -58,6 +59,9 @@ struct ModuleState {
     bool loadWaiting = false;
     /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
     std::optional<servo::IoControl> io;
+    /// PIC-STEP: as last confirmed; empty: unknown.
+    std::optional<step::SetParameters> parameters;
+    HomeWatch homing;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
     /// As above, and motor power was missing when it was noticed.
@@ -74,6 +78,8 @@ struct ModuleState {
 
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
     [[nodiscard]] bool servoOn() const;
+    /// Where the last trapezoidal move was to go, and the servo holds or will.
+    [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
@@ -82,10 +88,14 @@ private:
     void applyLoaded();
     void apply(const servo::StopMotor& stop);
     void watchDrift(const bus::Sample& sample);
+    void watchHome(const bus::Sample& sample);
+    void wentOff();
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
     servo::LoadTrajectory m_loaded;
+    std::optional<std::int32_t> m_goal;  ///< of the last trapezoidal move, while it is where the servo holds
+    unsigned m_looksWhileOff = 0;        ///< off, and whether home did it is not known yet
     bool m_motionUnknown = false;
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;

@@ -45,6 +45,7 @@ enum class ProcedureFailure : std::uint8_t {
     WentOff,  ///< servo or amplifier went off by itself
     Refused,  ///< a command was refused, forbidden or not answered
     ReadingsDiffer,
+    NotAtHome,  ///< it does not come to rest at home exactly, so that must not become zero
 };
 
 /// What the window shows of a procedure.

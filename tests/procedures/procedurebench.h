@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <set>
+
+#include "model/procedures.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+/// Engine and simulator in virtual time with what the GUI thread keeps of them, and one procedure run as the
+/// procedure controller does.
+class ProcedureBench {
+public:
+    explicit ProcedureBench(const std::vector<ModuleIdentity>& identities, sim::ChainOptions options = {})
+        : bus(identities, fast(), options) {
+        bus.onTime = [this] {
+            workSwitches();
+            noteSpeed();
+        };
+    }
+
+    VirtualBus bus;
+    std::vector<ModuleState> modules;
+    /// Called before the procedure is asked, each time.
+    std::function<void(Procedure&)> onTurn;
+    std::set<ProcedureStage> stages;  ///< seen
+    double fastest = 0.0;             ///< of servo 1's command velocity, counts per tick
+
+    [[nodiscard]] bool connect() {
+        if (!bus.connect())
+            return false;
+        take();
+        return true;
+    }
+    [[nodiscard]] ModuleState& module() { return modules.front(); }
+    [[nodiscard]] sim::ServoSnapshot truth() { return bus.servo(0); }
+    [[nodiscard]] sim::StepSnapshot stepTruth() { return *bus.chain.snapshot(ModuleIndex(0), bus.now).step; }
+    void set(sim::Input input, std::optional<double> value) {
+        bus.chain.set(ModuleIndex(0), input, value, bus.now);
+    }
+    /// The servo's switch is closed while the shaft is below `at` (`below`), or above.
+    void putSwitch(sim::Input input, double at, bool below) { m_switches.push_back({input, at, below}); }
+
+    [[nodiscard]] bool perform(const Intent& intent) {
+        const auto steps = plan(intent, module());
+        if (!steps)
+            return false;
+        const auto outcome = bus.perform(*steps);
+        bus.runFor(std::chrono::milliseconds(100));
+        take();
+        return outcome == bus::Outcome::Done;
+    }
+
+    void begin(const Intent& intent) {
+        take();
+        procedure = procedureFor(intent, module());
+        ASSERT_NE(procedure, nullptr);
+    }
+    /// One turn of the controller; false when the procedure is over.
+    bool turn() {
+        bus.runFor(std::chrono::milliseconds(16));
+        take();
+        if (onTurn)
+            onTurn(*procedure);
+        Procedure::Next next = procedure->next(module(), bus.now);
+        stages.insert(procedure->report().stage);
+        if (auto* send = std::get_if<Procedure::Send>(&next))
+            m_operation = bus.submit(std::move(send->steps));
+        return !std::holds_alternative<Procedure::End>(next);
+    }
+    ProcedureReport run(const Intent& intent, double seconds = 120.0) {
+        begin(intent);
+        if (!procedure)
+            return {};
+        return goOn(seconds);
+    }
+    ProcedureReport goOn(double seconds = 120.0) {
+        const TimePoint end = bus.now + fromSeconds(seconds);
+        while (turn())
+            if (bus.now > end) {
+                ADD_FAILURE() << "the procedure does not end, stage "
+                              << static_cast<int>(procedure->report().stage);
+                break;
+            }
+        const ProcedureReport report = procedure->report();
+        settle();
+        return report;
+    }
+    [[nodiscard]] bool runTo(ProcedureStage stage, double seconds = 60.0) {
+        const TimePoint end = bus.now + fromSeconds(seconds);
+        while (procedure->report().stage != stage && bus.now < end)
+            if (!turn())
+                return false;
+        return procedure->report().stage == stage;
+    }
+    void settle() {
+        bus.runFor(std::chrono::milliseconds(300));
+        take();
+    }
+    void take() {
+        for (; m_taken < bus.events.size(); ++m_taken)
+            std::visit([this](const auto& event) { told(event); }, bus.events[m_taken]);
+    }
+
+    std::unique_ptr<Procedure> procedure;
+
+private:
+    struct Switch {
+        sim::Input input;
+        double at;
+        bool below;
+        std::optional<bool> last{};
+    };
+
+    [[nodiscard]] static bus::EngineConfig fast() {
+        bus::EngineConfig config;
+        config.baud = 115'200;
+        return config;
+    }
+    void workSwitches() {
+        if (m_switches.empty())
+            return;
+        const double shaft = truth().shaftCounts;
+        for (Switch& s : m_switches) {
+            const bool closed = s.below ? shaft < s.at : shaft > s.at;
+            if (s.last != closed)
+                set(s.input, closed ? 1.0 : 0.0);
+            s.last = closed;
+        }
+    }
+    void noteSpeed() { fastest = std::max(fastest, std::abs(truth().commandVelocity)); }
+
+    void told(const bus::ChainFound& found) {
+        modules.clear();
+        for (const bus::ModuleInfo& info : found.modules) {
+            modules.emplace_back();
+            modules.back().info = info;
+        }
+    }
+    void told(const bus::Sample& sample) { modules.at(sample.module.value()).apply(sample); }
+    void told(const bus::CommandExecuted& executed) { modules.at(executed.module.value()).apply(executed); }
+    void told(const bus::ModuleSilence& silence) {
+        modules.at(silence.module.value()).silent = silence.silent;
+        if (procedure)
+            procedure->onLinkSuspect();
+    }
+    void told(const bus::HealthChanged& health) {
+        if (procedure && health.health != bus::LinkHealth::Good)
+            procedure->onLinkSuspect();
+    }
+    void told(const bus::OperationFinished& finished) {
+        if (m_operation == finished.id) {
+            m_operation.reset();
+            procedure->onFinished(finished.outcome);
+        }
+    }
+    template <typename Other>
+    void told(const Other&) {}
+
+    std::vector<Switch> m_switches;
+    std::size_t m_taken = 0;
+    std::optional<bus::OperationId> m_operation;
+};
+
+/// A servo with gains that hold, switched on.
+class ServoBench : public ProcedureBench {
+public:
+    explicit ServoBench(std::uint8_t version = 4, std::size_t count = 1)
+        : ProcedureBench(servos(count, version)) {}
+
+    [[nodiscard]] bool enable(std::uint16_t positionErrorLimit = 4'000, std::uint8_t currentLimit = 0) {
+        if (!connect())
+            return false;
+        bus.runFor(std::chrono::milliseconds(200));
+        take();
+        const servo::SetGain gains{200, 2'000,          20, 200, 255, currentLimit, positionErrorLimit,
+                                   1,   std::uint8_t{0}};
+        return perform(intent::ApplyGains{gains}) && perform(intent::Enable{});
+    }
+    [[nodiscard]] bool moveTo(std::int32_t position) {
+        if (!perform(intent::GoTo{Counts(position), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}))
+            return false;
+        return bus.runUntil(
+            [&] {
+                take();
+                return !module().moving() && std::abs(truth().positionError) < 5;
+            },
+            std::chrono::seconds(30));
+    }
+};
+
+[[nodiscard]] inline HomingRecipe slowRecipe() {
+    HomingRecipe recipe;
+    recipe.velocity = 0.5;
+    recipe.indexVelocity = 0.1;
+    recipe.acceleration = 0.01;
+    recipe.travelLimit = 10'000;
+    recipe.timeLimit = 30;
+    return recipe;
+}
+
+}  // namespace nmc::test

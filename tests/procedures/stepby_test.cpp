@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves by N, again and again.
+#include "tests/procedures/procedurebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class StepBy : public testing::Test {
+protected:
+    [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
+        return {counts, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), rounds, 0.0, false};
+    }
+    /// Goals of every move that was loaded, from the wire: AA 01 n4 control position...
+    [[nodiscard]] std::vector<std::int32_t> goals() const {
+        std::vector<std::int32_t> all;
+        for (const auto& sent : bench.bus.sent)
+            if (sent.bytes.size() == 17 && sent.bytes[2] == 0xD4)
+                all.push_back(static_cast<std::int32_t>(sent.bytes[4] | std::uint32_t{sent.bytes[5]} << 8U |
+                                                        std::uint32_t{sent.bytes[6]} << 16U |
+                                                        std::uint32_t{sent.bytes[7]} << 24U));
+        return all;
+    }
+    ServoBench bench;
+};
+
+TEST_F(StepBy, MovesFromGoalToGoal) {
+    ASSERT_TRUE(bench.enable());
+    // Weak, without Ki: what it is off by would add up otherwise.
+    ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
+    bench.set(sim::Input::Friction, 0.02);
+    const ProcedureReport report = bench.run(by(250, 4));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.round, 4U);
+    EXPECT_EQ(report.rounds, 4U);
+    const auto all = goals();
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_EQ(all[1] - all[0], 250);
+    EXPECT_EQ(all[3] - all[0], 750);
+    EXPECT_GT(std::abs(bench.truth().positionError), 2) << "the motor itself is off";
+    EXPECT_EQ(bench.truth().commandPosition, all[3]);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepBy, BeginsAtTheGoalOfTheMoveBefore) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
+    bench.set(sim::Input::Friction, 0.02);
+    ASSERT_TRUE(
+        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    bench.bus.runFor(3s);
+    bench.take();
+    ASSERT_NE(bench.truth().position, 1'000);
+    EXPECT_EQ(bench.run(by(-100, 1)).stage, ProcedureStage::Done);
+    EXPECT_EQ(bench.truth().commandPosition, 900);
+}
+
+TEST_F(StepBy, GoesBackAndForthAndPauses) {
+    ASSERT_TRUE(bench.enable());
+    intent::StepBy wanted = by(300, 2);
+    wanted.backAndForth = true;
+    wanted.pause = 0.5;
+    std::vector<TimePoint> starts;
+    const TimePoint began = bench.bus.now;
+    const ProcedureReport report = bench.run(wanted);
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.round, 2U);
+    EXPECT_TRUE(bench.stages.count(ProcedureStage::Pausing) == 1);
+    EXPECT_EQ(goals(), (std::vector<std::int32_t>{300, 0, 300, 0}));
+    EXPECT_GT(toSeconds(bench.bus.now - began), 1.5) << "three pauses";
+    EXPECT_NEAR(bench.truth().position, 0, 2);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepBy, CancelStopsIt) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(by(20'000, 3));
+    bench.turn();
+    for (int i = 0; i < 30; ++i)
+        bench.turn();
+    ASSERT_GT(bench.truth().commandVelocity, 0.5);
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    bench.bus.runFor(2s);
+    EXPECT_EQ(bench.truth().commandVelocity, 0);
+    EXPECT_EQ(goals().size(), 1U);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepBy, AnyOtherStopEndsItAndIsLeftAsItIs) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(by(20'000, 3));
+    for (int i = 0; i < 30; ++i)
+        bench.turn();
+    ASSERT_EQ(bench.bus.perform(
+                  {{ModuleIndex(0), ServoCommand(servo::StopMotor{true, servo::StopManner::Abruptly, {}})}}),
+              bus::Outcome::Done);
+    const std::size_t before = bench.bus.sent.size();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    bench.bus.runFor(2s);
+    EXPECT_EQ(bench.bus.sends("AA 01 05", before), 0U);
+    EXPECT_EQ(bench.truth().commandVelocity, 0);
+    EXPECT_EQ(goals().size(), 1U);
+}
+
+TEST_F(StepBy, ATripFailsItAndNothingIsSwitchedOnAgain) {
+    ASSERT_TRUE(bench.enable(200));
+    bench.set(sim::Input::TravelMax, 700.0);
+    const ProcedureReport report = bench.run(by(500, 3));
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::WentOff);
+    EXPECT_EQ(report.round, 2U);
+    EXPECT_FALSE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepBy, ALinkInDoubtEndsIt) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(by(20'000, 3));
+    for (int i = 0; i < 30; ++i)
+        bench.turn();
+    bench.procedure->onLinkSuspect();
+    const ProcedureReport report = bench.goOn(5);
+    EXPECT_EQ(report.failure, ProcedureFailure::LinkSuspect);
+    bench.bus.runFor(2s);
+    EXPECT_EQ(bench.truth().commandVelocity, 0);
+}
+
+TEST_F(StepBy, BeyondTheChipsRangeNothingIsSent) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
+    bench.module().latest->position = 0x7FFFFF00;
+    bench.begin(intent::StepBy{0x7FFFFFFF, CountsPerTick(1), CountsPerTickSquared(1), 1, 0.0, false});
+    bench.module().latest->position = 0x7FFFFF00;
+    Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
+    EXPECT_EQ(std::get<Procedure::Send>(next).steps.size(), 1U);
+    EXPECT_EQ(bench.procedure->report().failure, ProcedureFailure::TravelLimit);
+    EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
+}
+
+TEST_F(StepBy, IsRefusedWhereItCannotWork) {
+    ASSERT_TRUE(bench.connect());
+    bench.settle();
+    EXPECT_EQ(plan(by(1, 1), bench.module()).error(), Refusal::ServoOff);
+    EXPECT_EQ(plan(by(0, 1), bench.module()).error(), Refusal::StepTooShort);
+    EXPECT_EQ(procedureFor(by(1, 1), bench.module()), nullptr);
+}
+
+}  // namespace
+}  // namespace nmc::test
