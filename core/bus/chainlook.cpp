@@ -25,7 +25,7 @@ ChainLook::Next ChainLook::next() {
     const Probe& probe = m_probes[m_at];
     if (m_hostRate != probe.rate) {
         m_hostRate = probe.rate;
-        return changeTo(probe.rate);
+        return Line::toRate(probe.rate);
     }
     if (m_zerosHeard)
         return Request{probe.address, ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
@@ -67,13 +67,6 @@ void ChainLook::refill() {
 void ChainLook::add(std::uint32_t rate, unsigned from, unsigned to) {
     for (unsigned address = from; address <= to; ++address)
         m_probes.push_back({rate, BusAddress(static_cast<std::uint8_t>(address))});
-}
-
-Line::Script ChainLook::changeTo(std::uint32_t rate) const {
-    const Duration latency = std::max(m_latency, kMinLatency);
-    return {Line::Gap{},       Line::Pause{latency}, DiscardInput{},
-            SetHostBaud{rate}, Line::Nulls{},        Line::Pause{kAfterNulls + latency},
-            DiscardInput{}};
 }
 
 void ChainLook::onReply(const ReplyEnd& end) {

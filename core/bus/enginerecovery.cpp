@@ -28,9 +28,9 @@ void Engine::Private::resync(TimePoint now) {
     m_resyncing = true;
     m_suspect = m_hurried = false;
     ++line.statistics().resyncs;
-    line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},
-              Line::Pause{kAfterNulls + line.timing().adapter()}, DiscardInput{}},
-             now);
+    line.run(
+        {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}},
+        now);
 }
 
 /// Empties half-filled command buffers without the quarantine: a stop does not wait for late answers.
@@ -183,7 +183,7 @@ void Engine::Private::deliverProbe(const Work& work, const ReplyEnd& end, TimePo
         return;
     }
     // It will not answer late: a short discard, so that the others do not wait for it.
-    line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+    line.run({Line::Lag{}, DiscardInput{}}, now);
     m_schedule.onTimeout(module, now);
     const bool turn = ++m_probes % kLookEvery == 0;
     if (turn && m_baud == kPowerUpBaud && !m_schedule.allSilent())
@@ -193,15 +193,12 @@ void Engine::Private::deliverProbe(const Work& work, const ReplyEnd& end, TimePo
 /// A module that restarted has no address and the rate of power-up (faults.md F-15, F-16). Nobody else has no
 /// address, so one question tells. At another rate the chain is left alone for as long as that takes.
 void Engine::Private::dispatchLook(TimePoint now) {
-    const Duration latency = line.timing().adapter();
     switch (m_look) {
         case Look::None:
             return;
         case Look::GoSlow:
             m_look = Look::Ask;
-            return line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{kPowerUpBaud}, Line::Nulls{},
-                             Line::Pause{kAfterNulls}, DiscardInput{}},
-                            now);
+            return line.run(Line::toRate(kPowerUpBaud), now);
         case Look::Ask: {
             m_look = m_baud == kPowerUpBaud ? Look::None : Look::Back;
             Work work;
@@ -216,10 +213,7 @@ void Engine::Private::dispatchLook(TimePoint now) {
 
 void Engine::Private::goBack(TimePoint now) {
     m_look = Look::None;
-    const Duration latency = line.timing().adapter();
-    line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{m_baud}, Line::Nulls{},
-              Line::Pause{kAfterNulls + latency}, DiscardInput{}},
-             now);
+    line.run(Line::toRate(m_baud), now);
 }
 
 void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
@@ -227,7 +221,7 @@ void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
                                        [](const Module& module) { return module.belief.restarted(); });
     if (unanswered(end.result) || !end.report.identity || explained) {
         if (m_look == Look::None)
-            line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+            line.run({Line::Lag{}, DiscardInput{}}, now);
         return;
     }
     // Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.

@@ -28,8 +28,7 @@ void Engine::Private::sendBlindStops(TimePoint now) {
     const Line::Script packets = stopScript(m_blindStops);
     script.insert(script.end(), packets.begin(), packets.end());
     const std::size_t underWay = kMaxReply;
-    script.insert(script.end(),
-                  {Line::Pause{line.timing().bytes(underWay) + line.timing().adapter()}, DiscardInput{}});
+    script.insert(script.end(), {Line::Lag{line.timing().bytes(underWay)}, DiscardInput{}});
     line.run(std::move(script), now);
 }
 
