@@ -12,7 +12,6 @@ constexpr unsigned kUnaddressed = 0;
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 constexpr unsigned kLastAddress = 32;
-constexpr StatusItems kIdentity{StatusItems::Identity};
 
 }  // namespace
 
@@ -28,7 +27,7 @@ ChainLook::Next ChainLook::next() {
         return Line::toRate(probe.rate);
     }
     if (m_zerosHeard)
-        return Request{probe.address, ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
+        return Request{probe.address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
     // The answer's length hangs on what the host before defined.
     return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
 }

@@ -15,8 +15,6 @@ namespace {
 constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
-constexpr StatusItems kIdentity{StatusItems::Identity};
-constexpr StatusItems kAll{StatusItems::All};
 /// How often an address is given before its module is taken for the end of the chain.
 constexpr unsigned kSetAttempts = 2;
 
@@ -53,11 +51,12 @@ Discovery::Next Discovery::next() {
             return setAddress();
         case Phase::Probe:
             // Of another length than the answer to Set Address, which may still be on its way.
-            return Ask{{addressOf(m_modules.size()), ReadStatus{kIdentity}.encode(), {{}, kIdentity}},
-                       static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
-                       Quarantine::Brief};
+            return Ask{
+                {addressOf(m_modules.size()), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}},
+                static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
+                Quarantine::Brief};
         case Phase::Identify:
-            return askModule(ReadStatus{kIdentity}.encode(), kIdentity, 2);
+            return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
         case Phase::ChangeRate:
             enter(Phase::Verify);
             return rateScript();
@@ -71,7 +70,7 @@ Discovery::Next Discovery::next() {
         case Phase::Define:
             return askModule(DefineStatus{kStandingItems}.encode(), kStandingItems, 2);
         case Phase::Confirm:
-            return askModule(ReadStatus{kAll}.encode(), kAll, 2);
+            return askModule(ReadStatus{kAllItems}.encode(), kAllItems, 2);
         case Phase::Done:
             return ChainFound{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
         case Phase::Failed:

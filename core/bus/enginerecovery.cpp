@@ -8,7 +8,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr StatusItems kIdentity{StatusItems::Identity};
 /// Questions in a row that a module in doubt must answer.
 constexpr unsigned kPasses = 2;
 /// Failed questions until it is given up: three wrong answers, or silence to three questions with the one
@@ -51,7 +50,7 @@ void Engine::Private::dispatchChallenge(TimePoint now) {
     }
     const bool known = knownType(belief(asked).info().identity.type);
     const bool full = doubt.passed > 0 && known && !doubt.witness;
-    Work work = statusWork(Lane::Challenge, asked, full ? StatusItems(StatusItems::All) : kIdentity);
+    Work work = statusWork(Lane::Challenge, asked, full ? kAllItems : kIdentityItems);
     work.silentRepeats = 0;
     begin(std::move(work), now);
 }
@@ -203,7 +202,7 @@ void Engine::Private::dispatchLook(TimePoint now) {
             m_look = m_baud == kPowerUpBaud ? Look::None : Look::Back;
             Work work;
             work.lane = Lane::Restarted;
-            work.request = {BusAddress(0), ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
+            work.request = {BusAddress(0), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
             return begin(std::move(work), now);
         }
         case Look::Back:
