@@ -177,6 +177,7 @@ private:
     void sendBlindStops(TimePoint now);
     [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
     void noteBlindStops();
+    [[nodiscard]] std::vector<Step> stopsOwed() const;
     void stopForHold(TimePoint now);
     void finishStop(TimePoint now);
 

@@ -160,10 +160,7 @@ bool Engine::Private::lostBurstDue(TimePoint now) const {
 void Engine::Private::dispatchLostBurst(TimePoint now) {
     --m_lostBursts;
     m_nextLostBurst = now + kLostBurstEvery;
-    std::vector<Step> stops;
-    for (const Module& module : m_modules)
-        if (const auto stop = stopFor(module.belief))
-            stops.push_back({module.belief.info().index, *stop});
+    const std::vector<Step> stops = stopsOwed();
     if (stops.empty()) {
         m_lostBursts = 0;
         return;

@@ -85,16 +85,21 @@ void Engine::Private::finishStop(TimePoint now) {
     events.emplace_back(std::move(event));
 }
 
+/// What would have to be told to whom for nothing to move any more.
+std::vector<Step> Engine::Private::stopsOwed() const {
+    std::vector<Step> stops;
+    for (const Module& module : m_modules)
+        if (const auto stop = stopFor(module.belief))
+            stops.push_back({module.belief.info().index, *stop});
+    return stops;
+}
+
 std::vector<std::uint8_t> Engine::Private::stopBurst() const {
     std::vector<std::uint8_t> burst;
-    for (const Module& m : m_modules) {
-        const Belief& module = m.belief;
-        const auto stop = stopFor(module);
-        if (!stop)
-            continue;
+    for (const Step& stop : stopsOwed()) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
-        const PacketBytes packet = toPacket({module.info().address, payloadOf(*stop)});
+        const PacketBytes packet = toPacket({belief(stop.module).info().address, payloadOf(stop.command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
         // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
         // it was carried out takes its place (DS-V 4.1).
