@@ -44,6 +44,7 @@ private:
     };
 
     void refill();
+    [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
     void add(std::uint32_t rate, unsigned from, unsigned to);
 

@@ -162,6 +162,7 @@ private:
     void deliverProbe(const Work& work, const ReplyEnd& end, TimePoint now);
     void lose(ModuleIndex module, TimePoint now);
     void loseAll(TimePoint now);
+    void giveUpRepeat(TimePoint now);
     void dispatchLook(TimePoint now);
     void goBack(TimePoint now);
     void deliverLook(const ReplyEnd& end, TimePoint now);

@@ -121,12 +121,18 @@ void Engine::Private::lose(ModuleIndex module, TimePoint now) {
         return m_schedule.onTimeout(module, now);
     m_schedule.lose(module, now);
     events.emplace_back(ModuleSilence{module, true});
-    if (m_again && m_again->module == module) {
-        const Work given = *std::exchange(m_again, std::nullopt);
-        deliver(given, ReplyEnd{}, now);
-    }
+    if (m_again && m_again->module == module)
+        giveUpRepeat(now);
     if (m_schedule.allSilent())
         loseAll(now);
+}
+
+/// What was to be repeated will not be answered.
+void Engine::Private::giveUpRepeat(TimePoint now) {
+    if (!m_again)
+        return;
+    const Work given = *std::exchange(m_again, std::nullopt);
+    deliver(given, ReplyEnd{}, now);
 }
 
 /// Nobody answers: the line is dead, at least from the modules to here.
@@ -141,10 +147,7 @@ void Engine::Private::loseAll(TimePoint now) {
         m_schedule.lose(index, now);
         events.emplace_back(ModuleSilence{index, true});
     }
-    if (m_again) {
-        const Work given = *std::exchange(m_again, std::nullopt);
-        deliver(given, ReplyEnd{}, now);
-    }
+    giveUpRepeat(now);
     if (std::exchange(m_lost, true))
         return;
     events.emplace_back(LinkLost{});
