@@ -108,6 +108,18 @@ std::vector<std::uint8_t> Engine::Private::stopBurst() const {
     return burst;
 }
 
+bool Engine::Private::stopBurstChanged() {
+    bool changed = std::exchange(m_burstBaud, line.baud()) != line.baud() && !m_modules.empty();
+    changed = changed || m_burstStops.size() != m_modules.size();
+    m_burstStops.resize(m_modules.size());
+    for (std::size_t i = 0; i < m_modules.size(); ++i) {
+        const auto stop = stopFor(m_modules[i].belief);
+        changed = changed || m_burstStops[i] != stop;
+        m_burstStops[i] = stop;
+    }
+    return changed;
+}
+
 void Engine::Private::stopForHold(TimePoint now) {
     const Step stop = *m_hold.stop();
     // Off by itself, a tripped servo say: the stop must not switch it on again.
