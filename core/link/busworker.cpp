@@ -9,6 +9,7 @@
 
 #include "link/clock.h"
 #include "link/crashburst.h"
+#include "link/threadpriority.h"
 
 namespace nmc {
 
@@ -70,7 +71,7 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     m_restartWhenStopped = false;
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
-    m_thread->start(QThread::TimeCriticalPriority);
+    m_thread->start();
 }
 
 void BusWorker::close() {
@@ -130,6 +131,7 @@ bus::LinkStatistics BusWorker::statistics() const {
 
 void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
     const crashburst::HandlerStack stack;
+    preferThisThread();
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open(); !opened) {
         post(PortClosed{opened.error()});
