@@ -27,6 +27,10 @@ using BusAddress = Strong<struct BusAddressTag, std::uint8_t>;
 
 /// Position in encoder counts, or steps. 32 bits, as on the chips; wraps.
 using Counts = Strong<struct CountsTag, std::int32_t>;
+/// From one position to another, the way that does not go through the wrap.
+[[nodiscard]] constexpr std::int32_t countsBetween(std::int32_t from, std::int32_t to) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
 
 /// Velocity magnitude, 16.16 fixed point, counts per servo tick (DS-V 4.4): 65536 is one count per tick.
 using CountsPerTick = Strong<struct CountsPerTickTag, std::uint32_t>;

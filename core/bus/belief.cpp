@@ -146,8 +146,7 @@ bool Belief::anySticky() const {
 }
 
 StatusItems Belief::otherItems() const {
-    const StatusItems all(StatusItems::All);
-    return m_lastItems == all ? kStandingItems : all;
+    return m_lastItems == kAllItems ? kStandingItems : kAllItems;
 }
 
 bool Belief::fresh() const {

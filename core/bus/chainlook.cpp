@@ -12,7 +12,6 @@ constexpr unsigned kUnaddressed = 0;
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
 constexpr unsigned kLastAddress = 32;
-constexpr StatusItems kIdentity{StatusItems::Identity};
 
 }  // namespace
 
@@ -25,10 +24,10 @@ ChainLook::Next ChainLook::next() {
     const Probe& probe = m_probes[m_at];
     if (m_hostRate != probe.rate) {
         m_hostRate = probe.rate;
-        return changeTo(probe.rate);
+        return Line::toRate(probe.rate);
     }
     if (m_zerosHeard)
-        return Request{probe.address, ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
+        return Request{probe.address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
     // The answer's length hangs on what the host before defined.
     return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
 }
@@ -69,40 +68,39 @@ void ChainLook::add(std::uint32_t rate, unsigned from, unsigned to) {
         m_probes.push_back({rate, BusAddress(static_cast<std::uint8_t>(address))});
 }
 
-Line::Script ChainLook::changeTo(std::uint32_t rate) const {
-    const Duration latency = std::max(m_latency, kMinLatency);
-    return {Line::Gap{},       Line::Pause{latency}, DiscardInput{},
-            SetHostBaud{rate}, Line::Nulls{},        Line::Pause{kAfterNulls + latency},
-            DiscardInput{}};
-}
-
 void ChainLook::onReply(const ReplyEnd& end) {
-    const Probe probe = m_probes[m_at];
+    const Probe& probe = m_probes[m_at];
     const bool again = std::exchange(m_again, false);
     const bool zerosHeard = std::exchange(m_zerosHeard, false);
-    const ByteSpan bytes(end.bytes.data(), end.bytes.size());
-    const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
-    if (echoes(end, toPacket({probe.address, Nop{}.encode()}))) {
+    if (echoes(end, toPacket({probe.address, Nop{}.encode()})))
         ++m_echoes;
-    } else if (bytes.empty()) {
-    } else if (uniform(bytes) && right && !zerosHeard) {
+    else if (!end.bytes.empty() && !heard(probe, end, again, zerosHeard))
+        return;
+    ++m_at;
+}
+
+/// Somebody answers. False when the same has to be asked again.
+bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard) {
+    const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    const bool unaddressed = probe.address.value() == kUnaddressed;
+    if (uniform({end.bytes.data(), end.bytes.size()})) {
         // A PIC-STEP at rest without motor power says so with zeros; its type is another number (DS-S 5.2).
-        m_zerosHeard = true;
-        return;
-    } else if (uniform(bytes)) {
-        ++m_zeros;
-    } else if (!right && !again) {
-        m_again = true;  // noise passes
-        return;
-    } else if (!right) {
+        m_zerosHeard = right && !zerosHeard;
+        m_zeros += m_zerosHeard ? 0U : 1U;
+        return !m_zerosHeard;
+    }
+    if (!right) {
+        m_again = !again;  // noise passes
+        if (m_again)
+            return false;
         // Twice where the chain is: two modules answer at once.
-        ++(m_rate == probe.rate || probe.address.value() != kUnaddressed ? m_collisions : m_noise);
-    } else if (probe.address.value() == kUnaddressed) {
+        ++(m_rate == probe.rate || !unaddressed ? m_collisions : m_noise);
+    } else if (unaddressed) {
         m_unaddressed = true;
     } else {
         found(probe);
     }
-    ++m_at;
+    return true;
 }
 
 void ChainLook::found(const Probe& probe) {

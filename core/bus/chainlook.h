@@ -23,8 +23,6 @@ public:
     /// Address and rate a module wakes up with come first.
     static constexpr std::array<std::uint32_t, 4> kRates{19'200, 115'200, 57'600, 9'600};
 
-    explicit ChainLook(Duration latency) : m_latency(latency) {}
-
     /// A script to run or a question to ask; nothing when the look is over.
     using Next = std::variant<std::monostate, Line::Script, Request>;
     [[nodiscard]] Next next();
@@ -46,13 +44,12 @@ private:
     };
 
     void refill();
+    [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
     void add(std::uint32_t rate, unsigned from, unsigned to);
-    [[nodiscard]] Line::Script changeTo(std::uint32_t rate) const;
 
     [[nodiscard]] static bool echoes(const ReplyEnd& end, const PacketBytes& sent);
 
-    Duration m_latency;
     Stage m_stage = Stage::First;
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;

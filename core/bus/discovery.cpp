@@ -15,8 +15,6 @@ namespace {
 constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
-constexpr StatusItems kIdentity{StatusItems::Identity};
-constexpr StatusItems kAll{StatusItems::All};
 /// How often an address is given before its module is taken for the end of the chain.
 constexpr unsigned kSetAttempts = 2;
 
@@ -37,7 +35,6 @@ static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
 Discovery::Discovery(const EngineConfig& config, Start start)
     : m_config(config),
-      m_look(config.adapterLatency),
       m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
       m_progress(
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
@@ -54,11 +51,12 @@ Discovery::Next Discovery::next() {
             return setAddress();
         case Phase::Probe:
             // Of another length than the answer to Set Address, which may still be on its way.
-            return Ask{{addressOf(m_modules.size()), ReadStatus{kIdentity}.encode(), {{}, kIdentity}},
-                       static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
-                       Quarantine::Brief};
+            return Ask{
+                {addressOf(m_modules.size()), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}},
+                static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
+                Quarantine::Brief};
         case Phase::Identify:
-            return askModule(ReadStatus{kIdentity}.encode(), kIdentity, 2);
+            return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
         case Phase::ChangeRate:
             enter(Phase::Verify);
             return rateScript();
@@ -66,13 +64,13 @@ Discovery::Next Discovery::next() {
             return askModule(Nop{}.encode(), StatusItems{}, 1);
         case Phase::GoBack:
             enter(Phase::Recheck);
-            return backScript();
+            return Line::toRate(kPowerUpBaud);
         case Phase::Recheck:
             return askModule(Nop{}.encode(), StatusItems{}, 1);
         case Phase::Define:
             return askModule(DefineStatus{kStandingItems}.encode(), kStandingItems, 2);
         case Phase::Confirm:
-            return askModule(ReadStatus{kAll}.encode(), kAll, 2);
+            return askModule(ReadStatus{kAllItems}.encode(), kAllItems, 2);
         case Phase::Done:
             return ChainFound{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
         case Phase::Failed:
@@ -105,11 +103,7 @@ Discovery::Next Discovery::lookedUp() {
         enter(Phase::Set, ConnectStage::Addressing);
     }
     // The look ended at another rate, or with a module that heard half of something.
-    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
-    return Line::Script{Line::Gap{},    Line::Pause{latency},
-                        DiscardInput{}, SetHostBaud{m_look.rate().value_or(kPowerUpBaud)},
-                        Line::Nulls{},  Line::Pause{kAfterNulls + latency},
-                        DiscardInput{}};
+    return Line::toRate(m_look.rate().value_or(kPowerUpBaud));
 }
 
 void Discovery::onReply(const ReplyEnd& end) {
@@ -161,7 +155,6 @@ std::optional<ConnectProgress> Discovery::takeProgress() {
 }
 
 Line::Script Discovery::restartScript() const {
-    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
     Line::Script script{Line::Gap{}};
     for (const std::uint32_t rate : kRestartRates) {
         script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls}});
@@ -174,29 +167,18 @@ Line::Script Discovery::restartScript() const {
                           {Line::Packet{toPacket({address, HardReset{}.encode()})}, Line::Gap{}});
         }
         // The port's rate must not change before its own buffer has run empty; the adapter may lag.
-        script.emplace_back(Line::Pause{latency});
+        script.emplace_back(Line::Lag{});
     }
     // Nulls behind a stray AA are a Reset Position to address 0: harmless now, everything was just reset.
     script.insert(script.end(), {Line::Pause{m_config.resetWait}, DiscardInput{}, Line::Nulls{},
-                                 Line::Pause{kAfterNulls + latency}, DiscardInput{}});
+                                 Line::Lag{kAfterNulls}, DiscardInput{}});
     return script;
 }
 
 Line::Script Discovery::rateScript() const {
     const auto row = findBaud(m_config.baud);  // the engine has checked that there is one
     const Line::Packet change{toPacket({kEverybody, SetBaud{row ? row->brd : kPowerUpBrd}.encode()})};
-    return {change, Line::Pause{kTurnaround + std::max(m_config.adapterLatency, kMinLatency)},
-            SetHostBaud{m_config.baud}, DiscardInput{}};
-}
-
-Line::Script Discovery::backScript() const {
-    const Duration latency = std::max(m_config.adapterLatency, kMinLatency);
-    return {Line::Gap{},
-            Line::Pause{latency},
-            SetHostBaud{kPowerUpBaud},
-            Line::Nulls{},
-            Line::Pause{kAfterNulls + latency},
-            DiscardInput{}};
+    return {change, Line::Lag{kTurnaround}, SetHostBaud{m_config.baud}, DiscardInput{}};
 }
 
 Discovery::Ask Discovery::setAddress() const {

@@ -80,7 +80,6 @@ private:
     [[nodiscard]] Next look();
     [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
-    [[nodiscard]] Line::Script backScript() const;
     [[nodiscard]] Line::Script rateScript() const;
     [[nodiscard]] Ask setAddress() const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;

@@ -64,6 +64,9 @@ bool Engine::anythingMoves() const {
 std::vector<std::uint8_t> Engine::stopBurst() const {
     return d->stopBurst();
 }
+std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
+    return d->stopBurstChanged() ? std::optional(d->stopBurst()) : std::nullopt;
+}
 void Engine::setRecording(bool on) {
     d->setRecording(on);
 }

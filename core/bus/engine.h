@@ -82,6 +82,8 @@ public:
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
     /// 2.6); empty when nothing is on. Changes only with a command or a status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+    /// The same when it has changed since this was asked for the last time; cheap otherwise. Empty at first.
+    [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.
     void setRecording(bool on);

@@ -241,9 +241,9 @@ bool Engine::Private::dispatchPoll(TimePoint now) {
     const Belief& module = belief(turn->module);
     std::optional<StatusItems> items;  // none: No Operation, which answers with the defined ones
     if (!knownType(module.info().identity.type))
-        items = StatusItems(StatusItems::Identity);
+        items = kIdentityItems;
     else if (turn->full)
-        items = StatusItems(StatusItems::All);
+        items = kAllItems;
     Work work = statusWork(Lane::Poll, turn->module, items);
     work.silentRepeats = 0;  // its turn comes again
     work.request.framing = Framing::Pipelined;

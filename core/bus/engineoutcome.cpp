@@ -90,7 +90,7 @@ void Engine::Private::distrustAfter(const Work& work, const ReplyEnd& end, TimeP
     using enum Discovery::Quarantine;
     const auto wanted = end.bytes.empty() ? work.quarantine : Full;
     if (wanted == None)
-        return line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+        return line.run({Line::Lag{}, DiscardInput{}}, now);
     m_suspect = true;
     m_quarantine = wanted == Brief ? line.lastTimeout() : LineTiming::quarantine(line.lastTimeout());
     if (!work.module || m_schedule.silent(*work.module))

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] std::size_t stopReach() const;
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+    [[nodiscard]] bool stopBurstChanged();
     void setRecording(bool on);
 
     EngineConfig config;
@@ -162,6 +163,7 @@ private:
     void deliverProbe(const Work& work, const ReplyEnd& end, TimePoint now);
     void lose(ModuleIndex module, TimePoint now);
     void loseAll(TimePoint now);
+    void giveUpRepeat(TimePoint now);
     void dispatchLook(TimePoint now);
     void goBack(TimePoint now);
     void deliverLook(const ReplyEnd& end, TimePoint now);
@@ -177,6 +179,7 @@ private:
     void sendBlindStops(TimePoint now);
     [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
     void noteBlindStops();
+    [[nodiscard]] std::vector<Step> stopsOwed() const;
     void stopForHold(TimePoint now);
     void finishStop(TimePoint now);
 
@@ -230,6 +233,8 @@ private:
     bool m_blindStopsHeard = false;  ///< the link was not in doubt when they went out
     unsigned m_holdFailures = 0;     ///< refused starts, or stops that were not answered, in a row
     std::optional<TimePoint> m_stopDuringDiscovery;
+    std::vector<std::optional<ModuleCommand>> m_burstStops;  ///< of each module, when somebody asked last
+    std::uint32_t m_burstBaud = 0;                           ///< the same
 
     bool m_recording = false;
     std::uint64_t m_recorded = 0;

@@ -8,7 +8,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr StatusItems kIdentity{StatusItems::Identity};
 /// Questions in a row that a module in doubt must answer.
 constexpr unsigned kPasses = 2;
 /// Failed questions until it is given up: three wrong answers, or silence to three questions with the one
@@ -28,9 +27,9 @@ void Engine::Private::resync(TimePoint now) {
     m_resyncing = true;
     m_suspect = m_hurried = false;
     ++line.statistics().resyncs;
-    line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},
-              Line::Pause{kAfterNulls + line.timing().adapter()}, DiscardInput{}},
-             now);
+    line.run(
+        {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}},
+        now);
 }
 
 /// Empties half-filled command buffers without the quarantine: a stop does not wait for late answers.
@@ -51,7 +50,7 @@ void Engine::Private::dispatchChallenge(TimePoint now) {
     }
     const bool known = knownType(belief(asked).info().identity.type);
     const bool full = doubt.passed > 0 && known && !doubt.witness;
-    Work work = statusWork(Lane::Challenge, asked, full ? StatusItems(StatusItems::All) : kIdentity);
+    Work work = statusWork(Lane::Challenge, asked, full ? kAllItems : kIdentityItems);
     work.silentRepeats = 0;
     begin(std::move(work), now);
 }
@@ -122,12 +121,18 @@ void Engine::Private::lose(ModuleIndex module, TimePoint now) {
         return m_schedule.onTimeout(module, now);
     m_schedule.lose(module, now);
     events.emplace_back(ModuleSilence{module, true});
-    if (m_again && m_again->module == module) {
-        const Work given = *std::exchange(m_again, std::nullopt);
-        deliver(given, ReplyEnd{}, now);
-    }
+    if (m_again && m_again->module == module)
+        giveUpRepeat(now);
     if (m_schedule.allSilent())
         loseAll(now);
+}
+
+/// What was to be repeated will not be answered.
+void Engine::Private::giveUpRepeat(TimePoint now) {
+    if (!m_again)
+        return;
+    const Work given = *std::exchange(m_again, std::nullopt);
+    deliver(given, ReplyEnd{}, now);
 }
 
 /// Nobody answers: the line is dead, at least from the modules to here.
@@ -142,10 +147,7 @@ void Engine::Private::loseAll(TimePoint now) {
         m_schedule.lose(index, now);
         events.emplace_back(ModuleSilence{index, true});
     }
-    if (m_again) {
-        const Work given = *std::exchange(m_again, std::nullopt);
-        deliver(given, ReplyEnd{}, now);
-    }
+    giveUpRepeat(now);
     if (std::exchange(m_lost, true))
         return;
     events.emplace_back(LinkLost{});
@@ -161,10 +163,7 @@ bool Engine::Private::lostBurstDue(TimePoint now) const {
 void Engine::Private::dispatchLostBurst(TimePoint now) {
     --m_lostBursts;
     m_nextLostBurst = now + kLostBurstEvery;
-    std::vector<Step> stops;
-    for (const Module& module : m_modules)
-        if (const auto stop = stopFor(module.belief))
-            stops.push_back({module.belief.info().index, *stop});
+    const std::vector<Step> stops = stopsOwed();
     if (stops.empty()) {
         m_lostBursts = 0;
         return;
@@ -183,7 +182,7 @@ void Engine::Private::deliverProbe(const Work& work, const ReplyEnd& end, TimePo
         return;
     }
     // It will not answer late: a short discard, so that the others do not wait for it.
-    line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+    line.run({Line::Lag{}, DiscardInput{}}, now);
     m_schedule.onTimeout(module, now);
     const bool turn = ++m_probes % kLookEvery == 0;
     if (turn && m_baud == kPowerUpBaud && !m_schedule.allSilent())
@@ -193,20 +192,17 @@ void Engine::Private::deliverProbe(const Work& work, const ReplyEnd& end, TimePo
 /// A module that restarted has no address and the rate of power-up (faults.md F-15, F-16). Nobody else has no
 /// address, so one question tells. At another rate the chain is left alone for as long as that takes.
 void Engine::Private::dispatchLook(TimePoint now) {
-    const Duration latency = line.timing().adapter();
     switch (m_look) {
         case Look::None:
             return;
         case Look::GoSlow:
             m_look = Look::Ask;
-            return line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{kPowerUpBaud}, Line::Nulls{},
-                             Line::Pause{kAfterNulls}, DiscardInput{}},
-                            now);
+            return line.run(Line::toRate(kPowerUpBaud), now);
         case Look::Ask: {
             m_look = m_baud == kPowerUpBaud ? Look::None : Look::Back;
             Work work;
             work.lane = Lane::Restarted;
-            work.request = {BusAddress(0), ReadStatus{kIdentity}.encode(), {{}, kIdentity}};
+            work.request = {BusAddress(0), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
             return begin(std::move(work), now);
         }
         case Look::Back:
@@ -216,10 +212,7 @@ void Engine::Private::dispatchLook(TimePoint now) {
 
 void Engine::Private::goBack(TimePoint now) {
     m_look = Look::None;
-    const Duration latency = line.timing().adapter();
-    line.run({Line::Gap{}, Line::Pause{latency}, SetHostBaud{m_baud}, Line::Nulls{},
-              Line::Pause{kAfterNulls + latency}, DiscardInput{}},
-             now);
+    line.run(Line::toRate(m_baud), now);
 }
 
 void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
@@ -227,7 +220,7 @@ void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
                                        [](const Module& module) { return module.belief.restarted(); });
     if (unanswered(end.result) || !end.report.identity || explained) {
         if (m_look == Look::None)
-            line.run({Line::Pause{line.timing().adapter()}, DiscardInput{}}, now);
+            line.run({Line::Lag{}, DiscardInput{}}, now);
         return;
     }
     // Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.

@@ -28,8 +28,7 @@ void Engine::Private::sendBlindStops(TimePoint now) {
     const Line::Script packets = stopScript(m_blindStops);
     script.insert(script.end(), packets.begin(), packets.end());
     const std::size_t underWay = kMaxReply;
-    script.insert(script.end(),
-                  {Line::Pause{line.timing().bytes(underWay) + line.timing().adapter()}, DiscardInput{}});
+    script.insert(script.end(), {Line::Lag{line.timing().bytes(underWay)}, DiscardInput{}});
     line.run(std::move(script), now);
 }
 
@@ -86,22 +85,39 @@ void Engine::Private::finishStop(TimePoint now) {
     events.emplace_back(std::move(event));
 }
 
+/// What would have to be told to whom for nothing to move any more.
+std::vector<Step> Engine::Private::stopsOwed() const {
+    std::vector<Step> stops;
+    for (const Module& module : m_modules)
+        if (const auto stop = stopFor(module.belief))
+            stops.push_back({module.belief.info().index, *stop});
+    return stops;
+}
+
 std::vector<std::uint8_t> Engine::Private::stopBurst() const {
     std::vector<std::uint8_t> burst;
-    for (const Module& m : m_modules) {
-        const Belief& module = m.belief;
-        const auto stop = stopFor(module);
-        if (!stop)
-            continue;
+    for (const Step& stop : stopsOwed()) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
-        const PacketBytes packet = toPacket({module.info().address, payloadOf(*stop)});
+        const PacketBytes packet = toPacket({belief(stop.module).info().address, payloadOf(stop.command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
         // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
         // it was carried out takes its place (DS-V 4.1).
         burst.insert(burst.end(), static_cast<std::size_t>(kTurnaround / line.timing().byteTime) + 1, 0);
     }
     return burst;
+}
+
+bool Engine::Private::stopBurstChanged() {
+    bool changed = std::exchange(m_burstBaud, line.baud()) != line.baud() && !m_modules.empty();
+    changed = changed || m_burstStops.size() != m_modules.size();
+    m_burstStops.resize(m_modules.size());
+    for (std::size_t i = 0; i < m_modules.size(); ++i) {
+        const auto stop = stopFor(m_modules[i].belief);
+        changed = changed || m_burstStops[i] != stop;
+        m_burstStops[i] = stop;
+    }
+    return changed;
 }
 
 void Engine::Private::stopForHold(TimePoint now) {

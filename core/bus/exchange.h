@@ -29,6 +29,8 @@ inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
 /// status (PIC-STEP: inputs). Every second poll asks for all there are.
 inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems::Analog |
                                             StatusItems::Velocity | StatusItems::Aux};
+inline constexpr StatusItems kAllItems{StatusItems::All};
+inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 
 /// The layout of a reply, which the request and the module's defined items determine: there is no length on
 /// the wire.

@@ -19,6 +19,10 @@ Overloaded(Ts...) -> Overloaded<Ts...>;
 
 }  // namespace
 
+Line::Script Line::toRate(std::uint32_t baud) {
+    return {Gap{}, Lag{}, DiscardInput{}, SetHostBaud{baud}, Nulls{}, Lag{kAfterNulls}, DiscardInput{}};
+}
+
 void Line::begin(const Request& request, TimePoint now) {
     assert(ready());
     const PacketBytes packet = toPacket({request.address, request.payload});
@@ -141,26 +145,28 @@ void Line::advanceScript(TimePoint now) {
 
 void Line::perform(const Action& action, TimePoint now) {
     static constexpr std::array<std::uint8_t, kNullCount> kNulls{};
-    std::visit(Overloaded{
-                   [&](const SetHostBaud& rate) {
-                       m_baud = rate.baud;
-                       m_timing.byteTime = byteTimeAtBaud(rate.baud);
-                       m_output.emplace_back(rate);
-                   },
-                   [&](const DiscardInput& discard) {
-                       m_unread = 0;
-                       m_output.emplace_back(discard);
-                   },
-                   [&](const Nulls&) { send(kNulls, now); },
-                   [&](const Gap&) { waitUntil(m_free + kTurnaround, now); },
-                   [&](const Pause& pause) { waitUntil(std::max(now, m_free) + pause.time, now); },
-                   [&](const Packet& packet) {
-                       m_unread += packet.replyBytes;
-                       m_scriptLatches.push_back(latchTime(packet.bytes.size(), now));
-                       send(packet.bytes, now);
-                   },
-               },
-               action);
+    std::visit(
+        Overloaded{
+            [&](const SetHostBaud& rate) {
+                m_baud = rate.baud;
+                m_timing.byteTime = byteTimeAtBaud(rate.baud);
+                m_output.emplace_back(rate);
+            },
+            [&](const DiscardInput& discard) {
+                m_unread = 0;
+                m_output.emplace_back(discard);
+            },
+            [&](const Nulls&) { send(kNulls, now); },
+            [&](const Gap&) { waitUntil(m_free + kTurnaround, now); },
+            [&](const Pause& pause) { waitUntil(std::max(now, m_free) + pause.time, now); },
+            [&](const Lag& lag) { waitUntil(std::max(now, m_free) + lag.time + m_timing.adapter(), now); },
+            [&](const Packet& packet) {
+                m_unread += packet.replyBytes;
+                m_scriptLatches.push_back(latchTime(packet.bytes.size(), now));
+                send(packet.bytes, now);
+            },
+        },
+        action);
 }
 
 void Line::waitUntil(TimePoint until, TimePoint now) {

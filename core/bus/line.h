@@ -32,18 +32,26 @@ public:
     struct Pause {
         Duration time;
     };
+    /// The same, and as long as the adapter may hold bytes back.
+    struct Lag {
+        Duration time{};
+    };
     /// A packet whose reply, of `replyBytes`, is not read: it is dropped without being counted as surplus.
     struct Packet {
         PacketBytes bytes;
         std::size_t replyBytes = 0;
     };
-    using Action = std::variant<SetHostBaud, DiscardInput, Nulls, Gap, Pause, Packet>;
+    using Action = std::variant<SetHostBaud, DiscardInput, Nulls, Gap, Pause, Lag, Packet>;
     using Script = std::vector<Action>;
     /// What a script sent, and when.
     struct Unanswered {
         TimePoint sent;
         std::vector<std::uint8_t> bytes;
     };
+
+    /// Both ends of the line go on at another rate: the port changes when its own buffer has run empty, and a
+    /// module that heard half of something forgets it.
+    [[nodiscard]] static Script toRate(std::uint32_t baud);
 
     Line(Duration latency, Duration margin) { m_timing.latency = latency, m_timing.margin = margin; }
 

@@ -12,8 +12,7 @@ namespace {
 
 /// The 32 bits wrap; what goes on for hours does not turn round by that.
 [[nodiscard]] std::int64_t nextTo(std::int64_t before, std::int32_t position) {
-    const auto way = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(before);
-    return before + static_cast<std::int32_t>(way);
+    return before + countsBetween(static_cast<std::int32_t>(before), position);
 }
 
 }  // namespace

@@ -24,9 +24,8 @@ constexpr double kSwings = 8.0;
     return toSeconds(time) / toSeconds(kServoTick);
 }
 
-/// Positions wrap at 32 bits.
 [[nodiscard]] double distance(std::int32_t from, std::int32_t to) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+    return countsBetween(from, to);
 }
 
 /// A reply without the item that a rule looks at neither breaks it nor shows that it holds.

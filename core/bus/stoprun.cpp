@@ -60,7 +60,7 @@ StatusItems standstillItems(ModuleType type, bool second) {
         case ModuleType::Io:
             break;
     }
-    return StatusItems(StatusItems::Identity);
+    return kIdentityItems;
 }
 
 StopRun::StopRun(const std::vector<Belief>& beliefs, const PollSchedule& schedule, TimePoint now)

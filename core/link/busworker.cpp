@@ -9,6 +9,7 @@
 
 #include "link/clock.h"
 #include "link/crashburst.h"
+#include "link/threadpriority.h"
 
 namespace nmc {
 
@@ -19,6 +20,8 @@ constexpr std::size_t kEventCapacity = 1U << 17U;
 constexpr std::size_t kRequestCapacity = 1'024;
 /// Half a minute of exchanges at the wire's limit.
 constexpr std::size_t kRecordCapacity = 1U << 14U;
+/// How often the counters are handed over while the bus is busy; they are shown once a second.
+constexpr Duration kStatisticsEvery = std::chrono::milliseconds(100);
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
 /// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
@@ -68,7 +71,7 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
     m_restartWhenStopped = false;
     m_thread.reset(QThread::create([this, factory = std::move(factory), config] { run(factory, config); }));
     m_thread->setObjectName(QStringLiteral("bus"));
-    m_thread->start(QThread::TimeCriticalPriority);
+    m_thread->start();
 }
 
 void BusWorker::close() {
@@ -128,6 +131,7 @@ bus::LinkStatistics BusWorker::statistics() const {
 
 void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
     const crashburst::HandlerStack stack;
+    preferThisThread();
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open(); !opened) {
         post(PortClosed{opened.error()});
@@ -139,11 +143,13 @@ void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& co
     record(engine);
     engine.connect(monotonicNow());
     converse(*transport, engine);
+    publishStatistics(engine);
     crashburst::disarm();
 }
 
 void BusWorker::converse(Transport& transport, bus::Engine& engine) {
     std::optional<TimePoint> closeBy;
+    TimePoint published{};
     while (true) {
         const TimePoint now = monotonicNow();
         if (m_closeRequested && !closeBy) {
@@ -154,7 +160,9 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         guard(engine, now);
         if (const auto deadline = engine.nextDeadline(); deadline && *deadline <= now)
             engine.onDeadline(now);
-        crashburst::arm(transport.fd(), engine.stopBurst());
+        // Before the command that changes it leaves.
+        if (const auto burst = engine.changedStopBurst())
+            crashburst::arm(transport.fd(), *burst);
         if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
             post(PortClosed{performed.error()});
             return;
@@ -172,6 +180,11 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         for (const auto& other : {closeBy, m_heartbeat.deadline(engine.anythingMoves())})
             if (other && (!until || *other < *until))
                 until = other;
+        // When nothing is to happen for long, they would be old for as long.
+        if (now - published >= kStatisticsEvery || !until || *until - now > kStatisticsEvery) {
+            publishStatistics(engine);
+            published = now;
+        }
         const auto bytes = transport.receive(until, m_wakeup.fd());
         if (!bytes) {
             post(PortClosed{bytes.error()});
@@ -253,9 +266,12 @@ bool BusWorker::publish(bus::Engine& engine) {
         stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
         post(std::move(event));
     }
+    return stopped;
+}
+
+void BusWorker::publishStatistics(const bus::Engine& engine) {
     const std::scoped_lock lock(m_statisticsMutex);
     m_statistics = engine.statistics();
-    return stopped;
 }
 
 void BusWorker::beat() {

@@ -129,6 +129,7 @@ private:
     void guard(bus::Engine& engine, TimePoint now);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
+    void publishStatistics(const bus::Engine& engine);
     void beat();
     void record(bus::Engine& engine);
     void post(WorkerEvent event);

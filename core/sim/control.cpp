@@ -160,6 +160,11 @@ struct InputRow {
     std::array<Word, 2> words;
 };
 
+/// An end of the travel.
+[[nodiscard]] constexpr InputRow travelRow(std::string_view name, Input input) {
+    return {name, input, Chips::Both, "-1e12 to 1e12 counts or none", -1e12, 1e12, true, {Word{"none", {}}}};
+}
+
 // Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
 constexpr std::array kInputs{
     InputRow{"limit1", Input::Limit1, Chips::Both, "0 or 1", 0, 1, true, {}},
@@ -171,22 +176,8 @@ constexpr std::array kInputs{
     InputRow{"load", Input::Load, Chips::Servo, "-100 to 100 N·m", -100, 100, false, {}},
     InputRow{"inertia", Input::Inertia, Chips::Servo, "1e-6 to 100 kg·m²", 1e-6, 100, false, {}},
     InputRow{"friction", Input::Friction, Chips::Servo, "0 to 100 N·m", 0, 100, false, {}},
-    InputRow{"travel_min",
-             Input::TravelMin,
-             Chips::Both,
-             "-1e12 to 1e12 counts or none",
-             -1e12,
-             1e12,
-             true,
-             {Word{"none", {}}}},
-    InputRow{"travel_max",
-             Input::TravelMax,
-             Chips::Both,
-             "-1e12 to 1e12 counts or none",
-             -1e12,
-             1e12,
-             true,
-             {Word{"none", {}}}},
+    travelRow("travel_min", Input::TravelMin),
+    travelRow("travel_max", Input::TravelMax),
     InputRow{"limits",
              Input::Limits,
              Chips::Both,

@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "tests/bus/steps.h"
+
 namespace nmc::test {
 
 namespace {
@@ -15,17 +17,10 @@ using enum StepMode;
 
 [[nodiscard]] step::LoadTrajectory loading(bool position, bool speed, bool acceleration, bool timer,
                                            bool reverse = false) {
-    step::LoadTrajectory load;
-    if (position)
-        load.position = Counts(1'000);
-    if (speed)
-        load.speed = std::uint8_t{100};
-    if (acceleration)
-        load.accelerationTime = std::uint8_t{4};
-    if (timer)
-        load.timer = step::TimerCount{60'000, 10};
-    load.reverse = reverse;
-    return load;
+    step::LoadTrajectory whole{Counts(1'000), std::uint8_t{100}, std::uint8_t{4},
+                               step::TimerCount{60'000, 10}};
+    whole.reverse = reverse;
+    return partOf(whole, position, speed, acceleration, timer);
 }
 
 /// What a cell asks for: y must be loaded, n must not, - may; in the order position, velocity, acceleration,

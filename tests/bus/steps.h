@@ -59,4 +59,18 @@ namespace nmc::test {
     return {ModuleIndex(module), CountsPerTick(velocity), CountsPerTickSquared(655), false};
 }
 
+/// A load for a PIC-STEP with only these of its items, in the order of DS-S 5.1, Table 4.
+[[nodiscard]] inline step::LoadTrajectory partOf(step::LoadTrajectory load, bool position, bool speed,
+                                                 bool acceleration, bool timer) {
+    if (!position)
+        load.position.reset();
+    if (!speed)
+        load.speed.reset();
+    if (!acceleration)
+        load.accelerationTime.reset();
+    if (!timer)
+        load.timer.reset();
+    return load;
+}
+
 }  // namespace nmc::test

@@ -23,17 +23,9 @@ constexpr std::array kFrom{From::Stopped, From::Trapezoidal, From::Velocity, Fro
 /// Slow enough to be under way for all of a test: 25 x 5 steps per second in speed mode 1x.
 [[nodiscard]] step::LoadTrajectory run(bool position, bool speed, bool acceleration, bool timer,
                                        bool reverse = false) {
-    step::LoadTrajectory load;
-    if (position)
-        load.position = Counts(20'000);
-    if (speed)
-        load.speed = std::uint8_t{30};
-    if (acceleration)
-        load.accelerationTime = std::uint8_t{4};
-    if (timer)
-        load.timer = step::TimerCount{500, 50};
-    load.reverse = reverse;
-    return load;
+    step::LoadTrajectory whole{Counts(20'000), std::uint8_t{30}, std::uint8_t{4}, step::TimerCount{500, 50}};
+    whole.reverse = reverse;
+    return partOf(whole, position, speed, acceleration, timer);
 }
 
 class Stepper {

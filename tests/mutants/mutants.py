@@ -22,13 +22,13 @@ class Mutant:
 RESYNC = (
     Mutant("no-flush-in-a-resync", "link.md 2.2: 16 nulls, or a module goes on waiting for the rest of a packet", (
         Edit("core/bus/enginerecovery.cpp",
-             "line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
-             "line.run({Line::Pause{m_quarantine}, DiscardInput{},"),
+             "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
+             "{Line::Pause{m_quarantine}, DiscardInput{},"),
     )),
     Mutant("no-quarantine", "link.md 2.2: a late reply is waited out, or it answers the next command", (
         Edit("core/bus/enginerecovery.cpp",
-             "line.run({Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
-             "line.run({DiscardInput{}, Line::Nulls{},"),
+             "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
+             "{DiscardInput{}, Line::Nulls{},"),
     )),
     Mutant("no-challenge", "link.md 2.2: after a resync nothing is believed before two right answers", (
         Edit("core/bus/enginedispatch.cpp",

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stop that a dying process writes: known before it is needed, made anew only when it has to be.
+#include <gtest/gtest.h>
+
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+/// Nulls, stop abruptly with the amplifier on (DS-V 5.2), and more than a tick of nulls at 19 200 Bd.
+const std::string kStopsTheFirst = "00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 AA 01 17 05 1D 00";
+
+TEST(StopBurst, IsMadeAnewOnlyForMotorsThatHaveToBeStopped) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(1s);
+    (void)bus.engine.changedStopBurst();
+    for (int i = 0; i < 100; ++i) {
+        bus.runFor(10ms);
+        EXPECT_FALSE(bus.engine.changedStopBurst()) << "polls change nothing";
+    }
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    const auto on = bus.engine.changedStopBurst();
+    ASSERT_TRUE(on);
+    EXPECT_EQ(toHex(*on), kStopsTheFirst);
+    EXPECT_EQ(*on, bus.engine.stopBurst());
+    EXPECT_FALSE(bus.engine.changedStopBurst()) << "asked again";
+    ASSERT_EQ(bus.perform({motorOff(0)}), Outcome::Done);
+    bus.runFor(500ms);
+    const auto off = bus.engine.changedStopBurst();
+    ASSERT_TRUE(off);
+    EXPECT_TRUE(off->empty());
+}
+
+TEST(StopBurst, IsKnownBeforeTheCommandThatNeedsItLeaves) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0)}), Outcome::Done);
+    std::optional<std::vector<std::uint8_t>> atLeaving;
+    bus.onCommand = [&](const std::vector<std::uint8_t>& command) {
+        auto changed = bus.engine.changedStopBurst();
+        if (command.size() > 2 && command[0] == 0xAA && command[2] == 0x17)
+            atLeaving = std::move(changed);
+    };
+    ASSERT_EQ(bus.perform({enable(0)}), Outcome::Done);
+    ASSERT_TRUE(atLeaving);
+    EXPECT_EQ(toHex(*atLeaving), kStopsTheFirst);
+}
+
+}  // namespace
+
+}  // namespace nmc::test
