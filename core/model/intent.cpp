@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent.h"
 
+#include "model/stepplan.h"
+
 namespace nmc {
 
 namespace {
@@ -124,6 +126,11 @@ struct Planner {
         return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
     }
 
+    template <stepintent::Any Other>
+    Plan operator()(const Other&) const {
+        return tl::unexpected(Refusal::NotAStepper);
+    }
+
 private:
     [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
         if (goTo.velocity.value() == 0)
@@ -149,10 +156,14 @@ private:
 }  // namespace
 
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+    if (module.isStepper())
+        return planStep(intent, module);
     return std::visit(Planner{module}, intent);
 }
 
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+    if (module.isStepper())
+        return whyNotStep(request, module);
     if (!module.isServo())
         return Refusal::NotAServo;
     if (request == Request::MotorOff)
@@ -199,6 +210,9 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         case Request::ApplyGains:
         case Request::ClearStickyBits:
             return std::nullopt;
+        case Request::SetParameters:
+        case Request::SetOutputs:
+            return Refusal::NotAStepper;
     }
     return std::nullopt;
 }

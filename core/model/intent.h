@@ -9,10 +9,12 @@
 
 #include "bus/types.h"
 #include "model/modulestate.h"
+#include "model/stepintent.h"
 
 namespace nmc {
 
-/// What the operator asks of one servo. Values only; planning it is plan()'s business.
+/// What the operator asks of one module; a PIC-STEP has more in stepintent.h. Values only; planning it is
+/// plan()'s business.
 namespace intent {
 struct Enable {};  ///< amplifier on, hold the present position
 struct GoTo {
@@ -59,7 +61,9 @@ using Intent =
     std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
                  intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
                  intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo>;
+                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo,
+                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                 stepintent::ChangeMotion>;
 
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
@@ -76,6 +80,16 @@ enum class Refusal : std::uint8_t {
     PositionUnknown,
     ServoOn,         ///< PWM mode is for a servo that is off
     VersionLacksIt,  ///< the chip's version cannot do it
+    // PIC-STEP
+    NotAStepper,
+    ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set
+    AmplifierOff,       ///< enable first
+    NeedsStop,          ///< DS-S Table 4: not from what it does now; ChangeMotion does it
+    EstopActive,
+    Limit1Active,  ///< blocks forward
+    Limit2Active,  ///< blocks reverse
+    TooHot,        ///< the A/D value is below the thermal limit
+    TooFar,        ///< a move of more than 0x7FFFFFFF steps
 };
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
@@ -99,7 +113,10 @@ enum class Request : std::uint8_t {
     StopHere,
     DrivePwm,
     SetAmplifier,
-    ControlIo
+    ControlIo,
+    // PIC-STEP; its motions have a rule of their own, in stepplan.h
+    SetParameters,
+    SetOutputs
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 
