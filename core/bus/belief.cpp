@@ -182,9 +182,11 @@ void Belief::mayStart(const step::LoadTrajectory& load) {
     const auto goal = goalMode(load);
     // With a timer count alone, a motion that ends at a goal still does.
     const bool keepsGoal = goal == StepMode::Unprofiled && stepMode() == StepMode::UnprofiledWithStop;
-    if (!keepsGoal)
-        m_stepGoal = goal;
-    m_stepReverse = load.reverse;
+    if (keepsGoal)
+        return;
+    m_stepGoal = goal;
+    // Where a goal is loaded the chip takes the direction from it, not from the bit (DS-S 5.1).
+    m_stepReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
 }
 
 void Belief::mayStart(const servo::LoadTrajectory& load) {

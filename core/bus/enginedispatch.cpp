@@ -158,9 +158,8 @@ bool Engine::Private::dispatchHold(TimePoint now) {
         check(start->module, Lane::HoldCheck, now);
         return true;
     }
-    // Load Trajectory would switch the servo on: that is never the hold's business.
-    const bool allowed = module.info().identity.type == ModuleType::Servo && module.on() &&
-                         judge(module, start->command) == Verdict::Allowed;
+    // Load Trajectory would switch a servo on: that is never the hold's business.
+    const bool allowed = module.on() && judge(module, start->command) == Verdict::Allowed;
     if (!allowed) {
         m_hold.release();
         return m_hold.stop().has_value();

@@ -37,6 +37,14 @@ std::optional<TimePoint> HoldLane::deadline() const {
 std::optional<Step> HoldLane::start() const {
     if (!m_wanted || m_wanted == m_told)
         return std::nullopt;
+    if (m_wanted->pace) {
+        step::LoadTrajectory load;
+        load.speed = m_wanted->pace->speed;
+        load.accelerationTime = m_wanted->pace->accelerationTime;
+        load.reverse = m_wanted->reverse;
+        load.startNow = true;
+        return Step{m_wanted->module, StepCommand(load)};
+    }
     servo::LoadTrajectory load;
     load.velocity = m_wanted->velocity;
     load.acceleration = m_wanted->acceleration;
@@ -49,6 +57,8 @@ std::optional<Step> HoldLane::start() const {
 std::optional<Step> HoldLane::stop() const {
     if (!m_owed)
         return std::nullopt;
+    if (m_owed->pace)
+        return Step{m_owed->module, StepCommand(step::StopMotor{true, step::StopManner::Smoothly})};
     // With acceleration 0 the chip cannot slow down (link.md 2.6).
     const auto manner =
         m_owed->acceleration.value() == 0 ? servo::StopManner::Abruptly : servo::StopManner::Smoothly;

@@ -49,12 +49,20 @@ struct ModuleInfo {
     bool operator==(const ModuleInfo&) const = default;
 };
 
+/// How fast a PIC-STEP goes in velocity profile mode (DS-S 4.2).
+struct StepPace {
+    std::uint8_t speed = 1;             ///< 1..250
+    std::uint8_t accelerationTime = 1;  ///< 1..255
+    bool operator==(const StepPace&) const = default;
+};
+
 /// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again.
 struct HoldToMove {
     ModuleIndex module;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
     bool reverse = false;
+    std::optional<StepPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
     bool operator==(const HoldToMove&) const = default;
 };
 

@@ -95,10 +95,10 @@ template <typename SetHoming>
 
 HomingChip::HomingChip(const ModuleState& module)
     : m_module(module.info.index), m_identity(module.info.identity) {
-    if (module.parameters)
-        m_speedUnit = speedUnit(module.parameters->speedMode);
-    m_offOnLimit =
-        module.parameters && module.parameters->motorOffOnLimitOrEstop && !module.parameters->ignoreLimits;
+    if (module.stepper.parameters())
+        m_speedUnit = speedUnit(module.stepper.parameters()->speedMode);
+    m_offOnLimit = module.stepper.parameters() && module.stepper.parameters()->motorOffOnLimitOrEstop &&
+                   !module.stepper.parameters()->ignoreLimits;
 }
 
 bool HomingChip::goesOff(const HomingRecipe& recipe) const {

@@ -21,7 +21,7 @@ namespace {
     const step::StatusByte status = module.latest->stepStatus();
     if (!status.powerOn())
         return Refusal::NoPower;
-    if (!module.parameters)
+    if (!module.stepper.parameters())
         return Refusal::ParametersUnknown;
     if (!status.amplifierEnabled())
         return Refusal::ServoOff;

@@ -2,6 +2,7 @@
 #include "model/intent.h"
 
 #include "model/homingplan.h"
+#include "model/stepplan.h"
 
 namespace nmc {
 
@@ -152,6 +153,11 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
+    template <stepintent::Any Other>
+    Plan operator()(const Other&) const {
+        return tl::unexpected(Refusal::NotAStepper);
+    }
+
 private:
     [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
         if (goTo.velocity.value() == 0)
@@ -177,10 +183,14 @@ private:
 }  // namespace
 
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+    if (module.isStepper())
+        return planStep(intent, module);
     return std::visit(Planner{module}, intent);
 }
 
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+    if (module.isStepper())
+        return whyNotStep(request, module);
     if (request == Request::Home)
         return whyNotHome(module);
     if (!module.isServo())
@@ -234,6 +244,9 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         case Request::ApplyGains:
         case Request::ClearStickyBits:
             return std::nullopt;
+        case Request::SetParameters:
+        case Request::SetOutputs:
+            return Refusal::NotAStepper;
     }
     return std::nullopt;
 }

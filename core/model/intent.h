@@ -10,10 +10,12 @@
 #include "bus/types.h"
 #include "model/machine.h"
 #include "model/modulestate.h"
+#include "model/stepintent.h"
 
 namespace nmc {
 
-/// What the operator asks of one servo. Values only; planning it is plan()'s business.
+/// What the operator asks of one module; a PIC-STEP has more in stepintent.h. Values only; planning it is
+/// plan()'s business.
 namespace intent {
 struct Enable {};  ///< amplifier on, hold the present position
 struct GoTo {
@@ -83,7 +85,8 @@ using Intent =
                  intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
                  intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                  intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                 intent::StepBy, intent::CancelProcedure, intent::ArmLimitStop>;
+                 intent::StepBy, intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
+                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
 
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
@@ -98,14 +101,23 @@ enum class Refusal : std::uint8_t {
     NoVelocity,
     NothingLoaded,  ///< no confirmed load waits for a start
     PositionUnknown,
-    ServoOn,            ///< PWM mode is for a servo that is off
-    VersionLacksIt,     ///< the chip's version cannot do it
-    NothingToFind,      ///< no condition for home was chosen
-    NoSearchLimits,     ///< a search without a travel or a time limit
-    LimitActive,        ///< a stop on its change would come when it is left
-    LimitIsOutput,      ///< the pin is an output, so it tells nothing
-    ParametersUnknown,  ///< PIC-STEP: Set Parameters comes before any motion
-    StepTooShort,       ///< a move by 0 counts
+    ServoOn,         ///< PWM mode is for a servo that is off
+    VersionLacksIt,  ///< the chip's version cannot do it
+    NothingToFind,   ///< no condition for home was chosen
+    NoSearchLimits,  ///< a search without a travel or a time limit
+    LimitActive,     ///< a stop on its change would come when it is left
+    LimitIsOutput,   ///< the pin is an output, so it tells nothing
+    StepTooShort,    ///< a move by 0 counts
+    // PIC-STEP
+    NotAStepper,
+    ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set
+    AmplifierOff,       ///< enable first
+    NeedsStop,          ///< DS-S Table 4: not from what it does now; ChangeMotion does it
+    EstopActive,
+    Limit1Active,  ///< blocks forward
+    Limit2Active,  ///< blocks reverse
+    TooHot,        ///< the A/D value is below the thermal limit
+    TooFar,        ///< a move of more than 0x7FFFFFFF steps
 };
 
 /// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
@@ -131,7 +143,10 @@ enum class Request : std::uint8_t {
     SetAmplifier,
     ControlIo,
     Home,
-    ArmLimitStop
+    ArmLimitStop,
+    // PIC-STEP; its motions have a rule of their own, in stepplan.h
+    SetParameters,
+    SetOutputs
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 

@@ -26,27 +26,6 @@ void merge(StatusReport& into, const StatusReport& from) {
 
 }  // namespace
 
-Severity severityOf(Activity activity) {
-    switch (activity) {
-        case Activity::Tripped:
-        case Activity::PowerLost:
-        case Activity::Silent:
-        case Activity::Restarted:
-            return Severity::Fault;
-        case Activity::NoPower:
-        case Activity::PwmMode:
-            return Severity::Attention;
-        case Activity::Unknown:
-        case Activity::ServoOff:
-        case Activity::Holding:
-        case Activity::Accelerating:
-        case Activity::AtSpeed:
-        case Activity::Decelerating:
-            return Severity::Normal;
-    }
-    return Severity::Normal;
-}
-
 /// Whether a servo moves that was set in motion by somebody else: a velocity below one count a tick reads 0,
 /// so the position has to tell.
 void ModuleState::watchDrift(const bus::Sample& sample) {
@@ -72,6 +51,11 @@ void ModuleState::apply(const bus::Sample& sample) {
     merge(*latest, sample.report);
     latestTime = sample.time;
     watchHome(sample);
+    if (isStepper()) {
+        stepper.apply(*latest, sample.time);
+        switchedItselfOff = stepper.offByItself();
+        powerLostWhileOn = switchedItselfOff && stepper.activity() == Activity::PowerLost;
+    }
     if (!isServo() || !sample.report.aux)
         return;
     watchDrift(sample);
@@ -119,9 +103,11 @@ void ModuleState::watchHome(const bus::Sample& sample) {
 
 void ModuleState::apply(const bus::CommandExecuted& executed) {
     homing.apply(executed);
-    if (const auto* step = std::get_if<StepCommand>(&executed.command))
-        if (const auto* sent = std::get_if<step::SetParameters>(step))
-            parameters = *sent;
+    if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
+        stepper.apply(*step, executed.time);
+        amplifierEnabled = stepper.amplifierOn();
+        loadWaiting = stepper.waiting().has_value();
+    }
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
@@ -152,7 +138,6 @@ void ModuleState::restarted() {
     hasRestarted = true;
     gains.reset();
     io.reset();
-    parameters.reset();
     homing = {};
     m_goal.reset();
     m_looksWhileOff = 0;
@@ -160,6 +145,12 @@ void ModuleState::restarted() {
     motion = MotionMode::None;
     goalVelocity = m_loadedVelocity = 0.0;
     amplifierEnabled = accelerationLoaded = false;
+    stepper.restarted();
+}
+
+void ModuleState::attached() {
+    m_motionUnknown = true;
+    stepper.attached();
 }
 
 void ModuleState::applyLoaded() {
@@ -200,8 +191,16 @@ bool ModuleState::servoOn() const {
     return isServo() && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
 }
 
+bool ModuleState::driveOn() const {
+    return isStepper() ? stepper.amplifierOn() : servoOn();
+}
+
 bool ModuleState::moving() const {
-    if (!latest || !isServo() || hasRestarted)
+    if (!latest || hasRestarted)
+        return false;
+    if (isStepper())
+        return stepper.moving();
+    if (!isServo())
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
@@ -215,6 +214,8 @@ Activity ModuleState::activity() const {
         return Activity::Restarted;
     if (silent)
         return Activity::Silent;
+    if (isStepper() && latest)
+        return stepper.activity();
     if (!isServo() || !latest || !latest->aux)
         return Activity::Unknown;
     return servoOn() ? activityWhileOn() : activityWhileOff();

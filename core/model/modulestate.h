@@ -7,30 +7,11 @@
 
 #include "base/time.h"
 #include "bus/types.h"
+#include "model/activity.h"
 #include "model/homewatch.h"
+#include "model/stepstate.h"
 
 namespace nmc {
-
-/// What a servo is doing, as an operator would say it. Each has a word and a shape in the window.
-enum class Activity : std::uint8_t {
-    Unknown,       ///< no status yet, or a module without a data sheet here
-    Silent,        ///< does not answer: moving or not is unknown
-    Restarted,     ///< by itself: it is off, and has lost its address and everything it was told
-    NoPower,       ///< motor power is off, so the servo is off
-    ServoOff,      ///< no fault: nobody switched it on, or it was switched off
-    Tripped,       ///< it switched itself off: position error while it was on
-    PowerLost,     ///< it switched itself off: motor power went away, and stays off though power is back
-    PwmMode,       ///< servo off, a PWM value drives the motor
-    Holding,       ///< servo on, at rest
-    Accelerating,  ///< includes changing from one velocity to another
-    AtSpeed,       ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
-    Decelerating,
-};
-
-/// Third sign of a state, after shape and word.
-enum class Severity : std::uint8_t { Normal, Attention, Fault };
-
-[[nodiscard]] Severity severityOf(Activity activity);
 
 /// What the last motion command of this connection asked for.
 enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
@@ -59,8 +40,7 @@ struct ModuleState {
     bool loadWaiting = false;
     /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
     std::optional<servo::IoControl> io;
-    /// PIC-STEP: as last confirmed; empty: unknown.
-    std::optional<step::SetParameters> parameters;
+    /// What Set Homing Mode last told it.
     HomeWatch homing;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
@@ -68,18 +48,23 @@ struct ModuleState {
     bool powerLostWhileOn = false;
     /// The last command that concerns the servo switched it off.
     bool offCommanded = false;
+    /// PIC-STEP: what it was told, and does.
+    StepState stepper;
 
     void apply(const bus::Sample& sample);
     void apply(const bus::CommandExecuted& executed);
     /// It lost everything it was told.
     void restarted();
     /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
-    void attached() { m_motionUnknown = true; }
+    void attached();
 
     [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
+    [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Step; }
     [[nodiscard]] bool servoOn() const;
     /// Where the last trapezoidal move was to go, and the servo holds or will.
     [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
+    /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
+    [[nodiscard]] bool driveOn() const;
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;

@@ -86,6 +86,7 @@ void paintMark(MarkPainter mark, Activity activity) {
             mark.polygon({{0.62, 0.0}, {0.18, 0.58}, {0.45, 0.58}, {0.36, 1.0}, {0.82, 0.40}, {0.54, 0.40}});
             break;
         case Activity::ServoOff:
+        case Activity::AmplifierOff:
             mark.ring(0.38);
             break;
         case Activity::Tripped:
@@ -109,6 +110,21 @@ void paintMark(MarkPainter mark, Activity activity) {
             break;
         case Activity::Decelerating:
             mark.polygon({{0.06, 0.12}, {0.06, 0.86}, {0.94, 0.86}});
+            break;
+        case Activity::StoppedByLimit:
+            mark.polygon({{0.0, 0.15}, {0.55, 0.5}, {0.0, 0.85}});
+            mark.polygon({{0.66, 0.0}, {0.9, 0.0}, {0.9, 1.0}, {0.66, 1.0}});
+            break;
+        case Activity::EstopActive:
+            mark.polygon({{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}});
+            break;
+        case Activity::Overheated:
+            mark.line({{0.5, 0.05}, {0.5, 0.6}});
+            mark.disc({0.5, 0.78}, 0.22);
+            break;
+        case Activity::WentOff:
+            mark.ring(0.42);
+            mark.line({{0.2, 0.8}, {0.8, 0.2}});
             break;
     }
 }

@@ -80,6 +80,16 @@ QString activity(Activity activity) {
             return Texts::tr("At speed");
         case Activity::Decelerating:
             return Texts::tr("Decelerating");
+        case Activity::AmplifierOff:
+            return Texts::tr("Amplifier off");
+        case Activity::StoppedByLimit:
+            return Texts::tr("Stopped by a limit");
+        case Activity::EstopActive:
+            return Texts::tr("E-stop input");
+        case Activity::Overheated:
+            return Texts::tr("Too hot");
+        case Activity::WentOff:
+            return Texts::tr("Switched itself off");
     }
     return {};
 }
@@ -95,7 +105,7 @@ QString activityMeaning(Activity activity) {
                 "The module restarted by itself: its motor is off, and its position, gains and address are "
                 "lost until the network is restarted.");
         case Activity::NoPower:
-            return Texts::tr("The module has no motor power, so its servo is off.");
+            return Texts::tr("The module has no motor power, so its motor is off.");
         case Activity::ServoOff:
             return Texts::tr(
                 "The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was "
@@ -104,17 +114,31 @@ QString activityMeaning(Activity activity) {
             return Texts::tr(
                 "The servo switched itself off because the motor was too far from where it should be.");
         case Activity::PowerLost:
-            return Texts::tr("The servo switched itself off when motor power went away. It stays off.");
+            return Texts::tr("The module switched its motor off when motor power went away. It stays off.");
         case Activity::PwmMode:
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
         case Activity::Holding:
-            return Texts::tr("The servo holds the motor where it is.");
+            return Texts::tr("The motor is held where it is.");
         case Activity::Accelerating:
             return Texts::tr("The motor is changing its speed.");
         case Activity::AtSpeed:
             return Texts::tr("The motor moves at its goal velocity.");
         case Activity::Decelerating:
             return Texts::tr("The motor is slowing down.");
+        case Activity::AmplifierOff:
+            return Texts::tr(
+                "The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was "
+                "switched off.");
+        case Activity::StoppedByLimit:
+            return Texts::tr("A limit switch stopped the motor. It can move in the other direction.");
+        case Activity::EstopActive:
+            return Texts::tr("The module's E-stop input stopped the motor, or keeps it from moving.");
+        case Activity::Overheated:
+            return Texts::tr(
+                "The module switched its motor off because the A/D value fell below the thermal limit. It "
+                "stays off.");
+        case Activity::WentOff:
+            return Texts::tr("The module switched its motor off by itself, and does not say why.");
     }
     return {};
 }
@@ -147,6 +171,27 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The servo is on. Switch the motor off first.");
         case Refusal::VersionLacksIt:
             return Texts::tr("This version of the chip cannot do it.");
+        case Refusal::NotAStepper:
+            return Texts::tr("This module is not a PIC-STEP.");
+        case Refusal::ParametersUnknown:
+            return Texts::tr(
+                "The module moves and holds nothing before it was given its parameters. Apply them first.");
+        case Refusal::AmplifierOff:
+            return Texts::tr("The amplifier is off. Enable it first.");
+        case Refusal::NeedsStop:
+            return Texts::tr(
+                "The motor is moving, and the chip does not allow this change in motion: stop first.");
+        case Refusal::EstopActive:
+            return Texts::tr("The module's E-stop input is active and keeps the motor from moving.");
+        case Refusal::Limit1Active:
+            return Texts::tr("Limit switch 1 is active: the motor can move in reverse only.");
+        case Refusal::Limit2Active:
+            return Texts::tr("Limit switch 2 is active: the motor can move forward only.");
+        case Refusal::TooHot:
+            return Texts::tr(
+                "The A/D value is below the thermal limit: the module would switch the motor off at once.");
+        case Refusal::TooFar:
+            return Texts::tr("The goal is more than 2 147 483 647 steps away.");
     }
     return {};
 }

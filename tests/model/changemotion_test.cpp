@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stop, wait, go against the real bus engine and the simulated chip, in virtual time; the oracle is what the
+// simulator knows.
+#include "model/changemotion.h"
+
+#include <gtest/gtest.h>
+
+#include "model/procedures.h"
+#include "model/stepplan.h"
+#include "model/stepspeed.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc {
+namespace {
+
+using namespace std::chrono_literals;
+using test::VirtualBus;
+
+class ChangingMotion : public ::testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bus.connect());
+        module.info = bus.last<bus::ChainFound>()->modules[0];
+        step::SetParameters parameters;
+        parameters.speedMode = step::SpeedMode::X1;
+        parameters.minimumProfileSpeed = 4;
+        parameters.runCurrent = 100;
+        parameters.holdCurrent = 50;
+        perform(stepintent::SetParameters{parameters});
+        perform(intent::Enable{});
+        bus.runFor(50ms);
+        takeNews();
+    }
+
+    void takeNews() {
+        for (; m_taken < bus.events.size(); ++m_taken) {
+            const bus::Event& event = bus.events[m_taken];
+            if (const auto* sample = std::get_if<bus::Sample>(&event))
+                module.apply(*sample);
+            else if (const auto* executed = std::get_if<bus::CommandExecuted>(&event))
+                module.apply(*executed);
+            else if (const auto* silence = std::get_if<bus::ModuleSilence>(&event))
+                module.silent = silence->silent;
+        }
+    }
+    void perform(const Intent& intent) {
+        takeNews();
+        auto steps = plan(intent, module);
+        ASSERT_TRUE(steps) << static_cast<int>(steps.error());
+        ASSERT_EQ(bus.perform(std::move(*steps)), bus::Outcome::Done);
+        bus.runFor(50ms);
+        takeNews();
+    }
+    /// As the procedure controller does it, until the procedure has ended.
+    ProcedureReport run(Procedure& procedure, Duration limit = 30s) {
+        for (const TimePoint end = bus.now + limit; bus.now < end; bus.runFor(10ms)) {
+            takeNews();
+            if (m_operation)
+                if (const auto outcome = bus.outcomeOf(*m_operation)) {
+                    m_operation.reset();
+                    procedure.onFinished(*outcome);
+                }
+            if (m_operation)
+                continue;
+            Procedure::Next next = procedure.next(module, bus.now);
+            if (auto* send = std::get_if<Procedure::Send>(&next))
+                m_operation = bus.submit(std::move(send->steps));
+            else if (std::holds_alternative<Procedure::End>(next))
+                break;
+            if (onTurn)
+                onTurn(procedure);
+        }
+        return procedure.report();
+    }
+    sim::StepSnapshot truth() { return bus.chain.snapshot(ModuleIndex(0), bus.now).step.value(); }
+
+    VirtualBus bus{std::vector<ModuleIdentity>{{ModuleType::Step, 1}}};
+    ModuleState module;
+    std::function<void(Procedure&)> onTurn;
+
+private:
+    std::size_t m_taken = 0;
+    std::optional<bus::OperationId> m_operation;
+};
+
+const StepMotion kForward = stepmotion::VelocityProfile{40, 40, false};
+const StepMotion kReverse = stepmotion::VelocityProfile{40, 40, true};
+
+TEST_F(ChangingMotion, ReversesByStoppingFirst) {
+    perform(stepintent::Move{kForward});
+    bus.runFor(1s);
+    takeNews();
+    EXPECT_NEAR(truth().stepRate, 1'000, 1e-6) << "40 x 25 steps/s";
+    ASSERT_EQ(whyNot(kReverse, module), Refusal::NeedsStop);
+    const auto procedure = procedureFor(stepintent::ChangeMotion{kReverse}, module);
+    ASSERT_NE(procedure, nullptr);
+    EXPECT_EQ(run(*procedure).stage, ProcedureStage::Done);
+    bus.runFor(1s);
+    EXPECT_NEAR(truth().stepRate, -1'000, 1e-6);
+    bus.expectNoViolations();
+}
+
+TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
+    perform(stepintent::Move{kForward});
+    bus.runFor(1s);
+    ChangeMotion change(ModuleIndex(0), stepmotion::Trapezoid{-200, false, 40, 10});
+    EXPECT_EQ(run(change).stage, ProcedureStage::Done);
+    bus.runFor(10s);
+    EXPECT_EQ(truth().position, -200);
+    EXPECT_FALSE(truth().moving);
+    bus.expectNoViolations();
+}
+
+TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
+    perform(stepintent::Move{kForward});
+    bus.runFor(1s);
+    std::optional<std::int32_t> stood;
+    onTurn = [&](Procedure&) {
+        if (!truth().moving && !stood)
+            stood = truth().position;
+    };
+    ChangeMotion change(ModuleIndex(0), stepmotion::Trapezoid{-100, true, 40, 10});
+    EXPECT_EQ(run(change).stage, ProcedureStage::Done);
+    bus.runFor(5s);
+    ASSERT_TRUE(stood);
+    EXPECT_EQ(truth().position, *stood - 100);
+}
+
+TEST_F(ChangingMotion, StartsNothingOnceItIsCancelled) {
+    perform(stepintent::Move{kForward});
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    onTurn = [&](Procedure& procedure) {
+        if (procedure.report().stage == ProcedureStage::Stopping)
+            procedure.cancel();
+    };
+    EXPECT_EQ(run(change).stage, ProcedureStage::Cancelled);
+    bus.runFor(3s);
+    EXPECT_FALSE(truth().moving) << "the smooth stop was sent already";
+    EXPECT_TRUE(truth().ampEnabled);
+}
+
+TEST_F(ChangingMotion, StopsWhatItHasStartedWhenItIsCancelledJustThen) {
+    perform(stepintent::Move{kForward});
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    onTurn = [&](Procedure& procedure) {
+        if (procedure.report().stage == ProcedureStage::Moving)
+            procedure.cancel();
+    };
+    EXPECT_EQ(run(change).stage, ProcedureStage::Cancelled);
+    bus.runFor(3s);
+    EXPECT_FALSE(truth().moving);
+    bus.expectNoViolations();
+}
+
+TEST_F(ChangingMotion, FailsWhenTheLinkIsSuspectAndStartsNothing) {
+    perform(stepintent::Move{kForward});
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    onTurn = [](Procedure& procedure) { procedure.onLinkSuspect(); };
+    const ProcedureReport report = run(change);
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::LinkSuspect);
+    bus.runFor(3s);
+    EXPECT_FALSE(truth().moving);
+}
+
+TEST_F(ChangingMotion, FailsWhereTheNewMotionIsNotPossibleAndLeavesTheOldOneAlone) {
+    perform(stepintent::Move{kForward});
+    bus.runFor(500ms);
+    bus.chain.set(ModuleIndex(0), sim::Input::Limit2, 1.0, bus.now);
+    bus.runFor(100ms);
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    const ProcedureReport report = run(change);
+    EXPECT_EQ(report.failure, ProcedureFailure::Refused);
+    EXPECT_NEAR(truth().stepRate, 1'000, 1e-6);
+}
+
+TEST_F(ChangingMotion, FailsWhenTheMotorGoesOffMeanwhile) {
+    perform(stepintent::Move{kForward});
+    bus.runFor(500ms);
+    takeNews();
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    onTurn = [&](Procedure&) { bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, bus.now); };
+    EXPECT_EQ(run(change).failure, ProcedureFailure::WentOff);
+    EXPECT_FALSE(truth().moving);
+}
+
+TEST_F(ChangingMotion, GivesUpOnAModuleThatDoesNotAnswer) {
+    perform(stepintent::Move{kForward});
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    module.silent = true;
+    EXPECT_EQ(run(change).failure, ProcedureFailure::ModuleSilent);
+}
+
+TEST_F(ChangingMotion, GivesUpOnAMotorThatDoesNotStop) {
+    perform(stepintent::Move{kForward});
+    takeNews();
+    ChangeMotion change(ModuleIndex(0), kReverse);
+    ASSERT_TRUE(std::holds_alternative<Procedure::Send>(change.next(module, bus.now)));
+    change.onFinished(bus::Outcome::Done);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(change.next(module, bus.now + 19s)));
+    EXPECT_TRUE(std::holds_alternative<Procedure::End>(change.next(module, bus.now + 21s)));
+    EXPECT_EQ(change.report().failure, ProcedureFailure::TimeLimit);
+}
+
+// What the panel says beforehand is what the chip does.
+TEST_F(ChangingMotion, AForecastIsKeptByTheChip) {
+    for (const std::int32_t distance : {3'000, -300, 7}) {
+        const auto steps = plan(stepintent::Move{stepmotion::Trapezoid{distance, true, 60, 20}}, module);
+        ASSERT_TRUE(steps);
+        (void)bus.submit(*steps);
+        ASSERT_TRUE(bus.runUntil([&] { return truth().moving; }, 1s));
+        const TimePoint began = bus.now;
+        double peak = 0;
+        ASSERT_TRUE(bus.runUntil(
+            [&] {
+                peak = std::max(peak, std::abs(truth().stepRate));
+                return !truth().moving;
+            },
+            20s));
+        const StepForecast forecast = forecastMove(StepSpeed(step::SpeedMode::X1), 4, 60, 20, distance);
+        // Virtual time is looked at whenever a byte comes; the last step comes within one step's time.
+        EXPECT_NEAR(toSeconds(bus.now - began), forecast.seconds, 0.015) << distance;
+        EXPECT_NEAR(peak, forecast.peak, 25.0) << distance;
+        EXPECT_EQ(forecast.triangular, distance != 3'000);
+        bus.runFor(50ms);
+        takeNews();
+    }
+}
+
+}  // namespace
+}  // namespace nmc

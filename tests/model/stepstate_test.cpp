@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "tests/model/stepfixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+using bus::StepMode;
+
+constexpr unsigned kOn = kStepPower | kAmplifier;
+constexpr unsigned kRuns = kOn | kMoving | kVelocityMode;
+
+TEST(StepState, BeginsUnknownAndThenIsOffWithoutAFault) {
+    Stepper stepper;
+    EXPECT_EQ(stepper.module.activity(), Activity::Unknown);
+    stepper.says(kStepPower);
+    EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
+    EXPECT_EQ(severityOf(stepper.module.activity()), Severity::Normal);
+    stepper.says(0);
+    EXPECT_EQ(stepper.module.activity(), Activity::NoPower);
+}
+
+TEST(StepState, HoldsOnceItIsEnabled) {
+    const Stepper stepper = Stepper::holding();
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+    EXPECT_TRUE(stepper.module.driveOn());
+    EXPECT_FALSE(stepper.module.servoOn());
+    EXPECT_FALSE(stepper.module.moving());
+}
+
+// The answer to the start was put together before it: it still says "stands".
+TEST(StepState, MovesFromTheStartOnAlthoughItsAnswerDoesNotSayIt) {
+    Stepper stepper = Stepper::holding();
+    stepper.was(Stepper::trapezoid(1'000));
+    EXPECT_TRUE(stepper.module.loadWaiting);
+    EXPECT_FALSE(stepper.module.moving());
+    stepper.was(StartMotion{});
+    EXPECT_FALSE(stepper.module.loadWaiting);
+    EXPECT_TRUE(stepper.module.moving());
+    EXPECT_EQ(stepper.module.activity(), Activity::Accelerating);
+    EXPECT_EQ(stepper.module.stepper.mode(), StepMode::Trapezoidal);
+    stepper.position = 1'000;
+    stepper.says(kOn);
+    EXPECT_FALSE(stepper.module.moving()) << "the later status does";
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+TEST(StepState, TellsThePhasesOfARampByBitAndTimerCount) {
+    Stepper stepper = Stepper::holding();
+    step::LoadTrajectory load = Stepper::trapezoid(1'000);
+    load.startNow = true;
+    stepper.was(load);
+    constexpr unsigned kMove = kOn | kMoving | kTrapezoidalMode;
+    stepper.timer = 61'000;
+    stepper.says(kMove);
+    stepper.timer = 62'000;
+    stepper.says(kMove);
+    EXPECT_EQ(stepper.module.activity(), Activity::Accelerating);
+    stepper.says(kMove | kAtSpeed);
+    EXPECT_EQ(stepper.module.activity(), Activity::AtSpeed);
+    stepper.timer = 61'500;
+    stepper.says(kMove);
+    EXPECT_EQ(stepper.module.activity(), Activity::Decelerating);
+}
+
+TEST(StepState, KnowsTheDirectionOfWhatItWasTold) {
+    EXPECT_EQ(Stepper::holding().module.stepper.runsReverse(), std::nullopt);
+    EXPECT_EQ(Stepper::running().module.stepper.runsReverse(), false);
+    EXPECT_EQ(Stepper::running(true).module.stepper.runsReverse(), true);
+    Stepper stepper = Stepper::holding();
+    stepper.position = 500;
+    stepper.says(kOn);
+    step::LoadTrajectory load = Stepper::trapezoid(100);
+    load.startNow = true;
+    stepper.was(load);
+    EXPECT_EQ(stepper.module.stepper.runsReverse(), true) << "500 to 100";
+}
+
+TEST(StepState, KnowsNeitherDirectionNorOutputsOfAChainThatItFound) {
+    Stepper stepper;
+    stepper.module.attached();
+    stepper.says(kOn | kMoving);
+    EXPECT_TRUE(stepper.module.moving());
+    EXPECT_EQ(stepper.module.stepper.mode(), StepMode::Unknown);
+    EXPECT_EQ(stepper.module.stepper.runsReverse(), std::nullopt);
+    EXPECT_EQ(stepper.module.stepper.outputs(), std::nullopt);
+    EXPECT_EQ(stepper.module.stepper.parameters(), std::nullopt);
+}
+
+// DS-S 2.3: outputs 1-4 are initialized low, output 5 high.
+TEST(StepState, KnowsTheOutputsOfAFreshModuleAndThoseThatWereSet) {
+    Stepper stepper;
+    EXPECT_EQ(stepper.module.stepper.outputs(), 0x10);
+    stepper.was(step::SetOutputs{0x05});
+    EXPECT_EQ(stepper.module.stepper.outputs(), 0x05);
+    stepper.module.restarted();
+    EXPECT_EQ(stepper.module.stepper.outputs(), std::nullopt);
+    EXPECT_EQ(stepper.module.activity(), Activity::Restarted);
+}
+
+TEST(StepState, SlowsDownAfterASmoothStop) {
+    Stepper stepper = Stepper::running();
+    stepper.wasStopped(step::StopManner::Smoothly);
+    stepper.says(kRuns);
+    EXPECT_EQ(stepper.module.activity(), Activity::Decelerating);
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+TEST(StepState, SaysThatALimitEndedTheMotionUntilTheNextCommand) {
+    Stepper stepper = Stepper::running();
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::StoppedByLimit);
+    EXPECT_EQ(severityOf(Activity::StoppedByLimit), Severity::Attention);
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::StoppedByLimit);
+    stepper.wasStopped(step::StopManner::Abruptly);
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+TEST(StepState, DoesNotBlameALimitOfTheOtherDirection) {
+    Stepper stepper = Stepper::running(true);
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+TEST(StepState, DoesNotBlameALimitForOurOwnStop) {
+    Stepper stepper = Stepper::running();
+    stepper.wasStopped(step::StopManner::Abruptly);
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+TEST(StepState, ShowsTheEstopInputWhereItActs) {
+    Stepper stepper = Stepper::holding();
+    stepper.inputs = kEstopIn;
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.activity(), Activity::EstopActive);
+    step::SetParameters ignoring = Stepper::parameters();
+    ignoring.ignoreEstop = true;
+    stepper.was(ignoring);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+}
+
+struct OffCase {
+    const char* name;
+    unsigned status;
+    std::uint8_t inputs;
+    std::uint8_t analog;
+    Activity expected;
+};
+class StepStateOff : public testing::TestWithParam<OffCase> {};
+
+TEST_P(StepStateOff, SaysWhatSwitchedTheMotorOff) {
+    Stepper stepper = Stepper::running();
+    step::SetParameters parameters = Stepper::parameters();
+    parameters.thermalLimit = 80;
+    parameters.motorOffOnLimitOrEstop = true;
+    stepper.was(parameters);
+    stepper.inputs = GetParam().inputs;
+    stepper.analog = GetParam().analog;
+    stepper.says(GetParam().status);
+    EXPECT_EQ(stepper.module.activity(), GetParam().expected);
+    EXPECT_TRUE(stepper.module.switchedItselfOff);
+    EXPECT_EQ(stepper.module.powerLostWhileOn, GetParam().expected == Activity::PowerLost);
+    // It stays that way when the cause is gone, until somebody has seen it.
+    stepper.inputs = 0;
+    stepper.analog = 200;
+    stepper.says(kStepPower);
+    EXPECT_EQ(stepper.module.activity(), GetParam().expected);
+    stepper.wasStopped(step::StopManner::Abruptly, false);
+    stepper.says(kStepPower);
+    EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
+    EXPECT_FALSE(stepper.module.switchedItselfOff);
+}
+
+INSTANTIATE_TEST_SUITE_P(Causes, StepStateOff,
+                         testing::Values(OffCase{"Power", 0, 0, 200, Activity::PowerLost},
+                                         OffCase{"Heat", kStepPower, 0, 79, Activity::Overheated},
+                                         OffCase{"Estop", kStepPower, kEstopIn, 80, Activity::EstopActive},
+                                         OffCase{"Limit", kStepPower, kLimit2In, 80,
+                                                 Activity::StoppedByLimit},
+                                         OffCase{"Unknown", kStepPower, 0, 80, Activity::WentOff}),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(StepState, MotorOffAtHomeIsNoFault) {
+    Stepper stepper = Stepper::running();
+    step::SetHoming homing;
+    homing.onHomeSwitchChange = homing.motorOff = true;
+    stepper.was(homing);
+    stepper.says(kRuns | kHoming);
+    stepper.says(kStepPower);
+    EXPECT_FALSE(stepper.module.switchedItselfOff);
+    EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
+}
+
+// Speed 40 is another speed in another speed mode.
+TEST(StepState, ForgetsALoadWhenTheSpeedModeChanges) {
+    Stepper stepper = Stepper::holding();
+    stepper.was(Stepper::trapezoid(1'000));
+    step::SetParameters faster = Stepper::parameters();
+    faster.speedMode = step::SpeedMode::X8;
+    stepper.was(faster);
+    EXPECT_FALSE(stepper.module.loadWaiting);
+}
+
+}  // namespace
+}  // namespace nmc
