@@ -85,13 +85,21 @@ public:
 
     // What nlohmann's SAX interface asks for; false ends the parsing.
     bool null() { return add({JsonValue::Kind::Null, line()}); }
-    bool boolean(bool flag) { return add({JsonValue::Kind::Flag, line(), flag}); }
+    bool boolean(bool flag) {
+        JsonValue value(JsonValue::Kind::Flag, line());
+        value.flag = flag;
+        return add(std::move(value));
+    }
     bool number_integer(Json::number_integer_t number) { return addNumber(static_cast<double>(number)); }
     bool number_unsigned(Json::number_unsigned_t number) { return addNumber(static_cast<double>(number)); }
     bool number_float(Json::number_float_t number, const std::string& /*digits*/) {
         return addNumber(number);
     }
-    bool string(std::string& text) { return add({JsonValue::Kind::Text, line(), false, 0.0, text}); }
+    bool string(std::string& text) {
+        JsonValue value(JsonValue::Kind::Text, line());
+        value.text = std::move(text);
+        return add(std::move(value));
+    }
     static bool binary(Json::binary_t& /*bytes*/) { return false; }
     bool start_object(std::size_t /*elements*/) { return open(JsonValue::Kind::Object); }
     bool start_array(std::size_t /*elements*/) { return open(JsonValue::Kind::List); }
@@ -101,7 +109,7 @@ public:
         JsonValue& object = *m_open.back();
         if (object.find(key) != nullptr)
             return refuse({.kind = Kind::DuplicateKey, .field = key});
-        object.members.push_back({key, {}});
+        object.keys.push_back(key);
         return true;
     }
     bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& error) {
@@ -123,7 +131,11 @@ private:
         m_problem = std::move(problem);
         return false;
     }
-    bool addNumber(double number) { return add({JsonValue::Kind::Number, line(), false, number}); }
+    bool addNumber(double number) {
+        JsonValue value(JsonValue::Kind::Number, line());
+        value.number = number;
+        return add(std::move(value));
+    }
     bool add(JsonValue value) {
         if (++m_values > kMaxJsonValues)
             return refuse({.kind = Kind::TooManyValues, .max = kMaxJsonValues});
@@ -136,7 +148,7 @@ private:
         if (++m_values > kMaxJsonValues)
             return refuse({.kind = Kind::TooManyValues, .max = kMaxJsonValues});
         JsonValue& value = place();
-        value = {kind, line()};
+        value = JsonValue(kind, line());
         m_open.push_back(&value);
         return true;
     }
@@ -149,8 +161,6 @@ private:
         if (m_open.empty())
             return m_root;
         JsonValue& parent = *m_open.back();
-        if (parent.kind == JsonValue::Kind::Object)
-            return parent.members.back().value;
         return parent.items.emplace_back();
     }
 
@@ -208,9 +218,8 @@ int lineOf(std::string_view text, std::size_t place) {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
-    const auto found =
-        std::find_if(members.begin(), members.end(), [key](const JsonMember& m) { return m.key == key; });
-    return found != members.end() ? &found->value : nullptr;
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    return found != keys.end() ? &items[static_cast<std::size_t>(found - keys.begin())] : nullptr;
 }
 
 tl::expected<JsonValue, FileProblem> parseJson(std::string_view text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +12,6 @@
 
 namespace nmc {
 
-struct JsonMember;
-
 /// A JSON value that knows its line, so that whatever is wrong with it can be found again.
 struct JsonValue {
     enum class Kind : std::uint8_t { Null, Flag, Number, Text, List, Object };
@@ -20,17 +19,14 @@ struct JsonValue {
     int line = 1;  ///< where it stands; of a list or an object, where it begins
     bool flag = false;
     double number = 0.0;
-    std::string text{};
-    std::vector<JsonValue> items{};
-    std::vector<JsonMember> members{};
+    std::string text;
+    std::vector<std::string> keys;  ///< of an object: those of `items`
+    std::vector<JsonValue> items;
 
+    JsonValue() = default;
+    JsonValue(Kind ofKind, int atLine) : kind(ofKind), line(atLine) {}
     /// Of an object; null where there is none.
     [[nodiscard]] const JsonValue* find(std::string_view key) const;
-};
-
-struct JsonMember {
-    std::string key;
-    JsonValue value;
 };
 
 inline constexpr int kMaxJsonDepth = 32;
