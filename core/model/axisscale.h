@@ -9,6 +9,10 @@ namespace nmc {
 /// What the user reads an axis in (interface.md, "Values"). The chip only knows counts (PIC-STEP: steps).
 enum class UnitKind : std::uint8_t { Native, Turns, Degrees, Millimetres, Own };
 
+/// What makes sense as AxisUnit::countsPerUnit, with much to spare.
+inline constexpr double kMinCountsPerUnit = 1e-6;
+inline constexpr double kMaxCountsPerUnit = 1e9;
+
 struct AxisUnit {
     UnitKind kind = UnitKind::Native;
     /// Counts (steps) in one of them; above 0. 1 for UnitKind::Native.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// H-10, H-14, H-18: files are read within bounds and written whole or not at all, and work that is not saved
+// outlives its program.
+#include "link/machineio.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "link/unsavedwork.h"
+
+namespace nmc {
+namespace {
+
+/// The superuser may do everything; tests of what is not allowed are somebody else meanwhile.
+class AsNobody {
+public:
+    AsNobody() : m_root(geteuid() == 0) {
+        if (m_root)
+            m_changed = seteuid(65'534) == 0;
+    }
+    ~AsNobody() {
+        if (m_changed) [[maybe_unused]]
+            const int back = seteuid(0);
+    }
+    AsNobody(const AsNobody&) = delete;
+    AsNobody& operator=(const AsNobody&) = delete;
+
+private:
+    bool m_root;
+    bool m_changed = false;
+};
+
+class MachineIo : public testing::Test {
+protected:
+    QString path(const char* name) { return directory.filePath(QLatin1String(name)); }
+    static std::string contentOf(const QString& file) { return readFile(file, 1'000).value_or("(not read)"); }
+    QTemporaryDir directory;
+};
+
+TEST_F(MachineIo, WhatWasWrittenIsReadUpToTheBound) {
+    ASSERT_TRUE(writeFile(path("a.json"), "12345").has_value());
+    EXPECT_EQ(readFile(path("a.json"), 5), "12345");
+    const auto cut = readFile(path("a.json"), 4);
+    ASSERT_FALSE(cut.has_value());
+    EXPECT_EQ(cut.error().trouble, FileTrouble::TooLarge);
+    ASSERT_TRUE(writeFile(path("a.json"), "").has_value());
+    EXPECT_EQ(readFile(path("a.json"), 0), "");
+}
+
+TEST_F(MachineIo, ReadingSaysWhyNot) {
+    EXPECT_EQ(readFile(path("none.json"), 10).error().trouble, FileTrouble::NotThere);
+    EXPECT_EQ(readFile(directory.path(), 10).error().trouble, FileTrouble::NotAFile);
+    EXPECT_EQ(readFile(QStringLiteral("/dev/zero"), 10).error().trouble, FileTrouble::NotAFile);
+    ASSERT_EQ(mkfifo(path("fifo").toLocal8Bit().constData(), 0600), 0);
+    EXPECT_EQ(readFile(path("fifo"), 10).error().trouble, FileTrouble::NotAFile) << "which would block";
+    ASSERT_TRUE(writeFile(path("secret.json"), "x").has_value());
+    QFile::setPermissions(path("secret.json"), {});
+    QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
+    const AsNobody nobody;
+    EXPECT_EQ(readFile(path("secret.json"), 10).error().trouble, FileTrouble::NoPermission);
+}
+
+TEST_F(MachineIo, WritingSaysWhyNot) {
+    EXPECT_EQ(writeFile(path("none/a.json"), "x").error().trouble, FileTrouble::NoFolder);
+    EXPECT_EQ(writeFile(directory.path(), "x").error().trouble, FileTrouble::NotAFile);
+    EXPECT_EQ(writeFile(QStringLiteral("/dev/full"), "x").error().trouble, FileTrouble::NotAFile);
+    ASSERT_TRUE(writeFile(path("old.json"), "old").has_value());
+    QFile::setPermissions(path("old.json"), QFile::ReadOwner | QFile::ReadOther);
+    QFile::setPermissions(directory.path(), QFile::Permissions(0x5555));
+    {
+        const AsNobody nobody;
+        EXPECT_EQ(writeFile(path("new.json"), "x").error().trouble, FileTrouble::NoPermission);
+        EXPECT_EQ(writeFile(path("old.json"), "x").error().trouble, FileTrouble::NoPermission);
+    }
+    QFile::setPermissions(directory.path(), QFile::Permissions(0x7755));
+    EXPECT_EQ(contentOf(path("old.json")), "old");
+    EXPECT_EQ(QDir(directory.path()).entryList(QDir::Files), QStringList{QStringLiteral("old.json")})
+        << "and leaves no pieces";
+}
+
+TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
+    const QString folder = path("unsaved");
+    {
+        UnsavedWork work(folder);
+        EXPECT_FALSE(work.left().has_value());
+        EXPECT_FALSE(QDir(folder).exists()) << "nothing is written before there is something";
+        ASSERT_TRUE(work.keep(QStringLiteral("/home/anna/my mill\n.json"), "first").has_value());
+        ASSERT_TRUE(work.keep(QStringLiteral("/home/anna/my mill\n.json"), "second\nline").has_value());
+    }
+    {
+        UnsavedWork work(folder);
+        ASSERT_TRUE(work.left().has_value());
+        EXPECT_EQ(work.left()->file, QStringLiteral("/home/anna/my mill\n.json"));
+        EXPECT_EQ(work.left()->content, "second\nline");
+        ASSERT_TRUE(work.keep({}, "another").has_value()) << "its own work goes elsewhere";
+        work.forget();
+    }
+    UnsavedWork work(folder);
+    ASSERT_TRUE(work.left().has_value());
+    work.dropLeft();
+    EXPECT_FALSE(UnsavedWork(folder).left().has_value());
+}
+
+TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
+    const QString folder = path("unsaved");
+    auto running = std::make_unique<UnsavedWork>(folder);
+    ASSERT_TRUE(running->keep({}, "of the first").has_value());
+    UnsavedWork second(folder);
+    EXPECT_FALSE(second.left().has_value());
+    ASSERT_TRUE(second.keep({}, "of the second").has_value());
+    running.reset();
+    UnsavedWork third(folder);
+    ASSERT_TRUE(third.left().has_value());
+    EXPECT_EQ(third.left()->content, "of the first");
+}
+
+TEST_F(MachineIo, UnsavedWorkThatCannotBeKeptSaysSo) {
+    ASSERT_TRUE(writeFile(path("file"), "x").has_value());
+    UnsavedWork work(path("file/unsaved"));
+    EXPECT_FALSE(work.keep({}, "x").has_value());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// H-12, F-39, F-40: what opening a file would change, and that nothing is changed or sent that was not
+// chosen.
+#include "model/machinecompare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/model/machines.h"
+
+namespace nmc {
+
+inline void PrintTo(const PartId& id, std::ostream* out) {
+    *out << (id.module ? id.module->value() + 1 : 0) << '/' << static_cast<int>(id.part);
+}
+
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing_support::mill;
+
+constexpr ModuleIndex kFirst{0};
+constexpr ModuleIndex kSecond{1};
+
+ModuleState moduleOf(std::uint8_t index, ModuleType type, std::uint8_t version, bool on = false) {
+    ModuleState module;
+    module.info = {ModuleIndex(index), BusAddress(static_cast<std::uint8_t>(index + 1)), {type, version}};
+    StatusReport report;
+    report.status = 0x09;  // power, move done
+    report.position = 0;
+    report.aux = static_cast<std::uint8_t>(on ? 0x04 : 0x00);
+    module.latest = report;
+    return module;
+}
+/// The chain that mill() is for.
+std::vector<ModuleState> millChain() {
+    return {moduleOf(0, ModuleType::Servo, 4), moduleOf(1, ModuleType::Step, 1)};
+}
+
+std::vector<PartId> ids(const std::vector<Difference>& rows) {
+    std::vector<PartId> found;
+    for (const Difference& row : rows)
+        found.push_back(row.id);
+    return found;
+}
+const Difference* row(const std::vector<Difference>& rows, PartId id) {
+    for (const Difference& difference : rows)
+        if (difference.id == id)
+            return &difference;
+    return nullptr;
+}
+std::vector<PartId> all(const std::vector<Difference>& rows) {
+    return ids(rows);
+}
+
+TEST(MachineCompare, WithoutModulesEqualMachinesDoNotDiffer) {
+    EXPECT_THAT(compare(mill(), mill(), {}), IsEmpty());
+}
+
+TEST(MachineCompare, NamesTheFieldsThatDifferAndNoOthers) {
+    Machine now = mill();
+    now.axes[0].gains->kp = 150;
+    now.axes[0].gains->db.reset();
+    now.axes[1].name = "Table";
+    const auto rows = compare(mill(), now, {});
+    ASSERT_THAT(ids(rows),
+                ElementsAre(PartId{kFirst, MachinePart::Gains}, PartId{kSecond, MachinePart::AxisName}));
+    ASSERT_EQ(rows[0].fields.size(), 2U);
+    EXPECT_EQ(rows[0].fields[0].key, "Kp");
+    EXPECT_EQ(rows[0].fields[0].file, FieldValue(200.0));
+    EXPECT_EQ(rows[0].fields[0].now, FieldValue(150.0));
+    EXPECT_EQ(rows[0].fields[1].key, "DB");
+    EXPECT_EQ(rows[0].fields[1].now, std::nullopt);
+    EXPECT_EQ(rows[0].applying, Applying::KeepsUnsent) << "nobody is there to be told";
+    EXPECT_EQ(rows[1].fields[0].file, FieldValue(std::string("Drehteller ä")));
+    EXPECT_EQ(rows[1].applying, Applying::ChangesPanel);
+}
+
+TEST(MachineCompare, GainsAreComparedWithWhatWasSentNotWithWhatWasTyped) {
+    auto modules = millChain();
+    const PartId gains{kFirst, MachinePart::Gains};
+    {
+        const auto rows = compare(mill(), mill(), modules);
+        ASSERT_NE(row(rows, gains), nullptr) << "typed in, but never sent in this connection";
+        EXPECT_EQ(row(rows, gains)->applying, Applying::Sends);
+        EXPECT_EQ(row(rows, gains)->fields.size(), 9U);
+        EXPECT_EQ(row(rows, gains)->fields[0].now, std::nullopt) << "unknown";
+    }
+    modules[0].gains = mill().axes[0].gains;
+    EXPECT_EQ(row(compare(mill(), mill(), modules), gains), nullptr);
+    modules[0].gains->kp = 7;
+    EXPECT_EQ(row(compare(mill(), mill(), modules), gains)->fields[0].now, FieldValue(7.0));
+    modules[0].gains = mill().axes[0].gains;
+    EXPECT_EQ(row(compare(mill(), {}, modules), gains)->applying, Applying::ChangesPanel)
+        << "the module has them, the fields have not";
+}
+
+TEST(MachineCompare, AnOldServoHasNoDeadbandToDiffer) {
+    Machine file = mill();
+    file.axes.resize(1);
+    file.axes[0].expected = ModuleIdentity{ModuleType::Servo, 3};
+    auto module = moduleOf(0, ModuleType::Servo, 3);
+    module.gains = file.axes[0].gains;
+    module.gains->db.reset();
+    module.io = file.axes[0].io;
+    EXPECT_EQ(row(compare(file, file, {module}), {kFirst, MachinePart::Gains}), nullptr);
+}
+
+TEST(MachineCompare, NothingIsTickedThatIsSentToAServoThatIsOn) {
+    auto modules = millChain();
+    modules[0] = moduleOf(0, ModuleType::Servo, 4, true);
+    const auto rows = compare(mill(), {}, modules);
+    EXPECT_FALSE(row(rows, {kFirst, MachinePart::Gains})->wanted);
+    EXPECT_FALSE(row(rows, {kFirst, MachinePart::Io})->wanted);
+    EXPECT_TRUE(row(rows, {kFirst, MachinePart::AxisName})->wanted);
+}
+
+TEST(MachineCompare, ASilentModuleIsSentNothingAndSaysWhy) {
+    auto modules = millChain();
+    modules[0].silent = true;
+    const auto rows = compare(mill(), {}, modules);
+    EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->applying, Applying::KeepsUnsent);
+    EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->refusal, Refusal::Silent);
+    EXPECT_THAT(sendings(mill(), {}, modules, all(rows)), IsEmpty());
+}
+
+// ---- other hardware ----
+
+TEST(MachineCompare, AnAxisForAnotherTypeOrVersionCannotBeApplied) {
+    for (const ModuleState& other : {moduleOf(0, ModuleType::Step, 4), moduleOf(0, ModuleType::Servo, 3),
+                                     moduleOf(0, ModuleType(7), 4)}) {
+        auto modules = millChain();
+        modules[0] = other;
+        const auto rows = compare(mill(), {}, modules);
+        const Difference* hardware = row(rows, {kFirst, MachinePart::Hardware});
+        ASSERT_NE(hardware, nullptr);
+        EXPECT_EQ(hardware->applying, Applying::OtherHardware);
+        EXPECT_FALSE(hardware->possible());
+        EXPECT_EQ(hardware->fields[0].file, FieldValue(std::string("PIC-SERVO v4")));
+        for (const Difference& difference : rows)
+            EXPECT_TRUE(difference.id.module != kFirst || &difference == hardware);
+        std::vector<PartId> chosen = all(rows);
+        chosen.push_back({kFirst, MachinePart::Gains});
+        chosen.push_back({kFirst, MachinePart::AxisName});
+        const Machine machine = applied(mill(), {}, modules, chosen);
+        EXPECT_EQ(machine.axes[0], AxisSettings{}) << "whatever was chosen";
+        EXPECT_EQ(machine.axes[1], mill().axes[1]);
+        EXPECT_THAT(sendings(mill(), {}, modules, chosen), IsEmpty());
+    }
+}
+
+TEST(MachineCompare, MoreAxesThanModulesAreKeptAndFewerLeaveTheOthersAlone) {
+    auto modules = millChain();
+    modules.pop_back();
+    const auto rows = compare(mill(), {}, modules);
+    EXPECT_EQ(row(rows, {kSecond, MachinePart::Hardware})->applying, Applying::NotThere);
+    EXPECT_EQ(applied(mill(), {}, modules, all(rows)).axes[1], mill().axes[1]);
+
+    Machine shorter = mill();
+    shorter.axes.resize(1);
+    shorter.groups.clear();
+    const auto fewer = compare(shorter, mill(), millChain());
+    EXPECT_EQ(row(fewer, {kSecond, MachinePart::Hardware})->applying, Applying::NotInFile);
+    EXPECT_EQ(applied(shorter, mill(), millChain(), all(fewer)).axes[1], mill().axes[1]);
+}
+
+// ---- applying ----
+
+TEST(MachineCompare, ApplyingEverythingWithoutModulesMakesItTheFilesMachine) {
+    EXPECT_TRUE(rc::check([] {
+        const Machine file = testing_support::anyMachine();
+        const Machine now = testing_support::anyMachine();
+        RC_ASSERT(applied(file, now, {}, all(compare(file, now, {}))) == file);
+        RC_ASSERT(compare(file, file, {}).empty());
+    }));
+}
+
+TEST(MachineCompare, ApplyingNothingChangesNoValueAndSendsNothing) {
+    EXPECT_TRUE(rc::check([] {
+        const Machine file = testing_support::anyMachine();
+        Machine now = testing_support::anyMachine();
+        const auto modules = millChain();
+        RC_ASSERT(sendings(file, now, modules, {}).empty());
+        Machine after = applied(file, now, modules, {});
+        // Only which modules are expected is taken over.
+        for (AxisSettings& axis : after.axes)
+            axis.expected.reset();
+        for (AxisSettings& axis : now.axes)
+            axis.expected.reset();
+        after.axes.resize(8);
+        now.axes.resize(8);
+        RC_ASSERT(after == now);
+    }));
+}
+
+TEST(MachineCompare, OnlyTheChosenPartsAreTakenAndSent) {
+    const auto modules = millChain();
+    const std::vector<PartId> chosen{{kFirst, MachinePart::Gains}, {kFirst, MachinePart::Unit}};
+    const Machine machine = applied(mill(), {}, modules, chosen);
+    EXPECT_EQ(machine.axes[0].gains, mill().axes[0].gains);
+    EXPECT_EQ(machine.axes[0].unit, mill().axes[0].unit);
+    EXPECT_EQ(machine.axes[0].name, "");
+    EXPECT_EQ(machine.axes[0].io, std::nullopt);
+    EXPECT_EQ(machine.baud, 0U);
+    const auto sent = sendings(mill(), {}, modules, chosen);
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(sent[0].module, kFirst);
+    EXPECT_EQ(std::get<intent::ApplyGains>(sent[0].intent).gains, *mill().axes[0].gains);
+}
+
+TEST(MachineCompare, NothingThatIsSentMovesOrEnables) {
+    EXPECT_TRUE(rc::check([] {
+        const Machine file = testing_support::anyMachine();
+        auto modules = millChain();
+        for (std::uint8_t i = 2; i < 6; ++i)
+            modules.push_back(moduleOf(i, ModuleType::Servo, i, testing_support::coin()));
+        for (const ModuleIntent& sent : sendings(file, {}, modules, all(compare(file, {}, modules))))
+            RC_ASSERT(std::holds_alternative<intent::ApplyGains>(sent.intent) ||
+                      std::holds_alternative<intent::ControlIo>(sent.intent));
+    }));
+}
+
+TEST(MachineCompare, WhatIsSavedSaysWhichModulesItIsFor) {
+    Machine machine;
+    machine.axes.resize(1);
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 2};
+    const Machine saved = withChain(machine, millChain(), 57'600);
+    ASSERT_EQ(saved.axes.size(), 2U);
+    EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 2})) << "as it was said before";
+    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Step, 1}));
+    EXPECT_EQ(saved.baud, 57'600U);
+    EXPECT_EQ(withChain({}, {}, 19'200), Machine{});
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a machine file says is what is read, and what was written. Numbers and lines are counted by hand.
+#include "model/machinefile.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/model/machines.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::anyMachine;
+using testing_support::mill;
+
+constexpr std::string_view kSmall = R"({
+  "format": "nmc-panel-machine",
+  "version": 1,
+  "name": "Mill",
+  "made_by": {"who": "Anna", "when": [2026, 11.5, null]},
+  "rate_bd": 57600,
+  "axes": [
+    {
+      "colour": "#0072B2",
+      "name": "Z axis",
+      "expected": {"type": "PIC-SERVO", "version": 3, "serial": 77},
+      "unit": {"kind": "turns", "counts_per_unit": 2000.25},
+      "motion": {"velocity_counts_per_tick": 7.1},
+      "gains": {
+        "Kp": 100, "Kd": 1000, "Ki": 5, "IL": 40, "tuned": true,
+        "OL": 255, "CL": 0, "EL_counts": 2000, "SR": 1
+      }
+    },
+    {"expected": {"type": 7, "version": 2}}
+  ],
+  "groups": [
+    {"address": 130, "modules": [2, 1], "leader": 1, "why": "gantry"}
+  ],
+  "notes": "greased in May"
+}
+)";
+
+TEST(MachineFile, SaysWhatStandsInIt) {
+    const auto parsed = parseMachine(kSmall);
+    ASSERT_TRUE(parsed.has_value());
+    const Machine& machine = parsed->machine;
+    EXPECT_EQ(machine.name, "Mill");
+    EXPECT_EQ(machine.baud, 57'600U);
+    ASSERT_EQ(machine.axes.size(), 2U);
+    EXPECT_EQ(machine.axes[0].name, "Z axis");
+    EXPECT_EQ(machine.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 3}));
+    EXPECT_EQ(machine.axes[0].unit, (AxisUnit{UnitKind::Turns, 2000.25, ""}));
+    EXPECT_EQ(machine.axes[0].motion.velocity, 7.1);
+    EXPECT_EQ(machine.axes[0].motion.stepSize, 0.0);
+    EXPECT_EQ(machine.axes[0].gains, (servo::SetGain{100, 1'000, 5, 40, 255, 0, 2'000, 1, std::nullopt}));
+    EXPECT_EQ(machine.axes[0].io, std::nullopt);
+    EXPECT_EQ(machine.axes[1].expected, (ModuleIdentity{static_cast<ModuleType>(7), 2}));
+    ASSERT_EQ(machine.groups.size(), 1U);
+    EXPECT_EQ(machine.groups[0].address, 0x82);
+    EXPECT_EQ(machine.groups[0].members, (std::vector{ModuleIndex(1), ModuleIndex(0)}));
+    EXPECT_EQ(machine.groups[0].leader, ModuleIndex(0));
+}
+
+TEST(MachineFile, EveryMachineIsReadAsItWasWritten) {
+    EXPECT_TRUE(rc::check([] {
+        const Machine machine = anyMachine();
+        const auto again = parseMachine(writeMachine(machine));
+        RC_ASSERT(again.has_value());
+        RC_ASSERT(again->machine == machine);
+    }));
+}
+
+TEST(MachineFile, WritingWhatWasReadChangesNothingAnyMore) {
+    const std::string once = writeMachine(mill());
+    const auto parsed = parseMachine(once);
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(writeMachine(parsed->machine, parsed->unknown), once);
+}
+
+TEST(MachineFile, NumbersSayTheirUnitByTheAxisChip) {
+    const std::string text = writeMachine(mill());
+    EXPECT_NE(text.find("\"velocity_counts_per_tick\": 8.0"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"velocity_steps_per_s\": 1200.0"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"time_limit_s\": 30.0"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"type\": \"PIC-STEP\""), std::string::npos) << text;
+    EXPECT_NE(text.find("\"Drehteller ä\""), std::string::npos) << "letters stay letters";
+}
+
+TEST(MachineFile, AnAxisWhoseChipChangesLosesTheOldUnitsKeys) {
+    auto parsed = parseMachine(kSmall);
+    ASSERT_TRUE(parsed.has_value());
+    parsed->machine.axes.resize(1);
+    parsed->machine.groups.clear();
+    parsed->machine.axes[0].expected = ModuleIdentity{ModuleType::Step, 1};
+    const std::string text = writeMachine(parsed->machine, parsed->unknown);
+    EXPECT_EQ(text.find("_per_tick"), std::string::npos) << text;
+    EXPECT_EQ(text.find("counts_per_unit"), std::string::npos) << text;
+    const auto again = parseMachine(text);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->machine, parsed->machine);
+}
+
+// ---- what this program does not know ----
+
+TEST(MachineFile, UnknownKeysSurviveAtEveryLevelAndInPlace) {
+    auto parsed = parseMachine(kSmall);
+    ASSERT_TRUE(parsed.has_value());
+    parsed->machine.axes[0].gains->kp = 150;
+    parsed->machine.name = "Lathe";
+    const std::string text = writeMachine(parsed->machine, parsed->unknown);
+    // Each key with the one that stood before it.
+    const std::string_view order[] = {"\"format\"",
+                                      "\"version\"",
+                                      "\"name\": \"Lathe\"",
+                                      "\"made_by\"",
+                                      "\"who\": \"Anna\"",
+                                      "11.5",
+                                      "null",
+                                      "\"rate_bd\"",
+                                      "\"axes\"",
+                                      "\"colour\": \"#0072B2\"",
+                                      "\"Z axis\"",
+                                      "\"serial\": 77",
+                                      "\"turns\"",
+                                      "\"Kp\": 150",
+                                      "\"tuned\": true",
+                                      "\"OL\"",
+                                      "\"groups\"",
+                                      "\"why\": \"gantry\"",
+                                      "\"notes\": \"greased in May\""};
+    std::size_t at = 0;
+    for (const std::string_view key : order) {
+        const std::size_t found = text.find(key, at);
+        ASSERT_NE(found, std::string::npos) << key << " is not behind its neighbour in\n" << text;
+        at = found;
+    }
+    EXPECT_EQ(parseMachine(text)->machine, parsed->machine);
+}
+
+TEST(MachineFile, WhatIsNotThereAnyMoreTakesItsUnknownKeysWithIt) {
+    auto parsed = parseMachine(kSmall);
+    ASSERT_TRUE(parsed.has_value());
+    parsed->machine.groups.clear();
+    parsed->machine.axes.resize(1);
+    const std::string text = writeMachine(parsed->machine, parsed->unknown);
+    EXPECT_EQ(text.find("gantry"), std::string::npos);
+    EXPECT_NE(text.find("greased"), std::string::npos);
+    EXPECT_EQ(parseMachine(text)->machine, parsed->machine);
+}
+
+TEST(MachineFile, PastedControlCharactersAreWrittenAsBlanks) {
+    Machine machine;
+    machine.axes.resize(1);
+    machine.axes[0].name = "X\naxis\x1B";
+    const auto parsed = parseMachine(writeMachine(machine));
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(parsed->machine.axes[0].name, "X axis ");
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <string>
+
+#include "model/machine.h"
+
+/// Machines for tests: one with something in every place, and any.
+namespace nmc::testing_support {
+
+inline AxisSettings servoAxis() {
+    AxisSettings axis;
+    axis.name = "X axis";
+    axis.expected = ModuleIdentity{ModuleType::Servo, 4};
+    axis.unit = {UnitKind::Millimetres, 2000.0, ""};
+    axis.motion = {8.0, 0.02, 4.0, 0.5, 2.0, 1000.0};
+    HomingRecipe homing;
+    homing.onLimit1 = true;
+    homing.velocity = 1.5;
+    homing.indexVelocity = 0.25;
+    homing.acceleration = 0.01;
+    homing.travelLimit = 50'000;
+    homing.timeLimit = 30;
+    axis.homing = homing;
+    axis.gains = servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{3}};
+    axis.io = servo::IoControl{true, false, false, true};
+    return axis;
+}
+
+inline AxisSettings stepAxis() {
+    AxisSettings axis;
+    axis.name = "Drehteller ä";
+    axis.expected = ModuleIdentity{ModuleType::Step, 1};
+    axis.unit = {UnitKind::Own, 17.5, "notches"};
+    axis.motion.velocity = 1'200.0;
+    axis.parameters = step::SetParameters{step::SpeedMode::X2, false, false, true, 3, 90, 40, 60};
+    axis.accelerationTime = 100.0;
+    axis.outputNames[4] = "Coolant";
+    axis.inputNames[0] = "Door";
+    return axis;
+}
+
+inline Machine mill() {
+    return {"Mill",
+            115'200,
+            {servoAxis(), stepAxis()},
+            {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}}};
+}
+
+inline double pick(double min, double max) {
+    return min + (max - min) * *rc::gen::inRange(0, 1'000'000'001) / 1e9;
+}
+template <typename T>
+T pickWhole(std::int64_t min, std::int64_t max) {
+    return static_cast<T>(*rc::gen::inRange<std::int64_t>(min, max + 1));
+}
+inline bool coin() {
+    return *rc::gen::arbitrary<bool>();
+}
+inline std::string pickName() {
+    return *rc::gen::element<std::string>("", "Z", "Spindle \"left\"", "a\\b/c", "Übergabe 材料 🛑",
+                                          "<b>");
+}
+
+inline AxisSettings anyAxis() {
+    AxisSettings axis;
+    axis.name = pickName();
+    if (coin())
+        axis.expected = ModuleIdentity{pickWhole<ModuleType>(0, 255), pickWhole<std::uint8_t>(0, 255)};
+    axis.unit = {pickWhole<UnitKind>(0, 4), pick(1e-6, 1e9), pickName()};
+    axis.motion = {pick(0, 32'767), pick(0, 32'767), pick(0, 32'767),
+                   pick(0, 32'767), pick(0, 32'767), pick(0, 2e9)};
+    if (coin())
+        axis.homing = HomingRecipe{
+            coin(),          coin(),          coin(),          coin(),
+            coin(),          coin(),          coin(),          coin(),
+            pick(0, 32'767), pick(0, 32'767), pick(0, 32'767), pickWhole<HomingRecipe::Stop>(0, 2),
+            pick(0, 2e9),    pick(0, 86'400), coin(),          coin()};
+    axis.analog = {pick(-10, 10), pick(-1e6, 1e6), pickName()};
+    if (coin())
+        axis.gains = servo::SetGain{pickWhole<std::uint16_t>(0, 32'767),
+                                    pickWhole<std::uint16_t>(0, 32'767),
+                                    pickWhole<std::uint16_t>(0, 32'767),
+                                    pickWhole<std::uint16_t>(0, 32'767),
+                                    pickWhole<std::uint8_t>(0, 255),
+                                    pickWhole<std::uint8_t>(0, 255),
+                                    pickWhole<std::uint16_t>(0, 16'383),
+                                    pickWhole<std::uint8_t>(1, 255),
+                                    coin() ? std::optional(pickWhole<std::uint8_t>(0, 255)) : std::nullopt};
+    if (coin())
+        axis.io = servo::IoControl{coin(), coin(), coin(), coin()};
+    if (coin())
+        axis.parameters = step::SetParameters{pickWhole<step::SpeedMode>(0, 3),
+                                              coin(),
+                                              coin(),
+                                              coin(),
+                                              pickWhole<std::uint8_t>(1, 250),
+                                              pickWhole<std::uint8_t>(0, 255),
+                                              pickWhole<std::uint8_t>(0, 255),
+                                              pickWhole<std::uint8_t>(0, 255)};
+    axis.accelerationTime = pick(0, 255);
+    for (std::string& name : axis.outputNames)
+        name = pickName();
+    for (std::string& name : axis.inputNames)
+        name = pickName();
+    return axis;
+}
+
+inline Machine anyMachine() {
+    Machine machine;
+    machine.name = pickName();
+    machine.baud = *rc::gen::element<std::uint32_t>(0, 9'600, 19'200, 57'600, 115'200);
+    const auto count = pickWhole<std::size_t>(0, 6);
+    for (std::size_t i = 0; i < count; ++i)
+        machine.axes.push_back(anyAxis());
+    for (std::size_t i = 0; i + 1 < count; i += 2) {
+        GroupSettings group{static_cast<std::uint8_t>(0x81 + i), pickName(), {}, {}};
+        group.members = {ModuleIndex(static_cast<std::uint8_t>(i)),
+                         ModuleIndex(static_cast<std::uint8_t>(i + 1))};
+        if (coin())
+            group.leader = group.members[coin() ? 1 : 0];
+        machine.groups.push_back(group);
+    }
+    return machine;
+}
+
+}  // namespace nmc::testing_support
