@@ -171,6 +171,16 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The servo is on. Switch the motor off first.");
         case Refusal::VersionLacksIt:
             return Texts::tr("This version of the chip cannot do it.");
+        case Refusal::NothingToFind:
+            return Texts::tr("Nothing is chosen that home could be found by.");
+        case Refusal::NoSearchLimits:
+            return Texts::tr("A search needs a travel limit and a time limit above 0.");
+        case Refusal::LimitActive:
+            return Texts::tr("The limit is active now: it would stop the motor when it is left.");
+        case Refusal::LimitIsOutput:
+            return Texts::tr("The limit's pin is an output, so it tells nothing.");
+        case Refusal::StepTooShort:
+            return Texts::tr("A move by 0 is none.");
         case Refusal::NotAStepper:
             return Texts::tr("This module is not a PIC-STEP.");
         case Refusal::ParametersUnknown:

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/chaindiagnosis.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc {
+namespace {
+
+using Finding = ChainDiagnosis::Finding;
+using Verdict = ChainPlace::Verdict;
+
+constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
+constexpr ModuleIdentity kOldServo{ModuleType::Servo, 1};
+constexpr ModuleIdentity kStep{ModuleType::Step, 1};
+
+Machine machineOf(const std::vector<ModuleIdentity>& expected) {
+    Machine machine;
+    for (const ModuleIdentity& identity : expected)
+        machine.axes.emplace_back().expected = identity;
+    return machine;
+}
+
+LinkState linkWith(const std::vector<ModuleIdentity>& found) {
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    for (const ModuleIdentity& identity : found) {
+        const auto index = static_cast<std::uint8_t>(link.modules.size());
+        link.modules.emplace_back().info = {
+            ModuleIndex(index), BusAddress(static_cast<std::uint8_t>(index + 1)), identity, {}};
+    }
+    return link;
+}
+
+TEST(ChainDiagnosis, WhatIsExpectedAndThereIsFine) {
+    const auto chain = diagnose(machineOf({kServo, kStep}), linkWith({kServo, kStep}));
+    EXPECT_EQ(chain.finding, Finding::Fine);
+    EXPECT_EQ(chain.places.size(), 2U);
+    EXPECT_EQ(chain.places[1].verdict, Verdict::Fine);
+}
+
+TEST(ChainDiagnosis, AChainNobodyHasToldOfIsFineAndNew) {
+    const auto chain = diagnose({}, linkWith({kServo}));
+    EXPECT_EQ(chain.finding, Finding::Fine);
+    EXPECT_EQ(chain.places[0].verdict, Verdict::New);
+}
+
+TEST(ChainDiagnosis, FewerThanExpectedBreakBehindTheLastThatAnswers) {
+    // Addresses begin at the far end: modules 1 and 2 have theirs, so the way to module 3 is broken.
+    const auto chain = diagnose(machineOf({kServo, kServo, kServo, kStep}), linkWith({kServo, kServo}));
+    EXPECT_EQ(chain.finding, Finding::BreakBehind);
+    EXPECT_EQ(chain.at, ModuleIndex(1));
+    EXPECT_EQ(chain.expected, 4U);
+    EXPECT_EQ(chain.found, 2U);
+    EXPECT_EQ(chain.places[2].verdict, Verdict::Missing);
+    EXPECT_EQ(chain.places[3].verdict, Verdict::Missing);
+}
+
+TEST(ChainDiagnosis, ACutOffFarEndIsToldFromABreak) {
+    const auto chain = diagnose(machineOf({kOldServo, kServo, kStep}), linkWith({kServo, kStep}));
+    EXPECT_EQ(chain.finding, Finding::FarEndMissing);
+}
+
+TEST(ChainDiagnosis, AnotherVersionIsOtherHardware) {
+    const auto chain = diagnose(machineOf({kServo, kServo}), linkWith({kServo, kOldServo}));
+    EXPECT_EQ(chain.finding, Finding::OtherHardware);
+    EXPECT_EQ(chain.at, ModuleIndex(1));
+    EXPECT_EQ(chain.places[1].verdict, Verdict::Different);
+}
+
+TEST(ChainDiagnosis, OneMoreIsSaid) {
+    const auto chain = diagnose(machineOf({kServo}), linkWith({kServo, kStep}));
+    EXPECT_EQ(chain.finding, Finding::MoreThanBefore);
+    EXPECT_EQ(chain.at, ModuleIndex(1));
+}
+
+TEST(ChainDiagnosis, SilenceAndRestartsComeFirst) {
+    LinkState link = linkWith({kServo, kServo, kServo});
+    link.modules[2].silent = true;
+    EXPECT_EQ(diagnose(machineOf({kServo}), link).finding, Finding::Silent);
+    link.modules[1].hasRestarted = true;
+    const auto chain = diagnose(machineOf({kServo}), link);
+    EXPECT_EQ(chain.finding, Finding::Restarted);
+    EXPECT_EQ(chain.at, ModuleIndex(1));
+}
+
+TEST(ChainDiagnosis, NothingIsConcludedWithoutAConnection) {
+    EXPECT_EQ(diagnose(machineOf({kServo}), {}).finding, Finding::NotConnected);
+    LinkState lost;
+    lost.phase = LinkPhase::Lost;
+    EXPECT_EQ(diagnose(machineOf({kServo}), lost).finding, Finding::NobodyAnswers);
+}
+
+}  // namespace
+}  // namespace nmc

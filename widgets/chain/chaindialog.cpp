@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chain/chaindialog.h"
+
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/chain/doctorpage.h"
+#include "widgets/chain/groupspage.h"
+#include "widgets/chain/ratepage.h"
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+ChainDialog::ChainDialog(QWidget* parent)
+    : QDialog(parent),
+      m_pages(new QTabWidget(this)),
+      m_doctor(new DoctorPage(this)),
+      m_groups(new GroupsPage(this)),
+      m_rate(new RatePage(this)) {
+    look::name(this, u"chainDialog"_s, tr("Chain"));
+    setWindowTitle(tr("Chain"));
+    setModal(false);
+    look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and rate"));
+    m_pages->tabBar()->setObjectName(u"chainPagesBar"_s);
+    m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());
+    m_pages->addTab(m_doctor, tr("Doctor"));
+    m_pages->addTab(m_groups, tr("Groups"));
+    m_pages->addTab(m_rate, tr("Rate"));
+    auto* layout = new QVBoxLayout(this);
+    const int unit = look::gridUnit(this);
+    layout->setContentsMargins(unit, unit, unit, unit);
+    layout->addWidget(m_pages);
+    resize(fontMetrics().height() * 44, fontMetrics().height() * 26);
+    connect(m_doctor, &DoctorPage::scanRequested, this, &ChainDialog::scanRequested);
+    connect(m_doctor, &DoctorPage::restartRequested, this, &ChainDialog::restartRequested);
+    connect(m_doctor, &DoctorPage::acceptRequested, this, &ChainDialog::acceptRequested);
+    connect(m_groups, &GroupsPage::groupChangeRequested, this, &ChainDialog::groupChangeRequested);
+    connect(m_groups, &GroupsPage::groupCommandRequested, this, &ChainDialog::groupCommandRequested);
+    connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);
+}
+
+void ChainDialog::open(Page page) {
+    m_pages->setCurrentIndex(page);
+    show();
+    raise();
+    activateWindow();
+}
+
+void ChainDialog::showChain(const Machine& machine, const LinkState& link) {
+    m_doctor->showChain(diagnose(machine, link));
+    m_groups->showLink(link);
+    m_rate->showLink(link);
+}
+
+}  // namespace nmc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+#include "bus/types.h"
+#include "model/linkstate.h"
+#include "model/machine.h"
+
+class QTabWidget;
+
+namespace nmc {
+
+class DoctorPage;
+class GroupsPage;
+class RatePage;
+
+/// What concerns the chain as a whole: doctor, groups, rate. Not modal: the panel stays usable, and STOP ALL
+/// with it.
+class ChainDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    enum Page { Doctor, Groups, Rate };
+
+    explicit ChainDialog(QWidget* parent = nullptr);
+
+    void open(Page page);
+    /// Emits nothing.
+    void showChain(const Machine& machine, const LinkState& link);
+
+signals:
+    void scanRequested();
+    void restartRequested();
+    void acceptRequested();
+    void groupChangeRequested(const nmc::bus::GroupChange& change);
+    void groupCommandRequested(const nmc::bus::GroupCommand& command);
+    void rateRequested(quint32 baud);
+
+private:
+    QTabWidget* m_pages;
+    DoctorPage* m_doctor;
+    GroupsPage* m_groups;
+    RatePage* m_rate;
+};
+
+}  // namespace nmc

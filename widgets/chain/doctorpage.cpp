@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chain/doctorpage.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <algorithm>
+
+#include "widgets/common/chaintexts.h"
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+enum Column { Address, Name, Expected, Found, Verdict, Columns };
+}  // namespace
+
+DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"doctorPage"_s, tr("Chain doctor"));
+    build();
+    showChain({});
+}
+
+void DoctorPage::build() {
+    const int unit = look::gridUnit(this);
+    m_glyph = new GlyphLabel(this);
+    m_glyph->setFont(look::scaled(font(), 1.6));
+    m_finding = new QLabel(this);
+    m_finding->setObjectName(u"chainFinding"_s);
+    m_finding->setWordWrap(true);
+    QFont bold = font();
+    bold.setBold(true);
+    m_finding->setFont(bold);
+    m_advice = new QLabel(this);
+    m_advice->setObjectName(u"chainAdvice"_s);
+    m_advice->setWordWrap(true);
+    m_table = new QTableWidget(0, Columns, this);
+    look::name(m_table, u"chainTable"_s, tr("Modules expected and found, the farthest from the PC first"));
+    m_table->setHorizontalHeaderLabels({tr("Address"), tr("Name"), tr("Expected"), tr("Found"), tr("State")});
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_scan = new QPushButton(tr("&Scan again"), this);
+    look::name(m_scan, u"scanButton"_s, tr("Look for the chain again"));
+    m_accept = new QPushButton(tr("&Take as expected"), this);
+    look::name(m_accept, u"acceptChainButton"_s, tr("Take what is there as expected"));
+    m_restart = new QPushButton(tr("&Restart the network…"), this);
+    look::name(m_restart, u"restartChainButton"_s, tr("Restart the network: positions and gains are lost"));
+
+    auto* head = new QHBoxLayout;
+    head->setSpacing(unit);
+    head->addWidget(m_glyph);
+    head->addWidget(m_finding, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addWidget(m_scan);
+    buttons->addWidget(m_accept);
+    buttons->addStretch(1);
+    buttons->addWidget(m_restart);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, unit, unit, unit);
+    layout->setSpacing(unit);
+    layout->addLayout(head);
+    layout->addWidget(m_advice);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(buttons);
+    connect(m_scan, &QPushButton::clicked, this, &DoctorPage::scanRequested);
+    connect(m_accept, &QPushButton::clicked, this, &DoctorPage::acceptRequested);
+    connect(m_restart, &QPushButton::clicked, this, &DoctorPage::restartRequested);
+}
+
+void DoctorPage::showChain(const ChainDiagnosis& chain) {
+    if (m_chain == chain)
+        return;
+    m_chain = chain;
+    m_glyph->showSeverity(texts::severityOf(chain.finding));
+    look::setText(m_finding, texts::chainFinding(chain));
+    const QString advice = texts::chainAdvice(chain);
+    look::setText(m_advice, advice);
+    m_advice->setVisible(!advice.isEmpty());
+    fill();
+    const bool open = chain.finding != ChainDiagnosis::Finding::NotConnected;
+    const QString reason = open ? QString() : texts::refusal(Refusal::NotConnected);
+    look::setPossible(m_scan, reason,
+                      tr("Looks for the chain again with questions only: nothing is reset, nothing moves."));
+    look::setPossible(m_restart, reason, tr("Resets every module and gives addresses again. Asks first."));
+    const bool differs = std::any_of(chain.places.begin(), chain.places.end(),
+                                     [](const ChainPlace& place) { return place.expected != place.found; });
+    look::setPossible(m_accept,
+                      !reason.isEmpty() ? reason
+                      : differs         ? QString()
+                                        : tr("It is what is expected already."),
+                      tr("From now on the modules that are there are the expected ones."));
+}
+
+void DoctorPage::fill() {
+    m_table->setRowCount(static_cast<int>(m_chain->places.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ChainPlace& place = m_chain->places[static_cast<std::size_t>(row)];
+        const auto identity = [](const std::optional<ModuleIdentity>& module) {
+            return module ? texts::moduleType(*module) : u"–"_s;
+        };
+        const std::array<QString, Columns> cells{QString::number(place.module.value() + 1),
+                                                 QString::fromStdString(place.name), identity(place.expected),
+                                                 identity(place.found), texts::chainVerdict(place.verdict)};
+        for (int column = 0; column < Columns; ++column) {
+            auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+            if (column == Verdict && texts::severityOf(place.verdict) != Severity::Normal) {
+                QFont bold = m_table->font();
+                bold.setBold(true);
+                item->setFont(bold);
+            }
+            m_table->setItem(row, column, item);
+        }
+    }
+}
+
+}  // namespace nmc

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "model/chaindiagnosis.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace nmc {
+
+class GlyphLabel;
+
+/// The chain doctor: expected against found, and where the chain probably breaks, in words.
+class DoctorPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DoctorPage(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showChain(const ChainDiagnosis& chain);
+
+signals:
+    /// Looks for the chain again; nothing is reset.
+    void scanRequested();
+    void restartRequested();
+    /// What is there now is what is expected from now on.
+    void acceptRequested();
+
+private:
+    void build();
+    void fill();
+
+    GlyphLabel* m_glyph = nullptr;
+    QLabel* m_finding = nullptr;
+    QLabel* m_advice = nullptr;
+    QTableWidget* m_table = nullptr;
+    QPushButton* m_scan = nullptr;
+    QPushButton* m_accept = nullptr;
+    QPushButton* m_restart = nullptr;
+    std::optional<ChainDiagnosis> m_chain;
+};
+
+}  // namespace nmc

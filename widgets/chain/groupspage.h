@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "bus/types.h"
+#include "model/intent.h"
+#include "model/linkstate.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+/// Which group each module listens to, who leads it, and what a whole group can be told at once: start the
+/// loaded moves in one tick, or save home (DS-V 4.1).
+class GroupsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit GroupsPage(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showLink(const LinkState& link);
+
+signals:
+    void groupChangeRequested(const nmc::bus::GroupChange& change);
+    void groupCommandRequested(const nmc::bus::GroupCommand& command);
+
+private:
+    struct Member {
+        QLabel* name = nullptr;
+        QComboBox* group = nullptr;
+        QCheckBox* leader = nullptr;
+        QLabel* load = nullptr;
+    };
+    void addMember();
+    void showMember(const Member& row, const ModuleState& module);
+    void changed(std::size_t row);
+    void command(bus::GroupCommand::Action action);
+    void offerGroups();
+    void refreshCommands();
+    [[nodiscard]] QString whyNotStart(std::uint8_t group) const;
+
+    std::vector<Member> m_members;
+    QGridLayout* m_grid = nullptr;
+    QLabel* m_none = nullptr;
+    QComboBox* m_group = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_saveHome = nullptr;
+    LinkState m_link;
+};
+
+}  // namespace nmc

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "model/linkstate.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+/// The rate of the whole chain, changed while it runs: every module is asked at the new rate, and all go back
+/// when one does not follow.
+class RatePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RatePage(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showLink(const LinkState& link);
+
+signals:
+    void rateRequested(quint32 baud);
+
+private:
+    void refresh();
+
+    QLabel* m_now;
+    QComboBox* m_rate;
+    QPushButton* m_change;
+    LinkPhase m_phase = LinkPhase::Disconnected;
+    quint32 m_baud = 0;
+    bool m_moving = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "model/chaindiagnosis.h"
+
+/// The chain doctor's part of the table of texts.
+namespace nmc::texts {
+
+/// What it comes to, one sentence.
+[[nodiscard]] QString chainFinding(const ChainDiagnosis& chain);
+/// What to look at, and what to do then; empty when all is well.
+[[nodiscard]] QString chainAdvice(const ChainDiagnosis& chain);
+[[nodiscard]] QString chainVerdict(ChainPlace::Verdict verdict);
+[[nodiscard]] Severity severityOf(ChainPlace::Verdict verdict);
+[[nodiscard]] Severity severityOf(ChainDiagnosis::Finding finding);
+/// "Group 81", "no group".
+[[nodiscard]] QString groupName(std::uint8_t group);
+
+}  // namespace nmc::texts
