@@ -147,6 +147,18 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The servo is on. Switch the motor off first.");
         case Refusal::VersionLacksIt:
             return Texts::tr("This version of the chip cannot do it.");
+        case Refusal::NothingToFind:
+            return Texts::tr("Nothing is chosen that home could be found by.");
+        case Refusal::NoSearchLimits:
+            return Texts::tr("A search needs a travel limit and a time limit above 0.");
+        case Refusal::LimitActive:
+            return Texts::tr("The limit is active now: it would stop the motor when it is left.");
+        case Refusal::LimitIsOutput:
+            return Texts::tr("The limit's pin is an output, so it tells nothing.");
+        case Refusal::ParametersUnknown:
+            return Texts::tr("The parameters are unknown. Apply them first: they come before any motion.");
+        case Refusal::StepTooShort:
+            return Texts::tr("A move by 0 is none.");
     }
     return {};
 }

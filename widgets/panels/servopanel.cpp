@@ -9,6 +9,7 @@
 #include "widgets/common/look.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/gainsbox.h"
+#include "widgets/panels/homingbox.h"
 #include "widgets/panels/motionbox.h"
 #include "widgets/panels/panelhead.h"
 
@@ -21,7 +22,8 @@ namespace {
 bool isStop(const Intent& intent) {
     return std::holds_alternative<intent::StopSmoothly>(intent) ||
            std::holds_alternative<intent::StopAbruptly>(intent) ||
-           std::holds_alternative<intent::MotorOff>(intent);
+           std::holds_alternative<intent::MotorOff>(intent) ||
+           std::holds_alternative<intent::CancelProcedure>(intent);
 }
 }  // namespace
 
@@ -31,11 +33,13 @@ ServoPanel::ServoPanel(QWidget* parent)
       m_motion(new MotionBox(this)),
       m_pages(new QTabWidget(this)),
       m_gains(new GainsBox(this)),
+      m_homing(new HomingBox(this)),
       m_details(new DetailsBox(this)) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
-    look::name(m_pages, u"servoPages"_s, tr("Gains and details"));
+    look::name(m_pages, u"servoPages"_s, tr("Gains, homing and details"));
     m_pages->setDocumentMode(true);
     m_pages->addTab(m_gains, tr("Gains"));
+    m_pages->addTab(m_homing, tr("Homing"));
     m_pages->addTab(m_details, tr("Details"));
     m_pages->tabBar()->setAccessibleName(tr("Pages of the module"));
     m_pages->tabBar()->setObjectName(u"servoPagesBar"_s);
@@ -54,6 +58,9 @@ ServoPanel::ServoPanel(QWidget* parent)
     connect(m_head, &PanelHead::intentRequested, this, &ServoPanel::pass);
     connect(m_motion, &MotionBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_homing, &HomingBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_homing, &HomingBox::settingsEdited, this,
+            [this](const AxisSettings& settings) { emit settingsEdited(m_module, settings); });
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
     connect(m_motion, &MotionBox::holdRequested, this, &ServoPanel::holdRequested);
@@ -74,6 +81,7 @@ void ServoPanel::setBusy(bool busy) {
     m_head->setBusy(busy);
     m_motion->setBusy(busy);
     m_gains->setBusy(busy);
+    m_homing->setBusy(busy);
     m_details->setBusy(busy);
 }
 
@@ -92,6 +100,7 @@ void ServoPanel::showModule(const PanelView& view) {
     m_head->showModule(module, why, view.age);
     m_motion->showModule(module, why);
     m_gains->showModule(module, why(Request::ApplyGains));
+    m_homing->showModule(view);
     m_details->showModule(module, why);
 }
 

@@ -12,11 +12,12 @@ namespace nmc {
 
 class DetailsBox;
 class GainsBox;
+class HomingBox;
 class MotionBox;
 class PanelHead;
 
-/// Everything one PIC-SERVO can be asked for. Motion is always in sight; gains and details (and later limits
-/// and homing) share the pages beside it.
+/// Everything one PIC-SERVO can be asked for. Motion is always in sight; gains, homing and details share the
+/// pages beside it.
 class ServoPanel : public QWidget {
     Q_OBJECT
 
@@ -43,6 +44,7 @@ private:
     MotionBox* m_motion;
     QTabWidget* m_pages;
     GainsBox* m_gains;
+    HomingBox* m_homing;
     DetailsBox* m_details;
     ModuleIndex m_module;
     TimePoint m_latestTime;
