@@ -210,7 +210,9 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (std::holds_alternative<intent::CancelProcedure>(intent))
         return;
     if (auto procedure = procedureFor(intent, *module)) {
-        m_procedures.begin(std::move(procedure));
+        // The one before is still stopping its motor: nothing waits in a queue to move.
+        if (!m_procedures.begin(std::move(procedure)))
+            m_window.showMessage(texts::notPossible(index, Refusal::Moving));
         return;
     }
     auto steps = plan(intent, *module);

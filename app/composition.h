@@ -87,7 +87,7 @@ private:
     BusStore m_store{m_worker};
     MainWindow m_window;
     ProcedureController m_procedures{
-        m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }};
+        m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;

@@ -32,15 +32,16 @@ ProcedureController::ProcedureController(BusStore& store, Submit submit, QObject
     connect(&m_store, &BusStore::linkChanged, this, &ProcedureController::advance);
 }
 
-void ProcedureController::begin(std::unique_ptr<Procedure> procedure) {
+bool ProcedureController::begin(std::unique_ptr<Procedure> procedure) {
     const ModuleIndex module = procedure->report().module;
     if (running(module))
-        return;
+        return false;
     Run& run = m_runs[module];
     run.procedure = std::move(procedure);
     tell(run);
     m_timer.start();
     advance();
+    return true;
 }
 
 void ProcedureController::cancel(ModuleIndex module) {

@@ -26,8 +26,8 @@ public:
 
     ProcedureController(BusStore& store, Submit submit, QObject* parent = nullptr);
 
-    /// Unless one runs with that module already.
-    void begin(std::unique_ptr<Procedure> procedure);
+    /// False while one runs with that module already.
+    [[nodiscard]] bool begin(std::unique_ptr<Procedure> procedure);
     [[nodiscard]] bool running(ModuleIndex module) const { return m_runs.count(module) != 0; }
     [[nodiscard]] bool anyRunning() const { return !m_runs.empty(); }
 

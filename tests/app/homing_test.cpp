@@ -187,8 +187,16 @@ TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
 TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     NmcsimProcess sim(u"servo,servo"_s);
     ASSERT_NO_FATAL_FAILURE(begin(sim));
+    auto* procedures = panel.composition().findChild<ProcedureController*>();
     panel.ask(intent::StepBy{250, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), 3, 0.05, false});
-    EXPECT_TRUE(panel.waitFor([&] { return std::abs(sim.state(1)[u"position"_s].toInt() - 750) < 5; }));
+    ASSERT_TRUE(procedures->anyRunning());
+    ASSERT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 750, 4);
+    panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    panel.ask(intent::Home{});
+    EXPECT_EQ(panel.count(u"Not possible for module 1 now"_s), 1) << "not in a queue either";
+    EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
     panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     emit panel.window().stopAllRequested();

@@ -4,6 +4,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include "model/homingplan.h"
 #include "widgets/common/icons.h"
@@ -83,20 +85,36 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     buttons->addWidget(m_lastHome, 1);
     buttons->addWidget(m_cancel);
     buttons->addWidget(m_home);
+    // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
+    auto* content = new QWidget(this);
+    auto* inner = new QVBoxLayout(content);
+    inner->setContentsMargins(0, 0, unit / 2, 0);
+    inner->setSpacing(unit);
+    inner->addWidget(m_form);
+    if (type != ModuleType::Step) {
+        m_limitStop = new LimitStopBox(content);
+        inner->addWidget(m_limitStop);
+        connect(m_limitStop, &LimitStopBox::intentRequested, this, &HomingBox::intentRequested);
+    }
+    inner->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    look::name(scroll, named(u"homingScroll"_s), tr("Settings of the search"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    scroll->setMinimumWidth(content->minimumSizeHint().width() +
+                            scroll->verticalScrollBar()->sizeHint().width());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, unit, unit);
     layout->setSpacing(unit / 2);
-    layout->addWidget(m_form);
     layout->addLayout(buttons);
     layout->addWidget(m_stages);
     layout->addWidget(m_result);
     layout->addWidget(m_hint);
-    if (type != ModuleType::Step) {
-        m_limitStop = new LimitStopBox(this);
-        layout->addWidget(m_limitStop);
-        connect(m_limitStop, &LimitStopBox::intentRequested, this, &HomingBox::intentRequested);
-    }
-    layout->addStretch(1);
+    layout->addSpacing(unit / 2);
+    layout->addWidget(scroll, 1);
 
     connect(m_form, &HomingForm::edited, this, &HomingBox::keepRecipe);
     connect(m_home, &QPushButton::clicked, this,

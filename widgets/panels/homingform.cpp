@@ -51,19 +51,17 @@ QString HomingForm::named(const QString& name) const {
 
 QWidget* HomingForm::row(const QList<QWidget*>& widgets) {
     auto* holder = new QWidget(this);
-    auto* layout = new QGridLayout(holder);
+    auto* layout = new QHBoxLayout(holder);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setHorizontalSpacing(look::gridUnit(this) * 2);
-    layout->setVerticalSpacing(look::gridUnit(this) / 3);
-    constexpr int kColumns = 3;
-    for (int i = 0; i < widgets.size(); ++i)
-        layout->addWidget(widgets[i], i / kColumns, i % kColumns);
-    layout->setColumnStretch(kColumns, 1);
+    layout->setSpacing(look::gridUnit(this) * 2);
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget);
+    layout->addStretch(1);
     return holder;
 }
 
 void HomingForm::addTitle(QGridLayout* grid, const QString& text, QWidget* content) {
-    grid->addWidget(new QLabel(text, this), m_line, 0, Qt::AlignTop);
+    grid->addWidget(new QLabel(text, this), m_line, 0);
     grid->addWidget(content, m_line++, 1, 1, 3);
 }
 
@@ -109,7 +107,8 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         << addBox(u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
                   tr("Home is at a hard stop: the motor runs against it until the current limit is reached. "
                      "Starting must not reach it: take a low acceleration. Sticky bits are cleared before."));
-    addTitle(grid, tr("Home is at"), row(conditions));
+    addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
+    addTitle(grid, QString(), row(conditions.mid(3)));
     addTitle(
         grid, QString(),
         addBox(u"thenIndexBox"_s, tr("then at the index, in the other direction"), &HomingRecipe::thenIndex,
