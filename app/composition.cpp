@@ -8,6 +8,7 @@
 #include "link/clock.h"
 #include "link/serialtransport.h"
 #include "link/simulatortransport.h"
+#include "model/procedures.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/texts.h"
@@ -39,6 +40,12 @@ PacketSession packetSession(const QString& port) {
     session.simulated = isSimulator(port);
     session.zero = monotonicNow();
     return session;
+}
+
+bool isStop(const Intent& intent) {
+    return std::holds_alternative<intent::StopSmoothly>(intent) ||
+           std::holds_alternative<intent::StopAbruptly>(intent) ||
+           std::holds_alternative<intent::MotorOff>(intent);
 }
 
 /// Where the settings remember how long the chain at a port was.
@@ -93,6 +100,7 @@ void Composition::stopAndQuit() {
     }
     m_quitWhenClosed = true;
     m_openNext.reset();
+    m_procedures.stopAll();
     m_worker.close();
 }
 
@@ -116,10 +124,14 @@ void Composition::wireWindow() {
     connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
     connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
+    connect(&m_window, &MainWindow::restartNetworkRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
+    connect(&m_window, &MainWindow::stopAllRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::axisEdited, this, &Composition::editAxis);
+    connect(&m_window, &MainWindow::holdRequested, this,
+            [this](const bus::HoldToMove& hold) { m_procedures.cancel(hold.module); });
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
@@ -138,6 +150,7 @@ void Composition::wireStore() {
         m_motionMarker.update(m_store.link());
     });
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
+    connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
 }
 
 void Composition::connectTo(const QString& port, quint32 baud) {
@@ -147,9 +160,10 @@ void Composition::connectTo(const QString& port, quint32 baud) {
 
 void Composition::connectAnyway(const QString& port, quint32 baud) {
     m_openNext = Target{port, baud};
-    if (m_worker.isOpen())
+    if (m_worker.isOpen()) {
+        m_procedures.stopAll();
         m_worker.close();  // PortClosed opens the next
-    else
+    } else
         openNow(*std::exchange(m_openNext, std::nullopt));
 }
 
@@ -182,6 +196,7 @@ void Composition::openNow(const Target& target) {
 
 void Composition::disconnectFromPort() {
     m_openNext.reset();
+    m_procedures.stopAll();
     m_worker.close();
 }
 
@@ -189,12 +204,44 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
+    const bool stops = isStop(intent);
+    if (!stops)
+        m_procedures.cancel(index);
+    if (std::holds_alternative<intent::CancelProcedure>(intent))
+        return;
+    if (auto procedure = procedureFor(intent, *module)) {
+        // The one before is still stopping its motor: nothing waits in a queue to move.
+        if (!m_procedures.begin(std::move(procedure)))
+            m_window.showMessage(texts::notPossible(index, Refusal::Moving));
+        return;
+    }
     auto steps = plan(intent, *module);
     if (!steps) {
+        m_procedures.cancel(index);
         m_window.showMessage(texts::notPossible(index, steps.error()));
         return;
     }
-    m_worker.submit({bus::OperationId(++m_lastOperation), std::move(*steps)});
+    submit(std::move(*steps));
+    if (stops)
+        m_procedures.overtake(index);
+}
+
+bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
+    const bus::OperationId id(++m_lastOperation);
+    m_worker.submit({id, std::move(steps)});
+    return id;
+}
+
+void Composition::showProcedure(const ProcedureReport& report) {
+    m_window.showProcedure(report);
+    const ModuleState* module = m_store.module(report.module);
+    if (!report.over() || module == nullptr)
+        return;
+    const AxisUnit unit = m_machine.axis(report.module).unit;
+    const AxisScale scale = module->isServo() ? AxisScale::servo(unit, module->gains ? module->gains->sr : 1)
+                                              : AxisScale::step(unit);
+    if (const auto message = texts::procedureEnded(report, scale))
+        m_window.showMessage(*message);
 }
 
 void Composition::editAxis(ModuleIndex module, const AxisSettings& settings) {
@@ -208,9 +255,11 @@ void Composition::act(const QString& key, const QString& action) {
     if (action == texts::action::kRetry && m_target)
         connectTo(m_target->port, m_target->baud);
     else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) &&
-             m_worker.isOpen())
+             m_worker.isOpen()) {
+        if (m_procedures.anyRunning())
+            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
         m_worker.connectAgain();
-    else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) && m_target)
+    } else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) && m_target)
         connectTo(m_target->port, m_target->baud);
     else if (action == texts::action::kConnectOffered && m_ports.offered()) {
         const PortController::Offer offer = *m_ports.offered();
@@ -250,6 +299,9 @@ void Composition::showFrame() {
 }
 
 void Composition::tell(const StoreEvent& event) {
+    // What became of a procedure's operation is for the procedure to say.
+    if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
+        return;
     std::visit([this](const auto& news) { told(news); }, event);
 }
 

@@ -11,6 +11,7 @@
 #include "app/commandline.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
+#include "app/procedurecontroller.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
 #include "model/intent.h"
@@ -54,6 +55,8 @@ private:
     void openNow(const Target& target);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
+    bus::OperationId submit(std::vector<bus::Step> steps);
+    void showProcedure(const ProcedureReport& report);
     void editAxis(ModuleIndex module, const AxisSettings& settings);
     void act(const QString& key, const QString& action);
     /// Of the module that the message of this key is about.
@@ -83,6 +86,8 @@ private:
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
+    ProcedureController m_procedures{
+        m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;

@@ -89,6 +89,7 @@ void ModuleState::watchHome(const bus::Sample& sample) {
     const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
     if (off && homing.switchesOff()) {
         offCommanded = true;
+        switchedItselfOff = false;
         m_looksWhileOff = 0;
         motion = MotionMode::None;
     } else if (homing.stops()) {

@@ -9,7 +9,9 @@
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
 #include "link/linktypes.h"
+#include "model/axisscale.h"
 #include "model/modulestate.h"
+#include "model/procedure.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -80,6 +82,14 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] Message holdExpired(ModuleIndex module);
 /// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
+
+// ---- procedures (homing, moves by N) ----
+/// Nothing where it ended as its user asked, or by a stop.
+[[nodiscard]] std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisScale& scale);
+/// Where it is, or how it ended: "Searching"...
+[[nodiscard]] QString procedureStage(const ProcedureReport& report);
+/// Why it ended, one sentence.
+[[nodiscard]] QString procedureFailure(ProcedureFailure failure);
 
 // ---- stopping, closing, safety ----
 /// `stopped`: motors moved, and were stopped while the panel was frozen.

@@ -10,6 +10,7 @@
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/gainsbox.h"
+#include "widgets/panels/homingbox.h"
 #include "widgets/panels/iobox.h"
 #include "widgets/panels/jogbox.h"
 #include "widgets/panels/motionbox.h"
@@ -26,7 +27,8 @@ bool isStop(const Intent& intent) {
     return std::holds_alternative<intent::StopSmoothly>(intent) ||
            std::holds_alternative<intent::StopAbruptly>(intent) ||
            std::holds_alternative<intent::StopHere>(intent) ||
-           std::holds_alternative<intent::MotorOff>(intent);
+           std::holds_alternative<intent::MotorOff>(intent) ||
+           std::holds_alternative<intent::CancelProcedure>(intent);
 }
 }  // namespace
 
@@ -38,6 +40,7 @@ ServoPanel::ServoPanel(QWidget* parent)
       m_pages(new QTabWidget(this)),
       m_gains(new GainsBox(this)),
       m_io(new IoBox(this)),
+      m_homing(new HomingBox(this)),
       m_pwm(new PwmBox(this)),
       m_axis(new AxisBox(this)),
       m_details(new DetailsBox(this)) {
@@ -46,6 +49,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_pages->setDocumentMode(true);
     m_pages->addTab(m_gains, tr("Gains"));
     m_pages->addTab(m_io, tr("Limits && I/O"));
+    m_pages->addTab(m_homing, tr("Homing"));
     m_pages->addTab(m_pwm, tr("PWM"));
     m_pages->addTab(m_axis, tr("Axis"));
     m_pages->addTab(m_details, tr("Details"));
@@ -76,6 +80,9 @@ void ServoPanel::connectBoxes() {
     connect(m_io, &IoBox::intentRequested, this, &ServoPanel::pass);
     connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_homing, &HomingBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_homing, &HomingBox::settingsEdited, this,
+            [this](const AxisSettings& settings) { emit settingsEdited(m_module, settings); });
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
     connect(m_jog, &JogBox::holdRequested, this, &ServoPanel::holdRequested);
@@ -103,6 +110,7 @@ void ServoPanel::setBusy(bool busy) {
     m_gains->setBusy(busy);
     m_io->setBusy(busy);
     m_pwm->setBusy(busy);
+    m_homing->setBusy(busy);
     m_details->setBusy(busy);
 }
 
@@ -120,6 +128,7 @@ void ServoPanel::showModule(const PanelView& view) {
     m_jog->showModule(view, m_motion->acceleration());
     m_gains->showModule(view);
     m_io->showModule(view);
+    m_homing->showModule(view);
     m_pwm->showModule(view);
     m_axis->showModule(view);
     m_details->showModule(view);

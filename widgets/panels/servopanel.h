@@ -13,6 +13,7 @@ namespace nmc {
 class AxisBox;
 class DetailsBox;
 class GainsBox;
+class HomingBox;
 class IoBox;
 class JogBox;
 class MotionBox;
@@ -50,6 +51,7 @@ private:
     QTabWidget* m_pages;
     GainsBox* m_gains;
     IoBox* m_io;
+    HomingBox* m_homing;
     PwmBox* m_pwm;
     AxisBox* m_axis;
     DetailsBox* m_details;

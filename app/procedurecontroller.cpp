@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/procedurecontroller.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "link/clock.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr int kIntervalMs = 50;
+
+/// After a stop by somebody else: what neither moves nor switches anything on.
+void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
+    const auto disarms = [](const bus::Step& step) {
+        const auto* servo = std::get_if<ServoCommand>(&step.command);
+        const auto* stepper = std::get_if<StepCommand>(&step.command);
+        return (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
+               (stepper != nullptr && std::holds_alternative<step::SetHoming>(*stepper));
+    };
+    steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(disarms)), steps.end());
+}
+
+}  // namespace
+
+ProcedureController::ProcedureController(BusStore& store, Submit submit, QObject* parent)
+    : QObject(parent), m_store(store), m_submit(std::move(submit)) {
+    m_timer.setInterval(kIntervalMs);
+    connect(&m_timer, &QTimer::timeout, this, &ProcedureController::look);
+    connect(&m_store, &BusStore::linkChanged, this, &ProcedureController::advance);
+}
+
+bool ProcedureController::begin(std::unique_ptr<Procedure> procedure) {
+    const ModuleIndex module = procedure->report().module;
+    if (running(module))
+        return false;
+    Run& run = m_runs[module];
+    run.procedure = std::move(procedure);
+    tell(run);
+    m_timer.start();
+    advance();
+    return true;
+}
+
+void ProcedureController::cancel(ModuleIndex module) {
+    const auto found = m_runs.find(module);
+    if (found == m_runs.end())
+        return;
+    found->second.procedure->cancel();
+    advance();
+}
+
+void ProcedureController::cancelAll() {
+    for (auto& [module, run] : m_runs)
+        run.procedure->cancel();
+    advance();
+}
+
+void ProcedureController::overtake(ModuleIndex module) {
+    const auto found = m_runs.find(module);
+    if (found == m_runs.end())
+        return;
+    end(found->second);
+    advance();
+}
+
+void ProcedureController::overtakeAll() {
+    for (auto& [module, run] : m_runs)
+        end(run);
+    advance();
+}
+
+void ProcedureController::end(Run& run) {
+    run.procedure->cancel();
+    tell(run);
+    if (run.overtaken || run.told->over())
+        return;
+    run.overtaken = true;
+    run.told = run.procedure->report();
+    run.told->stage = ProcedureStage::Cancelled;
+    emit reported(*run.told);
+}
+
+void ProcedureController::stopAll() {
+    m_stopping = true;
+    overtakeAll();
+}
+
+void ProcedureController::forget() {
+    m_stopping = false;
+    for (auto& [module, run] : m_runs)
+        end(run);
+    m_runs.clear();
+    m_timer.stop();
+}
+
+/// The news first: a stop that came from elsewhere must not be followed by a move.
+void ProcedureController::look() {
+    m_store.drain();
+    advance();
+}
+
+void ProcedureController::advance() {
+    if (m_stopping)
+        return;
+    const TimePoint now = monotonicNow();
+    for (auto it = m_runs.begin(); it != m_runs.end();) {
+        bool over = false;
+        if (const ModuleState* module = m_store.module(it->first))
+            ask(it->second, *module, now, over);
+        it = over ? m_runs.erase(it) : std::next(it);
+    }
+    if (m_runs.empty())
+        m_timer.stop();
+}
+
+void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now, bool& over) {
+    if (run.operation)
+        return;
+    Procedure::Next next = run.procedure->next(module, now);
+    if (auto* send = std::get_if<Procedure::Send>(&next)) {
+        if (run.overtaken)
+            keepWhatIsHarmless(send->steps);
+        if (send->steps.empty())
+            run.procedure->onFinished(bus::Outcome::Done);
+        else
+            run.operation = m_submit(std::move(send->steps));
+    }
+    over = std::holds_alternative<Procedure::End>(next);
+    tell(run);
+}
+
+void ProcedureController::tell(Run& run) {
+    const ProcedureReport report = run.procedure->report();
+    if (run.overtaken || run.told == report)
+        return;
+    run.told = report;
+    emit reported(report);
+}
+
+void ProcedureController::suspect(std::optional<ModuleIndex> module) {
+    for (auto& [index, run] : m_runs)
+        if (!module || *module == index)
+            run.procedure->onLinkSuspect();
+}
+
+bool ProcedureController::finished(const bus::OperationFinished& finished) {
+    for (auto& [module, run] : m_runs)
+        if (run.operation == finished.id) {
+            run.operation.reset();
+            run.procedure->onFinished(finished.outcome);
+            return true;
+        }
+    return false;
+}
+
+bool ProcedureController::take(const StoreEvent& event) {
+    if (const auto* end = std::get_if<bus::OperationFinished>(&event))
+        return finished(*end);
+    if (const auto* silence = std::get_if<bus::ModuleSilence>(&event)) {
+        suspect(silence->module);
+    } else if (const auto* health = std::get_if<bus::HealthChanged>(&event)) {
+        if (health->health != bus::LinkHealth::Good)
+            suspect(health->module);
+    } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
+        suspect(restarted->module);
+    } else if (std::holds_alternative<MachineSlept>(event) || std::holds_alternative<bus::LinkLost>(event)) {
+        suspect(std::nullopt);
+    } else if (const auto* motion = std::get_if<bus::MotionSuspect>(&event)) {
+        overtake(motion->module);
+    } else if (const auto* froze = std::get_if<PanelFroze>(&event)) {
+        if (froze->stopped)
+            overtakeAll();
+        else
+            cancelAll();
+    } else if (std::holds_alternative<bus::StopFinished>(event)) {
+        // Also one that nobody here has asked for.
+        m_stopping = false;
+        overtakeAll();
+    } else if (std::holds_alternative<bus::ChainFound>(event) ||
+               std::holds_alternative<bus::ConnectFailed>(event) ||
+               std::holds_alternative<PortClosed>(event)) {
+        forget();
+    }
+    return true;
+}
+
+}  // namespace nmc

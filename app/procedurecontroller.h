@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "link/busstore.h"
+#include "model/procedure.h"
+
+namespace nmc {
+
+/// Runs procedures, at most one with each module: asks them what is next whenever there is news, and 20 times
+/// a second. A stop never waits for one: whatever has stopped the motor is told to it afterwards, and all
+/// that it may still send then is that the chip need not look for home any more. GUI thread.
+class ProcedureController : public QObject {
+    Q_OBJECT
+
+public:
+    /// Submits one operation.
+    using Submit = std::function<bus::OperationId(std::vector<bus::Step>)>;
+
+    ProcedureController(BusStore& store, Submit submit, QObject* parent = nullptr);
+
+    /// False while one runs with that module already.
+    [[nodiscard]] bool begin(std::unique_ptr<Procedure> procedure);
+    [[nodiscard]] bool running(ModuleIndex module) const { return m_runs.count(module) != 0; }
+    [[nodiscard]] bool anyRunning() const { return !m_runs.empty(); }
+
+    /// The user wants something else of the module, or nothing: its procedure stops the motor, and ends.
+    void cancel(ModuleIndex module);
+    void cancelAll();
+    /// The motor has been stopped or switched off by somebody else.
+    void overtake(ModuleIndex module);
+    /// A stop of all motors begins; until stopFinished() nothing is sent.
+    void stopAll();
+    /// The connection is over, or another has begun.
+    void forget();
+    /// Sorts the news out; false for the end of an operation that is none of ours.
+    bool take(const StoreEvent& event);
+
+signals:
+    void reported(const nmc::ProcedureReport& report);
+
+private:
+    struct Run {
+        std::unique_ptr<Procedure> procedure;
+        std::optional<bus::OperationId> operation;
+        std::optional<ProcedureReport> told;
+        bool overtaken = false;
+    };
+
+    void look();
+    void advance();
+    void ask(Run& run, const ModuleState& module, TimePoint now, bool& over);
+    void tell(Run& run);
+    void end(Run& run);
+    void suspect(std::optional<ModuleIndex> module);
+    bool finished(const bus::OperationFinished& finished);
+    void overtakeAll();
+
+    BusStore& m_store;
+    Submit m_submit;
+    QTimer m_timer;
+    std::map<ModuleIndex, Run> m_runs;
+    bool m_stopping = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The homing page through the whole program, by object name, against nmcsim: where home is, is the
+// simulator's word.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabWidget>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+using namespace Qt::StringLiterals;
+
+class HomingPage : public testing::Test {
+protected:
+    /// Connected, with gains, enabled, and the homing page in sight.
+    void begin(NmcsimProcess& sim) {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        // Limit 1 is at -700, limit 2 at 9 000; the shaft stands on its index.
+        for (const QString& line :
+             {u"set 1 travel_min -700"_s, u"set 1 travel_max 9000"_s, u"set 1 limits auto"_s})
+            std::ignore = sim.control(line);
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        auto* pages = panel.window().findChild<QTabWidget*>(u"servoPages"_s);
+        pages->setCurrentWidget(panel.window().findChild<QWidget*>(u"homingBox"_s));
+        ASSERT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }))
+            << button("homeButton")->toolTip().toStdString();
+    }
+    QAbstractButton* button(const char* name) {
+        auto* found = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    QString text(const char* label) {
+        return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
+    }
+    void click(const char* name) {
+        ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
+            << name << ": " << button(name)->toolTip().toStdString();
+        button(name)->click();
+    }
+    void type(const char* field, const QString& words) {
+        auto* edit = panel.window().findChild<QLineEdit*>(QLatin1String(field));
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, words);
+    }
+    bool waitForResult(const QString& words) {
+        const bool came = panel.waitFor([&] { return text("homingResultLabel").contains(words); });
+        EXPECT_TRUE(came) << text("homingResultLabel").toStdString();
+        return came;
+    }
+    IntentPanel panel;
+};
+
+TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"1,5"_s);
+    click("homeButton");
+    EXPECT_TRUE(panel.waitFor([&] { return button("cancelHomingButton")->isEnabled(); }));
+    EXPECT_FALSE(button("homeButton")->isEnabled());
+    EXPECT_FALSE(button("onLimit2Box")->isEnabled()) << "the search has its recipe";
+    ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
+    EXPECT_TRUE(text("lastHomeLabel").contains(u"700 counts"_s) ||
+                text("lastHomeLabel").contains(u"701 counts"_s))
+        << text("lastHomeLabel").toStdString();
+    const QJsonObject truth = sim.state(1);
+    EXPECT_NEAR(truth[u"position"_s].toInt(), 0, 2);
+    EXPECT_TRUE(truth[u"limit1"_s].toBool()) << "0 is where the switch closes";
+    EXPECT_TRUE(truth[u"servo_on"_s].toBool());
+    EXPECT_EQ(panel.count(u"has found its home"_s), 1);
+    EXPECT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, TheIndexBehindTheLimit) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"1.5"_s);
+    type("homingIndexVelocityField", u"0.3"_s);
+    click("thenIndexBox");
+    click("makeZeroBox");
+    EXPECT_TRUE(text("homingStagesLabel").contains(u"Searching\u00A0the\u00A0index"_s));
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Done"_s));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 2)
+        << "it began on the index, and did not make it zero";
+    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 0, 1);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, CancelStopsTheMotor) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
+    click("cancelHomingButton");
+    ASSERT_TRUE(waitForResult(u"Cancelled"_s));
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+    EXPECT_TRUE(sim.state(1)[u"servo_on"_s].toBool()) << "it still holds";
+    EXPECT_FALSE(panel.module().latest->servoStatus().homeInProgress());
+    EXPECT_GT(sim.state(1)[u"position"_s].toInt(), -690);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+struct Other {
+    const char* button;
+    bool servoOn;  ///< afterwards
+};
+
+class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {};
+
+/// Whatever the user asks for meanwhile ends the search, and the motor is left as that asked for.
+TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
+    const auto [name, on] = GetParam();
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
+    if (button(name)->isVisible())
+        QTest::mouseClick(button(name), Qt::LeftButton);
+    else
+        click(name);  // on another page
+    ASSERT_TRUE(waitForResult(u"Cancelled"_s));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return !panel.module().latest->servoStatus().homeInProgress() && !testing_support::moves(sim);
+    }));
+    QTest::qWait(300);
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_EQ(sim.state(1)[u"servo_on"_s].toBool(), on);
+    EXPECT_LT(sim.state(1)[u"position"_s].toInt(), -50) << "it had moved, and nothing made it zero";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Buttons, OtherWish,
+                         testing::Values(Other{"stopSmoothlyButton", true}, Other{"stopAbruptlyButton", true},
+                                         Other{"motorOffButton", false}, Other{"stopAllButton", true},
+                                         Other{"applyGainsButton", true}, Other{"holdForwardButton", true},
+                                         Other{"clearStickyButton", true}),
+                         [](const auto& tested) { return std::string(tested.param.button); });
+
+TEST_F(HomingPage, ClosingThePortEndsIt) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    emit panel.window().disconnectRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, TheLimitStopStopsTheMotorAndSaysSo) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    EXPECT_TRUE(text("limitStopState").contains(u"Not armed"_s));
+    click("armLimitStopButton");
+    ASSERT_TRUE(panel.waitFor([&] {
+        return text("limitStopState").contains(u"Armed: stops at limit 1 or limit 2"_s);
+    })) << text("limitStopState").toStdString();
+    panel.ask(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), true});
+    ASSERT_TRUE(panel.waitFor([&] { return text("limitStopState").contains(u"Tripped"_s); }));
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_EQ(panel.module().activity(), Activity::Holding);
+    click("disarmLimitStopButton");
+    EXPECT_TRUE(panel.waitFor([&] { return text("limitStopState").contains(u"Not armed"_s); }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    auto* procedures = panel.composition().findChild<ProcedureController*>();
+    panel.ask(intent::StepBy{250, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), 3, 0.05, false});
+    ASSERT_TRUE(procedures->anyRunning());
+    ASSERT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 750, 4);
+    panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    panel.ask(intent::Home{});
+    EXPECT_EQ(panel.count(u"Not possible for module 1 now"_s), 1) << "not in a queue either";
+    EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
+    panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    emit panel.window().stopAllRequested();
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+    QTest::qWait(500);
+    EXPECT_FALSE(testing_support::moves(sim)) << "nothing starts again";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of procedures: homing, moves by N, changes of a motion.
+#include "widgets/common/textparts.h"
+#include "widgets/common/unitwords.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    QString headline;
+    QString body;
+    Severity severity = Severity::Attention;
+};
+
+/// `who`: "Module 1".
+Words homingFailed(ProcedureFailure failure, const QString& who) {
+    switch (failure) {
+        case ProcedureFailure::SwitchActive:
+            return {Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
+                    Texts::tr("The switch may be stuck, or the search goes the wrong way. Move the motor off "
+                              "the switch, or change the direction, then try again.")};
+        case ProcedureFailure::NotFound:
+            return {Texts::tr("%1 stopped before it found home.").arg(who),
+                    Texts::tr("A limit or the E-stop input ended its motion. Check the direction of the "
+                              "search and the switches, then try again.")};
+        case ProcedureFailure::TravelLimit:
+            return {Texts::tr("%1 was stopped: no home within the travel limit.").arg(who),
+                    Texts::tr("Check the switch and its cable, the direction of the search, and the limit.")};
+        case ProcedureFailure::TimeLimit:
+            return {Texts::tr("%1 was stopped: no home within the time limit.").arg(who),
+                    Texts::tr("Check the switch and its cable, the direction and the speed of the search, "
+                              "and the limit.")};
+        case ProcedureFailure::LinkSuspect:
+            return {
+                Texts::tr("%1 is not homed and was told to stop: the link was in doubt meanwhile.").arg(who),
+                Texts::tr("What was said of home then may be wrong. See to the link, then repeat the "
+                          "search.")};
+        case ProcedureFailure::ModuleSilent:
+            return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
+                    Texts::tr("It was told to stop. Use the hardware stop if it moves."), Severity::Fault};
+        case ProcedureFailure::WentOff:
+            return {Texts::tr("%1 is not homed: its motor went off by itself, and is free to turn.").arg(who),
+                    Texts::tr("The motor was too far from where it should be, or lost its power. Check for a "
+                              "jam, enable it, then repeat the search."),
+                    Severity::Fault};
+        case ProcedureFailure::Refused:
+            return {Texts::tr("%1 is not homed and was told to stop: a command was not carried out, or its "
+                              "answer was lost.")
+                        .arg(who),
+                    Texts::tr("Usually noise on the cable. Repeat the search.")};
+        case ProcedureFailure::ReadingsDiffer:
+            return {Texts::tr("%1 stands still and is not homed: two readings of its home differ.").arg(who),
+                    Texts::tr("Usually noise on the cable. Repeat the search.")};
+        case ProcedureFailure::NotAtHome:
+            return {
+                Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
+                Texts::tr("It does not come to rest at home exactly: friction keeps it some counts off, "
+                          "and zero would be off by as much. Raise Ki and IL, or do without the zero.")};
+    }
+    return {};
+}
+
+QString homingStage(ProcedureStage stage) {
+    switch (stage) {
+        case ProcedureStage::Preparing:
+            return Texts::tr("Preparing");
+        case ProcedureStage::BackingOff:
+            return Texts::tr("Backing off from the active switch");
+        case ProcedureStage::Searching:
+            return Texts::tr("Searching");
+        case ProcedureStage::SearchingIndex:
+            return Texts::tr("Searching the index");
+        case ProcedureStage::Stopping:
+            return Texts::tr("Stopping");
+        case ProcedureStage::Reading:
+            return Texts::tr("Reading home twice");
+        case ProcedureStage::GoingHome:
+            return Texts::tr("Going to home");
+        case ProcedureStage::Zeroing:
+            return Texts::tr("Making home zero");
+        case ProcedureStage::Moving:
+            return Texts::tr("Moving");
+        case ProcedureStage::Pausing:
+            return Texts::tr("Pausing");
+        case ProcedureStage::Done:
+            return Texts::tr("Done");
+        case ProcedureStage::Failed:
+            return Texts::tr("Failed");
+        case ProcedureStage::Cancelled:
+            return Texts::tr("Cancelled");
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisScale& scale) {
+    const QString who = moduleName(report.module);
+    Message message{.key = ofModule(u"procedure"_s, report.module)};
+    if (report.stage == ProcedureStage::Failed && report.failure) {
+        Words words;
+        if (report.kind == ProcedureKind::Homing)
+            words = homingFailed(*report.failure, who);
+        else
+            words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
+        message.headline = words.headline;
+        message.body = words.body;
+        message.severity = words.severity;
+        return message;
+    }
+    if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
+        return std::nullopt;
+    message.headline =
+        Texts::tr("%1 has found its home: it was at %2.").arg(who, position(scale, *report.home));
+    return message;
+}
+
+QString procedureStage(const ProcedureReport& report) {
+    const QString stage = homingStage(report.stage);
+    if (report.rounds < 2 || report.over())
+        return stage;
+    return Texts::tr("%1, %2 of %3").arg(stage).arg(report.round).arg(report.rounds);
+}
+
+QString procedureFailure(ProcedureFailure failure) {
+    switch (failure) {
+        case ProcedureFailure::SwitchActive:
+            return Texts::tr("The switch stayed active while the motor backed off. It was stopped.");
+        case ProcedureFailure::NotFound:
+            return Texts::tr("The motion ended before home was found.");
+        case ProcedureFailure::TravelLimit:
+            return Texts::tr("The travel limit was reached. The motor was stopped.");
+        case ProcedureFailure::TimeLimit:
+            return Texts::tr("The time limit was reached. The motor was stopped.");
+        case ProcedureFailure::LinkSuspect:
+            return Texts::tr("The link was in doubt meanwhile. The motor was told to stop.");
+        case ProcedureFailure::ModuleSilent:
+            return Texts::tr("The module does not answer. Motor state unknown.");
+        case ProcedureFailure::WentOff:
+            return Texts::tr("The motor went off by itself, and is free to turn.");
+        case ProcedureFailure::Refused:
+            return Texts::tr("A command was not carried out or not answered. The motor was told to stop.");
+        case ProcedureFailure::ReadingsDiffer:
+            return Texts::tr("Two readings of home differ. The motor stands still.");
+        case ProcedureFailure::NotAtHome:
+            return Texts::tr("It does not come to rest at home exactly, so nothing was made zero.");
+    }
+    return {};
+}
+
+}  // namespace nmc::texts

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/homingform.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRadioButton>
+#include <QSignalBlocker>
+
+#include "model/homingplan.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+using Stop = HomingRecipe::Stop;
+constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
+
+/// What the chip counts at most (DS-V 4.4; a PIC-STEP's fastest speed, DS-S table 3).
+constexpr double kFastestServo = 32'767.0;
+constexpr double kFastestStep = 50'000.0;
+constexpr double kSlowestServo = 1.0 / 65'536.0;
+constexpr double kLongestWay = 2'147'483'647.0;
+constexpr double kLongestTime = 86'400.0;  // s: a day
+}  // namespace
+
+HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_type(type) {
+    look::name(this, named(u"homingForm"_s), tr("Search for home"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    buildConditions(grid);
+    buildMotion(grid);
+    buildEnd(grid);
+    grid->setColumnStretch(3, 1);
+    const double slowest = type == ModuleType::Step ? 25.0 : kSlowestServo;
+    showChip(type == ModuleType::Step ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
+    showRecipe(firstRecipe({type, 0}));
+}
+
+/// There may be a form for each type of module in one window.
+QString HomingForm::named(const QString& name) const {
+    return m_type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
+}
+
+QWidget* HomingForm::row(const QList<QWidget*>& widgets) {
+    auto* holder = new QWidget(this);
+    auto* layout = new QHBoxLayout(holder);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(look::gridUnit(this) * 2);
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget);
+    layout->addStretch(1);
+    return holder;
+}
+
+void HomingForm::addTitle(QGridLayout* grid, const QString& text, QWidget* content) {
+    grid->addWidget(new QLabel(text, this), m_line, 0);
+    grid->addWidget(content, m_line++, 1, 1, 3);
+}
+
+QAbstractButton* HomingForm::addBox(const QString& name, const QString& text, Flag flag,
+                                    const QString& meaning) {
+    auto* box = new QCheckBox(text, this);
+    look::name(box, named(name), text);
+    m_boxes.append({box, flag, meaning});
+    connect(box, &QCheckBox::toggled, this, [this, flag](bool on) {
+        m_recipe.*flag = on;
+        tell();
+    });
+    return box;
+}
+
+QAbstractButton* HomingForm::addChoice(const QString& name, const QString& text, const QString& accessible) {
+    auto* button = new QRadioButton(text, this);
+    look::name(button, named(name), accessible);
+    return button;
+}
+
+void HomingForm::buildConditions(QGridLayout* grid) {
+    QList<QWidget*> conditions;
+    const QString change = tr(
+        "Home is where this switch changes. When it is active at the start, the motor first backs off from "
+        "it in the other direction.");
+    if (m_type == ModuleType::Step) {
+        conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
+                   << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
+                   << addBox(u"onLimit2Box"_s, tr("Limit 2 (reverse)"), &HomingRecipe::onLimit2, change);
+        addTitle(grid, tr("Home is at"), row(conditions));
+        return;
+    }
+    conditions
+        << addBox(u"onLimit1Box"_s, tr("Limit 1"), &HomingRecipe::onLimit1, change)
+        << addBox(u"onLimit2Box"_s, tr("Limit 2"), &HomingRecipe::onLimit2, change)
+        << addBox(u"onIndexBox"_s, tr("Index"), &HomingRecipe::onIndex,
+                  tr("Home is at the encoder's index, which comes once in a turn."))
+        << addBox(u"onPositionErrorBox"_s, tr("Position error"), &HomingRecipe::onPositionError,
+                  tr("Home is at a hard stop: the motor runs against it until the position error limit "
+                     "switches the servo off. Sticky bits are cleared before. The servo is switched on again "
+                     "only if it is to go on, to the index or to home."))
+        << addBox(u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
+                  tr("Home is at a hard stop: the motor runs against it until the current limit is reached. "
+                     "Starting must not reach it: take a low acceleration. Sticky bits are cleared before."));
+    addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
+    addTitle(grid, QString(), row(conditions.mid(3)));
+    addTitle(
+        grid, QString(),
+        addBox(u"thenIndexBox"_s, tr("then at the index, in the other direction"), &HomingRecipe::thenIndex,
+               tr("What is chosen above finds the neighbourhood; a second, slower search finds the "
+                  "index, which is more exact.")));
+}
+
+void HomingForm::buildMotion(QGridLayout* grid) {
+    m_reverse = addChoice(u"homingReverseButton"_s, tr("Reverse"), tr("Search in reverse"));
+    m_forward = addChoice(u"homingForwardButton"_s, tr("Forward"), tr("Search forward"));
+    auto* directions = new QButtonGroup(this);
+    directions->addButton(m_reverse);
+    directions->addButton(m_forward);
+    connect(m_reverse, &QAbstractButton::toggled, this, [this](bool on) {
+        m_recipe.reverse = on;
+        tell();
+    });
+    addTitle(grid, tr("Direction"), row({m_reverse, m_forward}));
+
+    using Kind = QuantityField::Kind;
+    addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, tr("Velocity"), &HomingRecipe::velocity,
+                tr("How fast the motor searches, backs off and goes to home. It is never faster than this."));
+    if (m_type != ModuleType::Step)
+        addQuantity(grid, Kind::Velocity, u"homingIndexVelocityField"_s, tr("Index velocity"),
+                    &HomingRecipe::indexVelocity,
+                    tr("How fast the second search for the index is; slower is more exact."));
+    addQuantity(grid, Kind::Acceleration, u"homingAccelerationField"_s, tr("Acceleration"),
+                &HomingRecipe::acceleration, tr("How fast the velocity changes, smooth stops included."));
+    addQuantity(grid, Kind::Position, u"homingTravelField"_s, tr("Travel limit"), &HomingRecipe::travelLimit,
+                tr("A search, or backing off, that has gone so far is stopped, and has failed."));
+    m_time = new QLabel(tr("Time limit"), this);
+    m_timeLimit = new NumberField(1, this);
+    m_time->setBuddy(m_timeLimit);
+    look::name(m_timeLimit, named(u"homingTimeField"_s), tr("Time limit of a search"));
+    m_timeLimit->setWords(tr("Time limit"), u"s"_s);
+    m_timeLimit->setRange(0.1, kLongestTime);
+    m_timeLimit->setMeaning(tr("A search that has taken so long is stopped, and has failed."));
+    connect(m_timeLimit, &NumberField::edited, this, [this] {
+        m_recipe.timeLimit = m_timeLimit->value().value_or(m_recipe.timeLimit);
+        tell();
+    });
+    grid->addWidget(m_time, m_line, 0);
+    grid->addWidget(m_timeLimit, m_line, 1);
+    grid->addWidget(new QLabel(u"s"_s, this), m_line++, 2);
+}
+
+void HomingForm::addQuantity(QGridLayout* grid, QuantityField::Kind kind, const QString& name,
+                             const QString& text, Number value, const QString& meaning) {
+    auto* field = new QuantityField(kind, this);
+    field->setName(named(name), tr("%1 of the search for home").arg(text));
+    field->setQuantity(text);
+    field->setMeaning(meaning);
+    auto* label = new QLabel(text, this);
+    label->setBuddy(field);
+    m_quantities.append({field, value, label});
+    grid->addWidget(label, m_line, 0);
+    grid->addWidget(field, m_line, 1);
+    grid->addWidget(field->unitLabel(), m_line, 2);
+    grid->addWidget(field->otherView(), m_line++, 3);
+    connect(field, &QuantityField::nativeEdited, this, [this, field, value] {
+        m_recipe.*value = field->native().value_or(m_recipe.*value);
+        tell();
+    });
+}
+
+void HomingForm::buildEnd(QGridLayout* grid) {
+    const std::array names{u"homingAbruptlyButton"_s, u"homingSmoothlyButton"_s, u"homingMotorOffButton"_s};
+    const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
+    const std::array accessible{tr("Stop abruptly at home"), tr("Stop smoothly at home"),
+                                tr("Switch the motor off at home")};
+    auto* group = new QButtonGroup(this);
+    QList<QWidget*> stops;
+    for (std::size_t i = 0; i < kStops.size(); ++i) {
+        m_stops[i] = addChoice(names[i], texts[i], accessible[i]);
+        group->addButton(m_stops[i]);
+        stops << m_stops[i];
+        connect(m_stops[i], &QAbstractButton::toggled, this, [this, i](bool on) {
+            if (!on)
+                return;
+            m_recipe.stop = kStops[i];
+            tell();
+        });
+    }
+    addTitle(grid, tr("Stop there"), row(stops));
+    addTitle(
+        grid, tr("And then"),
+        row({addBox(u"goToHomeBox"_s, tr("Go to home"), &HomingRecipe::goToHome,
+                    tr("The motor stops behind home; this moves it back to it. A servo or amplifier that "
+                       "the search has switched off is switched on again for it.")),
+             addBox(u"makeZeroBox"_s, tr("Make it zero"), &HomingRecipe::makeZero,
+                    tr("Once the motor stands at home exactly, its position becomes 0."))}));
+}
+
+void HomingForm::showRecipe(const HomingRecipe& recipe) {
+    m_recipe = recipe;
+    for (const Quantity& quantity : m_quantities)
+        quantity.field->showNative(m_recipe.*quantity.value);
+    m_timeLimit->showValue(m_recipe.timeLimit);
+    refresh();
+}
+
+void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit) {
+    m_version = version;
+    for (const Quantity& quantity : m_quantities) {
+        double most = m_type == ModuleType::Step ? kFastestStep : kFastestServo;
+        double least = m_type == ModuleType::Step ? 1.0 : kSlowestServo;
+        if (quantity.value == &HomingRecipe::travelLimit) {
+            least = 1.0;
+            most = kLongestWay;
+        } else if (m_type == ModuleType::Step) {
+            // Slower than its slowest speed would be faster than asked.
+            const bool velocity = quantity.value == &HomingRecipe::velocity;
+            least = velocity ? speedUnit : 1.0;
+            most = velocity ? 250.0 * speedUnit : 1e6;
+        }
+        quantity.field->setScale(scale);
+        quantity.field->setNativeRange(least, most);
+    }
+    refresh();
+}
+
+void HomingForm::setLocked(bool locked) {
+    if (m_locked == locked)
+        return;
+    m_locked = locked;
+    refresh();
+}
+
+bool HomingForm::uses(Number value) const {
+    return value != &HomingRecipe::indexVelocity || effective(m_recipe, {m_type, 0}).thenIndex;
+}
+
+QString HomingForm::problemText() const {
+    for (const Quantity& quantity : m_quantities)
+        if (uses(quantity.value) && quantity.field->problem() != NumberField::Problem::None)
+            return quantity.field->problemText();
+    return m_timeLimit->problem() != NumberField::Problem::None ? m_timeLimit->problemText() : QString();
+}
+
+void HomingForm::tell() {
+    refresh();
+    emit edited();
+}
+
+void HomingForm::refresh() {
+    const QString locked = m_locked ? tr("A search for home is under way.") : QString();
+    for (const Box& box : m_boxes) {
+        const QSignalBlocker blocker(box.button);
+        box.button->setChecked(m_recipe.*box.flag);
+        QString reason = locked;
+        if (reason.isEmpty() && box.flag == &HomingRecipe::thenIndex && m_recipe.onIndex)
+            reason = tr("The first search finds the index already.");
+        if (reason.isEmpty() && box.flag == &HomingRecipe::makeZero && !m_recipe.goToHome)
+            reason = tr("The position where the motor stands becomes 0, so it has to go to home first.");
+        look::setPossible(box.button, reason, box.meaning);
+    }
+    for (QAbstractButton* button : {m_forward, m_reverse}) {
+        const QSignalBlocker blocker(button);
+        button->setChecked((button == m_reverse) == m_recipe.reverse);
+        look::setPossible(button, locked, tr("The direction of the search, in which the switch closes."));
+    }
+    for (const Quantity& quantity : m_quantities) {
+        quantity.field->setEnabled(!m_locked && uses(quantity.value));
+        quantity.label->setEnabled(quantity.field->isEnabled());
+    }
+    m_timeLimit->setEnabled(!m_locked);
+    refreshStops();
+}
+
+void HomingForm::refreshStops() {
+    const Stop stop = effective(m_recipe, {m_type, 0}).stop;
+    QString reason = m_locked ? tr("A search for home is under way.") : QString();
+    if (reason.isEmpty() && m_recipe.onPositionError && m_type == ModuleType::Servo)
+        reason = tr("A position error switches the servo off by itself.");
+    const bool hostStops =
+        m_type == ModuleType::Servo && m_version > 0 && m_version < servo::kAutoStopVersion;
+    const QString who = hostStops
+                            ? tr(" This version of the chip does not stop by itself: the panel stops it, "
+                                 "some hundredths of a second later.")
+                            : tr(" The chip stops it by itself.");
+    const std::array meanings{tr("At home the motor stops at once, and holds."),
+                              tr("At home the motor slows down, stops behind it, and holds."),
+                              tr("At home the motor is switched off, and is free to turn.")};
+    for (std::size_t i = 0; i < kStops.size(); ++i) {
+        const QSignalBlocker blocker(m_stops[i]);
+        m_stops[i]->setChecked(kStops[i] == stop);
+        look::setPossible(m_stops[i], reason, meanings[i] + who);
+    }
+}
+
+}  // namespace nmc

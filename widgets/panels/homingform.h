@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "model/machine.h"
+#include "widgets/common/quantityfield.h"
+
+class QAbstractButton;
+class QGridLayout;
+class QLabel;
+
+namespace nmc {
+
+/// The fields of a home search. It keeps a whole recipe: what is typed and is no number within its range
+/// changes nothing, and is told by problemText().
+class HomingForm : public QWidget {
+    Q_OBJECT
+
+public:
+    HomingForm(ModuleType type, QWidget* parent);
+
+    /// Emits nothing.
+    void showRecipe(const HomingRecipe& recipe);
+    /// Emits nothing. `version` of the chip decides who stops the motor; `speedUnit`: PIC-STEP, what its
+    /// speeds are whole multiples of, in steps/s.
+    void showChip(const AxisScale& scale, int version, double speedUnit);
+    /// A search is under way: it has its recipe.
+    void setLocked(bool locked);
+
+    [[nodiscard]] const HomingRecipe& recipe() const { return m_recipe; }
+    /// Empty while every field in use has a value.
+    [[nodiscard]] QString problemText() const;
+
+signals:
+    void edited();
+
+private:
+    using Flag = bool HomingRecipe::*;
+    using Number = double HomingRecipe::*;
+    struct Box {
+        QAbstractButton* button;
+        Flag flag;
+        QString meaning;
+    };
+    struct Quantity {
+        QuantityField* field;
+        Number value;
+        QLabel* label;
+    };
+
+    void buildConditions(QGridLayout* grid);
+    void buildMotion(QGridLayout* grid);
+    void buildEnd(QGridLayout* grid);
+    QWidget* row(const QList<QWidget*>& widgets);
+    QAbstractButton* addBox(const QString& name, const QString& text, Flag flag, const QString& meaning);
+    QAbstractButton* addChoice(const QString& name, const QString& text, const QString& accessible);
+    void addQuantity(QGridLayout* grid, QuantityField::Kind kind, const QString& name, const QString& text,
+                     Number value, const QString& meaning);
+    void addTitle(QGridLayout* grid, const QString& text, QWidget* content);
+    [[nodiscard]] QString named(const QString& name) const;
+    void refresh();
+    void refreshStops();
+    void tell();
+    [[nodiscard]] bool uses(Number value) const;
+
+    ModuleType m_type;
+    HomingRecipe m_recipe;
+    int m_version = 0;
+    int m_line = 0;
+    bool m_locked = false;
+    QList<Box> m_boxes;
+    QList<Quantity> m_quantities;
+    QAbstractButton* m_forward = nullptr;
+    QAbstractButton* m_reverse = nullptr;
+    std::array<QAbstractButton*, 3> m_stops{};  ///< by HomingRecipe::Stop
+    QLabel* m_time = nullptr;
+    NumberField* m_timeLimit = nullptr;
+};
+
+}  // namespace nmc

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/limitstopbox.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include "model/homingplan.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+using Stop = HomingRecipe::Stop;
+using Watch = HomeWatch::State;
+constexpr std::array kManners{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
+
+QString limits(const HomeWatch& watch) {
+    if (watch.onLimit1() && watch.onLimit2())
+        return LimitStopBox::tr("limit 1 or limit 2");
+    return watch.onLimit1() ? LimitStopBox::tr("limit 1") : LimitStopBox::tr("limit 2");
+}
+}  // namespace
+
+LimitStopBox::LimitStopBox(QWidget* parent)
+    : QGroupBox(tr("Limit stop"), parent),
+      m_limit1(new QCheckBox(tr("Limit 1"), this)),
+      m_limit2(new QCheckBox(tr("Limit 2"), this)),
+      m_arm(new QPushButton(tr("Arm limit stop"), this)),
+      m_disarm(new QPushButton(tr("Disarm"), this)),
+      m_state(new QLabel(this)) {
+    look::name(this, u"limitStopBox"_s, tr("Limit stop"));
+    look::name(m_limit1, u"armLimit1Box"_s, tr("Stop at limit 1"));
+    look::name(m_limit2, u"armLimit2Box"_s, tr("Stop at limit 2"));
+    look::name(m_arm, u"armLimitStopButton"_s, tr("Arm the limit stop"));
+    look::name(m_disarm, u"disarmLimitStopButton"_s, tr("Disarm the limit stop"));
+    look::name(m_state, u"limitStopState"_s, tr("State of the limit stop"));
+    m_arm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L));
+    m_disarm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
+    m_state->setWordWrap(true);
+    m_state->setTextFormat(Qt::PlainText);
+    m_limit1->setChecked(true);
+    m_limit2->setChecked(true);
+
+    const int unit = look::gridUnit(this);
+    auto* choices = new QHBoxLayout;
+    choices->setSpacing(unit);
+    choices->addWidget(m_limit1);
+    choices->addWidget(m_limit2);
+    choices->addSpacing(unit);
+    const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
+    const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
+    const std::array accessible{tr("Stop abruptly at the limit"), tr("Stop smoothly at the limit"),
+                                tr("Switch the motor off at the limit")};
+    auto* group = new QButtonGroup(this);
+    for (std::size_t i = 0; i < kManners.size(); ++i) {
+        m_manners[i] = new QRadioButton(texts[i], this);
+        look::name(m_manners[i], names[i], accessible[i]);
+        group->addButton(m_manners[i]);
+        choices->addWidget(m_manners[i]);
+    }
+    m_manners.front()->setChecked(true);
+    choices->addStretch(1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addWidget(m_state, 1);
+    buttons->addWidget(m_disarm);
+    buttons->addWidget(m_arm);
+    auto* layout = new QVBoxLayout(this);
+    layout->setSpacing(unit / 2);
+    layout->addLayout(choices);
+    layout->addLayout(buttons);
+
+    for (QAbstractButton* box : {m_limit1, m_limit2})
+        connect(box, &QAbstractButton::toggled, this, &LimitStopBox::refresh);
+    connect(m_arm, &QPushButton::clicked, this, [this] { emit intentRequested(wanted()); });
+    connect(m_disarm, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ArmLimitStop{}); });
+    refresh();
+}
+
+void LimitStopBox::showModule(const PanelView& view) {
+    m_module = view.module;
+    m_connected = view.connected;
+    m_homing =
+        view.procedure != nullptr && view.procedure->kind == ProcedureKind::Homing && !view.procedure->over();
+    refresh();
+}
+
+void LimitStopBox::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+intent::ArmLimitStop LimitStopBox::wanted() const {
+    intent::ArmLimitStop arm{m_limit1->isChecked(), m_limit2->isChecked(), Stop::Abruptly};
+    for (std::size_t i = 0; i < kManners.size(); ++i)
+        if (m_manners[i]->isChecked())
+            arm.manner = kManners[i];
+    return arm;
+}
+
+QString LimitStopBox::whyNotArmed() const {
+    if (!m_connected)
+        return texts::refusal(Refusal::NotConnected);
+    if (m_homing)
+        return tr("A search for home is under way; it uses the same watch of the chip.");
+    if (const auto refusal = whyNotArm(wanted(), m_module))
+        return texts::refusal(*refusal);
+    if (!m_limit1->isChecked() && !m_limit2->isChecked())
+        return tr("Choose a limit first.");
+    return m_busy ? tr("Waiting for the module's answer.") : QString();
+}
+
+void LimitStopBox::refresh() {
+    const std::optional<Refusal> refused =
+        m_connected ? whyNot(Request::ArmLimitStop, m_module) : std::optional(Refusal::NotConnected);
+    const QString never = refused ? texts::refusal(*refused) : QString();
+    look::setPossible(m_limit1, never, tr("The motor stops when limit 1 changes."));
+    look::setPossible(m_limit2, never, tr("The motor stops when limit 2 changes."));
+    const std::array meanings{tr("At the limit the motor stops at once, and holds."),
+                              tr("At the limit the motor slows down, stops behind it, and holds."),
+                              tr("At the limit the motor is switched off, and is free to turn.")};
+    for (std::size_t i = 0; i < kManners.size(); ++i)
+        look::setPossible(m_manners[i], never, meanings[i]);
+    look::setPossible(
+        m_arm, whyNotArmed(),
+        tr("The chip itself then stops the motor when a chosen limit changes, once; sooner than "
+           "the panel could. A search for home replaces it."));
+    const bool armed = m_module.homing.state() != Watch::Idle ||
+                       (m_module.latest && m_module.latest->servoStatus().homeInProgress());
+    QString reason = never;
+    if (reason.isEmpty() && m_homing)
+        reason = tr("A search for home is under way; it uses the same watch of the chip.");
+    else if (reason.isEmpty() && !armed)
+        reason = tr("It is not armed.");
+    else if (reason.isEmpty() && m_busy)
+        reason = tr("Waiting for the module's answer.");
+    look::setPossible(m_disarm, reason, tr("A limit no longer stops the motor."));
+    refreshState();
+}
+
+/// Shape, then word.
+void LimitStopBox::refreshState() {
+    const HomeWatch& watch = m_module.homing;
+    const bool waits = m_module.latest && m_module.latest->servoStatus().homeInProgress();
+    QString state = tr("○ Not armed: a limit input alone does not stop the motor.");
+    if (m_module.info.identity.version < servo::kAutoStopVersion)
+        state = tr("○ This version of the chip cannot stop at a limit by itself.");
+    else if (m_homing)
+        state = tr("○ Not armed: the search for home has replaced it.");
+    else if (watch.state() == Watch::Armed && watch.stops())
+        state = tr("● Armed: stops at %1, once.").arg(limits(watch));
+    else if (watch.state() == Watch::Tripped && watch.stops())
+        state = tr("▲ Tripped: %1 has changed, and the motor was stopped. Not armed any more.")
+                    .arg(limits(watch));
+    else if (waits)
+        state = tr("? The chip watches for something that was not asked for in this connection.");
+    look::setText(m_state, state);
+}
+
+}  // namespace nmc
