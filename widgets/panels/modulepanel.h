@@ -11,6 +11,7 @@ namespace nmc {
 
 class GenericPanel;
 class ServoPanel;
+class StepPanel;
 
 /// The middle of the window: the panel that fits the selected module, or what to do when there is none.
 class ModulePanel : public QStackedWidget {
@@ -42,6 +43,7 @@ private:
 
     QLabel* m_empty;
     ServoPanel* m_servo;
+    StepPanel* m_stepper;
     GenericPanel* m_generic;
 };
 

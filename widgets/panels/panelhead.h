@@ -22,7 +22,10 @@ class PanelHead : public QFrame {
 public:
     using WhyNot = std::function<std::optional<Refusal>(Request)>;
 
-    explicit PanelHead(QWidget* parent = nullptr);
+    enum class Drive : std::uint8_t { Servo, Stepper };
+
+    /// The names of a stepper's controls begin with "step": stepEnableButton.
+    explicit PanelHead(Drive drive, QWidget* parent = nullptr);
 
     /// `age`: how old the value is when it is too old to be trusted, s; else empty.
     void showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age);
@@ -33,11 +36,13 @@ signals:
     void intentRequested(const nmc::Intent& intent);
 
 private:
+    [[nodiscard]] QString named(const QString& name) const;
     QPushButton* addButton(const QString& icon, const QString& text, const QString& objectName,
                            const QString& accessibleName, Intent intent);
     void refresh();
     void showPosition(const ModuleState& module, std::optional<double> age);
 
+    Drive m_drive;
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;
