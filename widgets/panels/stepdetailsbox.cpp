@@ -71,10 +71,11 @@ QString modeName(bus::StepMode mode) {
 StepDetailsBox::StepDetailsBox(QWidget* parent)
     : QWidget(parent),
       m_zero(new QPushButton(icons::tinted(u"home"_s), tr("&Zero here"), this)),
-      m_saveHome(new QPushButton(tr("Save as home (&X)"), this)) {
+      m_saveHome(new QPushButton(tr("Save as home"), this)) {
     look::name(this, u"stepDetailsBox"_s, tr("Details"));
     look::name(m_zero, u"stepZeroHereButton"_s, tr("Make the present position zero"));
     look::name(m_saveHome, u"stepSaveHomeButton"_s, tr("Save the present position as home"));
+    m_saveHome->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_H));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);

@@ -39,7 +39,7 @@ StepHoldBox::StepHoldBox(QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     title->setFont(bold);
-    auto* label = new QLabel(tr("Speed, hel&d"), this);
+    auto* label = new QLabel(tr("Speed whe&n held"), this);
     label->setBuddy(m_speed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);

@@ -37,11 +37,12 @@ QLabel* newHeading(const QString& text, QWidget* parent) {
 
 StepIoBox::StepIoBox(QWidget* parent)
     : QWidget(parent),
-      m_send(new QPushButton(icons::tinted(u"send"_s), tr("Set all outputs (&Q)"), this)),
+      m_send(new QPushButton(icons::tinted(u"send"_s), tr("Set all outputs"), this)),
       m_hint(look::newMutedLabel({}, this)),
       m_analog(new QLabel(this)) {
     look::name(this, u"stepIoBox"_s, tr("Inputs and outputs"));
     look::name(m_send, u"stepSetOutputsButton"_s, tr("Set all five outputs"));
+    m_send->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
     m_hint->setObjectName(u"stepOutputsHint"_s);
     m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepIoAnalog"_s);

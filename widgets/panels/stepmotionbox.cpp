@@ -97,7 +97,7 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     };
     addRow(m_goal, tr("&Position"));
     grid->addWidget(m_relative, line++, 1, 1, 4);
-    addRow(m_speed, tr("Speed, wanted (&L)"));
+    addRow(m_speed, tr("Trave&l speed"));
     const auto addRemark = [&](QLabel*& label, const QString& name) {
         label = look::newMutedLabel({}, this);
         label->setObjectName(name);
@@ -117,7 +117,8 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
     look::name(m_runForward, u"stepRunForwardButton"_s, tr("Run forward until stopped"));
     m_loadOnly = new QCheckBox(tr("L&oad only"), this);
     look::name(m_loadOnly, u"stepLoadOnlyBox"_s, tr("Load the motion, start it later"));
-    m_startLoaded = new QPushButton(tr("Start loaded (&J)"), this);
+    m_startLoaded = new QPushButton(tr("Start loaded"), this);
+    m_startLoaded->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
     look::name(m_startLoaded, u"stepStartLoadedButton"_s, tr("Start the motion that was loaded"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
@@ -356,8 +357,11 @@ void StepMotionBox::refreshButton(QPushButton* button, bool reverse, const QStri
         reason = tr("Waiting for the module's answer.");
     const bool stopsFirst = m_connected && viaStop(reverse);
     const QString wanted = stopsFirst ? tr("Stop, wait: %1").arg(text) : text;
-    if (button->text() != wanted)
+    if (button->text() != wanted) {
+        const QKeySequence key = button->shortcut();
         button->setText(wanted);
+        button->setShortcut(key);  // the same, whatever it says
+    }
     look::setPossible(button, reason,
                       stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, waits "
                                       "until the motor stands, then: %1")
@@ -371,11 +375,11 @@ void StepMotionBox::refreshButtons() {
     m_go->setVisible(hasGoal());
     m_runReverse->setVisible(!hasGoal());
     m_runForward->setVisible(!hasGoal());
-    refreshButton(m_go, false, load ? tr("Load (&G)") : tr("&Go"),
+    refreshButton(m_go, false, load ? tr("Load") : tr("&Go"),
                   load ? later : tr("Starts the move to the position, and holds there."));
     refreshButton(m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
                   load ? later : tr("Runs in reverse until it is stopped."));
-    refreshButton(m_runForward, false, load ? tr("Load forward (&U)") : tr("R&un forward"),
+    refreshButton(m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
                   load ? later : tr("Runs forward until it is stopped."));
     QString reason;
     if (!m_connected || !m_state)

@@ -156,6 +156,7 @@ void StepParametersBox::buildButtons(QGridLayout* grid, int line) {
     look::name(m_fill, u"stepFillParametersButton"_s, tr("Fill in starting values"));
     look::name(m_revert, u"stepRevertParametersButton"_s, tr("Revert the parameters to what was sent"));
     look::name(m_apply, u"stepApplyParametersButton"_s, tr("Apply all parameters"));
+    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
     m_fill->setToolTip(
         tr("Fills the fields with slow speeds and low currents to begin with. Sends nothing."));
     m_hint->setObjectName(u"stepParametersHint"_s);
