@@ -19,6 +19,7 @@ using namespace Qt::StringLiterals;
 
 StepHoldBox::StepHoldBox(QWidget* parent)
     : QWidget(parent),
+      m_label(new QLabel(tr("Speed whe&n held"), this)),
       m_speed(new QuantityField(QuantityField::Kind::Velocity, this)),
       m_outcome(look::newMutedLabel({}, this)),
       m_forward(new HoldButton(this)),
@@ -39,8 +40,7 @@ StepHoldBox::StepHoldBox(QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     title->setFont(bold);
-    auto* label = new QLabel(tr("Speed whe&n held"), this);
-    label->setBuddy(m_speed);
+    m_label->setBuddy(m_speed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(unit);
@@ -48,7 +48,7 @@ StepHoldBox::StepHoldBox(QWidget* parent)
     grid->addWidget(title, 0, 0);
     grid->addWidget(look::newMutedLabel(tr("moves only while a button, or Space on it, is held"), this), 0, 1,
                     1, 4);
-    grid->addWidget(label, 1, 0);
+    grid->addWidget(m_label, 1, 0);
     grid->addWidget(m_speed, 1, 1);
     grid->addWidget(m_speed->unitLabel(), 1, 2);
     grid->addWidget(m_speed->otherView(), 1, 3);
@@ -73,6 +73,10 @@ StepHoldBox::StepHoldBox(QWidget* parent)
     for (HoldButton* button : {m_forward, m_reverse})
         connect(button, &HoldButton::holdEnded, this, &StepHoldBox::holdReleased);
     refresh();
+}
+
+int StepHoldBox::labelWidth() const {
+    return m_label->sizeHint().width();
 }
 
 void StepHoldBox::showModule(const PanelView& view) {

@@ -27,6 +27,8 @@ public:
     void resetSpeeds();
     void endHold();
     void setHoldInterval(int milliseconds);
+    /// For what stands above it in line.
+    [[nodiscard]] int labelWidth() const;
 
 signals:
     void holdRequested(const nmc::bus::HoldToMove& hold);
@@ -39,6 +41,7 @@ private:
     [[nodiscard]] std::optional<stepmotion::VelocityProfile> motion(bool reverse) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
 
+    QLabel* m_label;
     QuantityField* m_speed;
     QLabel* m_outcome;
     HoldButton* m_forward;

@@ -132,6 +132,23 @@ QString stepParameterMeaning(StepParameter parameter) {
     return {};
 }
 
+QString stepParameterRemark(StepParameter parameter, std::optional<int> value,
+                            std::optional<std::uint8_t> analog) {
+    const QString now = analog ? StepMeaning::tr("A/D now %1").arg(*analog) : QString();
+    if (parameter == StepParameter::ThermalLimit && value == 0)
+        return now.isEmpty() ? StepMeaning::tr("off") : StepMeaning::tr("off; %1").arg(now);
+    if (parameter == StepParameter::ThermalLimit)
+        return now;
+    if (!value)
+        return {};
+    if (parameter == StepParameter::MinimumSpeed)
+        return StepMeaning::tr("speed %1 of 250").arg(*value);
+    if (parameter == StepParameter::RunCurrent || parameter == StepParameter::HoldCurrent)
+        return *value == 0 ? StepMeaning::tr("no current")
+                           : StepMeaning::tr("%1 % of full").arg(qRound(*value * 100.0 / 255));
+    return {};
+}
+
 QString stepParameterObject(StepParameter parameter) {
     switch (parameter) {
         case StepParameter::SpeedMode:

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <array>
+#include <optional>
 
 #include "protocol/stepcommands.h"
 
@@ -32,6 +33,9 @@ void setStepParameter(step::SetParameters& parameters, StepParameter parameter, 
 [[nodiscard]] QString stepParameterName(StepParameter parameter);
 /// What it does to the motor, and what the data sheet advises (DS-S 4.5, 4.6, 5.1).
 [[nodiscard]] QString stepParameterMeaning(StepParameter parameter);
+/// What a value comes to, and the live A/D value beside its limit; empty where the number says it all.
+[[nodiscard]] QString stepParameterRemark(StepParameter parameter, std::optional<int> value,
+                                          std::optional<std::uint8_t> analog);
 /// "stepRunCurrent": its controls are called "...Field" and "...State".
 [[nodiscard]] QString stepParameterObject(StepParameter parameter);
 /// Where to begin with a motor that nothing is known of: slow and cool. Never sent by themselves.

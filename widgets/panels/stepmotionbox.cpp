@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QSignalBlocker>
 #include <cmath>
 
@@ -16,6 +15,7 @@
 #include "widgets/common/words.h"
 #include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepholdbox.h"
+#include "widgets/panels/stepmodechoice.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {
@@ -29,49 +29,20 @@ StepMotionBox::StepMotionBox(QWidget* parent) : QGroupBox(tr("Motion"), parent) 
     grid->setContentsMargins(unit, unit, unit, unit);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 2);
-    buildModes(grid, 0);
+    m_mode = new StepModeChoice(this);
+    grid->addWidget(m_mode, 0, 0, 1, 5);
     grid->setRowMinimumHeight(2, unit / 2);
     buildFields(grid, 3);
     buildButtons(grid, 9);
     grid->setRowMinimumHeight(12, unit);
     m_hold = new StepHoldBox(this);
     grid->addWidget(m_hold, 13, 0, 1, 5);
+    grid->setColumnMinimumWidth(0, m_hold->labelWidth());
     grid->setRowStretch(14, 1);
     grid->setColumnStretch(3, 1);
     connectControls();
     showDraft();
     refresh();
-}
-
-void StepMotionBox::buildModes(QGridLayout* grid, int line) {
-    struct Choice {
-        QString name;
-        QString text;
-        QString meaning;
-    };
-    const std::array<Choice, kModes> choices{
-        Choice{u"stepModeTrapezoidal"_s, tr("Move"),
-               tr("Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile "
-                  "mode).")},
-        Choice{u"stepModeProfile"_s, tr("Run"),
-               tr("Ramps to a speed and keeps it until it is stopped (velocity profile mode).")},
-        Choice{
-            u"stepModeTimedMove"_s, tr("Move without ramp"),
-            tr("Goes to a position at one speed from the first step on, and stops there at once. Too fast, "
-               "and the motor loses steps (unprofiled, with stop).")},
-        Choice{
-            u"stepModeTimedRun"_s, tr("Run without ramp"),
-            tr("Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses "
-               "steps (unprofiled, without stop).")}};
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        m_modes[i] = new QRadioButton(choices[i].text, this);
-        look::name(m_modes[i], choices[i].name, choices[i].text);
-        m_modes[i]->setToolTip(choices[i].meaning);
-        const int row = static_cast<int>(i) / 2;
-        const int column = static_cast<int>(i) % 2;
-        grid->addWidget(m_modes[i], line + row, column == 0 ? 0 : 2, 1, column == 0 ? 2 : 3);
-        connect(m_modes[i], &QRadioButton::clicked, this, &StepMotionBox::chooseMode);
-    }
 }
 
 void StepMotionBox::buildFields(QGridLayout* grid, int line) {
@@ -140,6 +111,7 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
 }
 
 void StepMotionBox::connectControls() {
+    connect(m_mode, &StepModeChoice::chosen, this, &StepMotionBox::chooseMode);
     connect(m_goal, &QuantityField::nativeEdited, this, [this] {
         if (const auto goal = m_goal->native(); goal && m_state)
             m_drafts[m_state->info.index.value()].goal = *goal;
@@ -162,28 +134,21 @@ void StepMotionBox::connectControls() {
     connect(m_hold, &StepHoldBox::holdReleased, this, &StepMotionBox::holdReleased);
 }
 
-StepMotionBox::Mode StepMotionBox::mode() const {
-    for (std::size_t i = 0; i < m_modes.size(); ++i)
-        if (m_modes[i]->isChecked())
-            return static_cast<Mode>(i);
-    return Mode::Trapezoid;
-}
-
 double MotionSettings::*StepMotionBox::speedSetting() const {
-    return hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
+    return m_mode->hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
 }
 
 void StepMotionBox::chooseMode() {
     m_hold->endHold();
     if (m_state)
-        m_drafts[m_state->info.index.value()].mode = mode();
+        m_drafts[m_state->info.index.value()].mode = m_mode->mode();
     showSpeed();
     refresh();
 }
 
 void StepMotionBox::showDraft() {
     const Draft draft = m_state ? m_drafts.value(m_state->info.index.value()) : Draft{};
-    m_modes[static_cast<std::size_t>(draft.mode)]->setChecked(true);
+    m_mode->showMode(draft.mode);
     m_goal->showNative(draft.goal);
     const QSignalBlocker blocker(m_relative);
     m_relative->setChecked(draft.relative);
@@ -195,10 +160,10 @@ void StepMotionBox::showSpeed() {
         return;
     const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
     const double set = m_settings.motion.*speedSetting();
-    const double fallback = hasGoal() ? stepdefaults::kMove : stepdefaults::kRun;
+    const double fallback = m_mode->hasGoal() ? stepdefaults::kMove : stepdefaults::kRun;
     m_shownSpeed = set;
-    const double slowest = profiled() ? speeds.slowest() : speeds.slowestTimed();
-    const double fastest = profiled() ? speeds.fastest() : speeds.fastestTimed();
+    const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
+    const double fastest = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
     m_speed->setNativeRange(slowest, fastest);
     m_speed->setMeaning(tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the "
                            "nearest that it can do.")
@@ -259,20 +224,20 @@ void StepMotionBox::setBusy(bool busy) {
 std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
     const auto goal = m_goal->native();
     const auto speed = m_speed->native();
-    if (!m_state || !speed || (hasGoal() && !goal))
+    if (!m_state || !speed || (m_mode->hasGoal() && !goal))
         return std::nullopt;
     const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
     const auto acceleration = static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_settings));
-    switch (mode()) {
-        case Mode::Trapezoid:
+    switch (m_mode->mode()) {
+        case StepModeChoice::Mode::Trapezoid:
             return stepmotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
                                          acceleration};
-        case Mode::Profile:
+        case StepModeChoice::Mode::Profile:
             return stepmotion::VelocityProfile{speeds.speedFor(*speed), acceleration, reverse};
-        case Mode::TimedMove:
+        case StepModeChoice::Mode::TimedMove:
             return stepmotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
-        case Mode::TimedRun:
+        case StepModeChoice::Mode::TimedRun:
             return stepmotion::UnprofiledRun{speeds.timerFor(*speed), reverse};
     }
     return std::nullopt;
@@ -294,7 +259,7 @@ bool StepMotionBox::viaStop(bool reverse) const {
 QString StepMotionBox::reasonFor(bool reverse) const {
     if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse))
         return texts::refusal(*refusal);
-    if (hasGoal() && m_goal->problem() != NumberField::Problem::None)
+    if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
         return m_goal->problemText();
     return m_speed->problemText();
 }
@@ -316,7 +281,7 @@ QString StepMotionBox::outcome() const {
     if (!m_state || !speed)
         return m_speed->problemText();
     const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
-    if (!profiled())
+    if (!m_mode->profiled())
         return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
     const auto& parameters = m_state->stepper.parameters();
     return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
@@ -331,8 +296,8 @@ QString StepMotionBox::forecast() const {
     const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
     const int minimum = m_state->stepper.parameters()->minimumProfileSpeed;
     const int acceleration = stepdefaults::accelerationTime(m_settings);
-    if (!hasGoal()) {
-        if (!profiled())
+    if (!m_mode->hasGoal()) {
+        if (!m_mode->profiled())
             return tr("At that speed from the first step on.");
         const int units = std::max(0, speeds.speedFor(*speed) - minimum);
         return tr("Gets there in %1 s from standstill.")
@@ -340,10 +305,10 @@ QString StepMotionBox::forecast() const {
     }
     const auto goal = m_goal->native();
     const auto position = m_state->stepper.position();
-    if (!goal || !position)
+    if (!goal || !position || m_state->moving())
         return {};
     const double way = m_relative->isChecked() ? *goal : *goal - *position;
-    if (profiled())
+    if (m_mode->profiled())
         return texts::forecast(forecastMove(speeds, minimum, speeds.speedFor(*speed), acceleration, way),
                                m_speed->scale());
     const double rate = speeds.ofCount(speeds.timerFor(*speed).count);
@@ -372,9 +337,9 @@ void StepMotionBox::refreshButton(QPushButton* button, bool reverse, const QStri
 void StepMotionBox::refreshButtons() {
     const bool load = m_loadOnly->isChecked();
     const QString later = tr("Sends the motion without starting it.");
-    m_go->setVisible(hasGoal());
-    m_runReverse->setVisible(!hasGoal());
-    m_runForward->setVisible(!hasGoal());
+    m_go->setVisible(m_mode->hasGoal());
+    m_runReverse->setVisible(!m_mode->hasGoal());
+    m_runForward->setVisible(!m_mode->hasGoal());
     refreshButton(m_go, false, load ? tr("Load") : tr("&Go"),
                   load ? later : tr("Starts the move to the position, and holds there."));
     refreshButton(m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
@@ -392,9 +357,9 @@ void StepMotionBox::refreshButtons() {
 }
 
 void StepMotionBox::refresh() {
-    const QString unused = hasGoal() ? QString() : tr("A run has no goal.");
-    m_goal->setMeaning(hasGoal() ? tr("Where to go. Enter starts the move.") : unused);
-    m_goal->setEnabled(hasGoal());
+    const QString unused = m_mode->hasGoal() ? QString() : tr("A run has no goal.");
+    m_goal->setMeaning(m_mode->hasGoal() ? tr("Where to go. Enter starts the move.") : unused);
+    m_goal->setEnabled(m_mode->hasGoal());
     look::setPossible(m_relative, unused,
                       tr("The position counts from where the motor stands at the start."));
     m_loadOnly->setToolTip(
@@ -403,13 +368,13 @@ void StepMotionBox::refresh() {
     look::setText(m_outcome, outcome());
     const bool known = m_state.has_value();
     look::setText(m_ramp, !known ? QString()
-                          : profiled()
+                          : m_mode->profiled()
                               ? texts::ramp(stepdefaults::speedMode(m_state->stepper, m_settings),
                                             stepdefaults::accelerationTime(m_settings), m_speed->scale())
                               : tr("No ramp."));
     look::setText(m_forecast, forecast());
     refreshButtons();
-    QString hint = hasGoal() ? m_goal->problemText() : QString();
+    QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
     if (hint.isEmpty())
         hint = m_speed->problemText();
     if (hint.isEmpty() && m_connected && known)

@@ -3,16 +3,15 @@
 
 #include <QGroupBox>
 #include <QHash>
-#include <array>
 #include <optional>
 
 #include "widgets/panels/panelview.h"
+#include "widgets/panels/stepmodechoice.h"
 
 class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QRadioButton;
 
 namespace nmc {
 
@@ -43,23 +42,17 @@ signals:
     void holdReleased();
 
 private:
-    enum class Mode : std::uint8_t { Trapezoid, Profile, TimedMove, TimedRun };
-    static constexpr int kModes = 4;
     /// What is typed and not part of the settings, per module.
     struct Draft {
-        Mode mode = Mode::Trapezoid;
+        StepModeChoice::Mode mode = StepModeChoice::Mode::Trapezoid;
         double goal = 0;
         bool relative = false;
     };
 
-    void buildModes(QGridLayout* grid, int line);
     void buildFields(QGridLayout* grid, int line);
     void buildButtons(QGridLayout* grid, int line);
     void connectControls();
 
-    [[nodiscard]] Mode mode() const;
-    [[nodiscard]] bool profiled() const { return mode() == Mode::Trapezoid || mode() == Mode::Profile; }
-    [[nodiscard]] bool hasGoal() const { return mode() == Mode::Trapezoid || mode() == Mode::TimedMove; }
     /// The part of the settings that the speed field shows now.
     [[nodiscard]] double MotionSettings::*speedSetting() const;
     void chooseMode();
@@ -79,7 +72,7 @@ private:
     void refreshButton(QPushButton* button, bool reverse, const QString& text, const QString& meaning);
     void refreshButtons();
 
-    std::array<QRadioButton*, kModes> m_modes{};
+    StepModeChoice* m_mode = nullptr;
     QuantityField* m_goal = nullptr;
     QCheckBox* m_relative = nullptr;
     QuantityField* m_speed = nullptr;

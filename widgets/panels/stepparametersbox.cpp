@@ -344,34 +344,11 @@ QString StepParametersBox::trouble() const {
     return {};
 }
 
-QString StepParametersBox::remark(StepParameter parameter, int value) const {
-    const auto percent = [&] { return tr("%1 % of full").arg(qRound(value * 100.0 / 255)); };
-    switch (parameter) {
-        case StepParameter::MinimumSpeed:
-            return tr("speed %1 of 250").arg(value);
-        case StepParameter::RunCurrent:
-        case StepParameter::HoldCurrent:
-            return value == 0 ? tr("no current") : percent();
-        case StepParameter::ThermalLimit: {
-            const bool known = m_state && m_state->latest && m_state->latest->analog;
-            const QString now = known ? tr("A/D now %1").arg(*m_state->latest->analog) : QString();
-            return value == 0 ? (known ? tr("off; %1").arg(now) : tr("off")) : now;
-        }
-        case StepParameter::SpeedMode:
-        case StepParameter::IgnoreLimits:
-        case StepParameter::IgnoreEstop:
-        case StepParameter::MotorOff:
-            break;
-    }
-    return {};
-}
-
 void StepParametersBox::refreshRow(StepParameter parameter) {
     const Row& row = m_rows[indexOf(parameter)];
     const auto value = entry(parameter);
-    look::setText(row.remark, value || parameter == StepParameter::ThermalLimit
-                                  ? remark(parameter, value.value_or(1))
-                                  : QString());
+    const auto analog = m_state && m_state->latest ? m_state->latest->analog : std::nullopt;
+    look::setText(row.remark, stepParameterRemark(parameter, value, analog));
     const auto sent = m_state && m_state->stepper.parameters()
                           ? std::optional(stepParameter(*m_state->stepper.parameters(), parameter))
                           : std::nullopt;

@@ -65,7 +65,6 @@ private:
     [[nodiscard]] QString trouble() const;
     void refreshRow(StepParameter parameter);
     void refresh();
-    [[nodiscard]] QString remark(StepParameter parameter, int value) const;
     [[nodiscard]] StepSpeed speeds() const;
 
     QComboBox* m_speedMode;

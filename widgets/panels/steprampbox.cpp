@@ -43,7 +43,7 @@ StepRampBox::StepRampBox(QWidget* parent)
     capLabel->setBuddy(m_cap);
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(unit, unit / 2, unit, unit);
+    grid->setContentsMargins(0, unit / 2, 0, 0);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);
     grid->addWidget(heading, 0, 0, 1, 5);
