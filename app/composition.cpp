@@ -419,6 +419,11 @@ void Composition::checkSettings() {
 }
 
 void Composition::told(const ServoWentOff& off) {
+    const ModuleState* gone = m_store.module(off.module);
+    if (gone != nullptr && gone->isStepper()) {
+        m_window.showMessage(texts::amplifierWentOff(off.module, off.activity));
+        return;
+    }
     if (off.activity == Activity::PowerLost) {
         m_window.showMessage(texts::powerLost(off.module));
         return;

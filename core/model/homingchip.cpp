@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/stepspeed.h"
+
 namespace nmc {
 
 namespace {
@@ -15,21 +17,6 @@ using Stop = HomingRecipe::Stop;
 [[nodiscard]] std::uint32_t fixed(double value) {
     constexpr double kOne = 65'536.0;
     return static_cast<std::uint32_t>(std::clamp(std::floor(value * kOne), 1.0, 2'147'483'647.0));
-}
-
-/// Steps per second of speed 1 (DS-S 4.2, table 3).
-[[nodiscard]] double speedUnit(step::SpeedMode mode) {
-    switch (mode) {
-        case step::SpeedMode::X1:
-            return 25.0;
-        case step::SpeedMode::X2:
-            return 50.0;
-        case step::SpeedMode::X4:
-            return 100.0;
-        case step::SpeedMode::X8:
-            return 200.0;
-    }
-    return 25.0;
 }
 
 [[nodiscard]] servo::LoadTrajectory servoRun(const HomingChip::Motion& motion) {
@@ -96,7 +83,7 @@ template <typename SetHoming>
 HomingChip::HomingChip(const ModuleState& module)
     : m_module(module.info.index), m_identity(module.info.identity) {
     if (module.stepper.parameters())
-        m_speedUnit = speedUnit(module.stepper.parameters()->speedMode);
+        m_speedUnit = StepSpeed(module.stepper.parameters()->speedMode).unit();
     m_offOnLimit = module.stepper.parameters() && module.stepper.parameters()->motorOffOnLimitOrEstop &&
                    !module.stepper.parameters()->ignoreLimits;
 }

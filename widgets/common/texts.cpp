@@ -97,6 +97,57 @@ Message powerLost(ModuleIndex module) {
         .body = Texts::tr("It stays off when power returns.")};
 }
 
+Message amplifierWentOff(ModuleIndex module, Activity activity) {
+    const int number = module.value() + 1;
+    Message message{.key = key::tripped(module), .severity = Severity::Fault};
+    switch (activity) {
+        case Activity::PowerLost:
+            message.key = key::power(module);
+            message.severity = Severity::Attention;
+            message.headline = Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number);
+            message.body = Texts::tr("It stays off when power returns.");
+            break;
+        case Activity::Overheated:
+            message.headline =
+                Texts::tr("Module %1 switched its motor off because it is too hot.").arg(number);
+            message.body = Texts::tr(
+                "The A/D value fell below the thermal limit. Let the motor cool down; then look at the "
+                "currents "
+                "and the limit on the Parameters page.");
+            break;
+        case Activity::EstopActive:
+            message.severity = Severity::Attention;
+            message.headline =
+                Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number);
+            message.body = Texts::tr("It stays off when the input is released.");
+            break;
+        case Activity::StoppedByLimit:
+            message.severity = Severity::Attention;
+            message.headline =
+                Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number);
+            message.body = Texts::tr("Enable it again, then move in the other direction.");
+            break;
+        case Activity::Unknown:
+        case Activity::Silent:
+        case Activity::Restarted:
+        case Activity::NoPower:
+        case Activity::ServoOff:
+        case Activity::Tripped:
+        case Activity::PwmMode:
+        case Activity::Holding:
+        case Activity::Accelerating:
+        case Activity::AtSpeed:
+        case Activity::Decelerating:
+        case Activity::AmplifierOff:
+        case Activity::WentOff:
+            message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
+            message.body =
+                Texts::tr("It does not say why. Check its power and its inputs, then enable it again.");
+            break;
+    }
+    return message;
+}
+
 Message holdExpired(ModuleIndex module) {
     return {.key = ofModule(u"hold"_s, module),
             .severity = Severity::Attention,

@@ -79,6 +79,8 @@ inline const QString kUnderstood = QStringLiteral("understood");
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);
 [[nodiscard]] Message powerLost(ModuleIndex module);
+/// A PIC-STEP switched its motor off; `activity` says why.
+[[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
 /// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);

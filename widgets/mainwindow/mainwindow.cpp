@@ -356,7 +356,7 @@ void MainWindow::requestStop() {
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
     const bool holding = std::any_of(m_link.modules.begin(), m_link.modules.end(),
-                                     [](const ModuleState& module) { return module.servoOn(); });
+                                     [](const ModuleState& module) { return module.driveOn(); });
     const Message result = texts::stopResult(finished, holding);
     m_bar->showStopResult(result.headline);
     if (finished.unreached.empty())

@@ -42,8 +42,8 @@ void showNumber(NumberField* field, double value, double before, bool another) {
 
 }  // namespace
 
-AxisBox::AxisBox(QWidget* parent) : QWidget(parent) {
-    look::name(this, u"axisBox"_s, tr("Axis"));
+AxisBox::AxisBox(QWidget* parent, ModuleType type) : QWidget(parent), m_type(type) {
+    look::name(this, named(u"axisBox"_s), tr("Axis"));
     build();
     connect(m_name, &QLineEdit::textEdited, this, &AxisBox::keep);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &AxisBox::keepUnit);
@@ -56,11 +56,15 @@ AxisBox::AxisBox(QWidget* parent) : QWidget(parent) {
     refresh();
 }
 
+QString AxisBox::named(const QString& name) const {
+    return m_type == ModuleType::Step ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+}
+
 NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                                 const QString& meaning) {
     auto* field = new NumberField(kScaleDecimals, this);
     QString name = label;
-    look::name(field, objectName, name.remove(u'&'));
+    look::name(field, named(objectName), name.remove(u'&'));
     field->setMeaning(meaning);
     form->addRow(label, field);
     return field;
@@ -73,14 +77,14 @@ void AxisBox::build() {
     form->setHorizontalSpacing(unit);
     form->setVerticalSpacing(unit / 2);
     m_name = new QLineEdit(this);
-    look::name(m_name, u"axisNameField"_s, tr("Name of the axis"));
+    look::name(m_name, named(u"axisNameField"_s), tr("Name of the axis"));
     m_name->setMaxLength(kLongestName);
     m_name->setPlaceholderText(tr("for example Z axis"));
     m_name->setToolTip(tr("What this axis is called, in the list, in messages and in files."));
     form->addRow(tr("N&ame"), m_name);
 
     m_unit = new QComboBox(this);
-    look::name(m_unit, u"axisUnitBox"_s, tr("Unit of the axis"));
+    look::name(m_unit, named(u"axisUnitBox"_s), tr("Unit of the axis"));
     m_unit->addItem(tr("the chip's own"), static_cast<int>(UnitKind::Native));
     m_unit->addItem(tr("turns"), static_cast<int>(UnitKind::Turns));
     m_unit->addItem(tr("degrees"), static_cast<int>(UnitKind::Degrees));
@@ -94,14 +98,15 @@ void AxisBox::build() {
     m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
     m_symbol = new QLineEdit(this);
-    look::name(m_symbol, u"axisSymbolField"_s, tr("Symbol of the unit"));
+    look::name(m_symbol, named(u"axisSymbolField"_s), tr("Symbol of the unit"));
     m_symbol->setMaxLength(kLongestUnit);
     m_symbol->setToolTip(tr("What stands behind the numbers, for example µl."));
     form->addRow(tr("Symbol"), m_symbol);
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
 
     m_holdCap = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_holdCap->setName(u"holdCapField"_s, tr("Cap of hold to move"));
+    m_holdCap->setName(m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepAxisHoldCapField"_s,
+                       tr("Cap of hold to move"));
     m_holdCap->setQuantity(tr("The cap of hold to move"));
     m_holdCap->setMeaning(tr("Hold to move never goes faster than this."));
     auto* cap = new QHBoxLayout;
@@ -111,7 +116,16 @@ void AxisBox::build() {
     cap->addStretch(1);
     form->addRow(tr("&Jog cap"), cap);
     qobject_cast<QLabel*>(form->labelForField(cap))->setBuddy(m_holdCap);
+    form->setRowVisible(cap, m_type == ModuleType::Servo);
+    buildAnalog(form);
+    m_hint = new QLabel(this);
+    m_hint->setObjectName(named(u"axisHint"_s));
+    m_hint->setWordWrap(true);
+    m_hint->setTextFormat(Qt::PlainText);
+    form->addRow(m_hint);
+}
 
+void AxisBox::buildAnalog(QFormLayout* form) {
     m_analogPerCount =
         addNumber(form, tr("A/D, each step"), u"analogPerCountField"_s,
                   tr("What one of the 255 steps of the A/D value stands for, for example 5 V / "
@@ -121,15 +135,10 @@ void AxisBox::build() {
         addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("What an A/D value of 0 stands for."));
     m_analogAtZero->setRange(-1e6, 1e6);
     m_analogUnit = new QLineEdit(this);
-    look::name(m_analogUnit, u"analogUnitField"_s, tr("Unit of the A/D value"));
+    look::name(m_analogUnit, named(u"analogUnitField"_s), tr("Unit of the A/D value"));
     m_analogUnit->setMaxLength(kLongestUnit);
     m_analogUnit->setToolTip(tr("A, V, or what the A/D input measures here."));
     form->addRow(tr("A/D unit"), m_analogUnit);
-    m_hint = new QLabel(this);
-    m_hint->setObjectName(u"axisHint"_s);
-    m_hint->setWordWrap(true);
-    m_hint->setTextFormat(Qt::PlainText);
-    form->addRow(m_hint);
 }
 
 UnitKind AxisBox::kind() const {
@@ -173,7 +182,8 @@ void AxisBox::keepUnit() {
 
 void AxisBox::keep() {
     m_settings.name = m_name->text().toStdString();
-    m_settings.motion.holdCap = m_holdCap->native().value_or(m_settings.motion.holdCap);
+    if (m_type == ModuleType::Servo)
+        m_settings.motion.holdCap = m_holdCap->native().value_or(m_settings.motion.holdCap);
     AnalogScale& analog = m_settings.analog;
     analog.perCount = m_analogPerCount->value().value_or(analog.perCount);
     analog.atZero = m_analogAtZero->value().value_or(analog.atZero);

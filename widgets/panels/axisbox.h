@@ -22,7 +22,9 @@ class AxisBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit AxisBox(QWidget* parent = nullptr);
+    /// The names of a stepper's controls begin with "step"; its cap of hold to move is set where its speeds
+    /// are.
+    explicit AxisBox(QWidget* parent = nullptr, ModuleType type = ModuleType::Servo);
 
     /// Emits nothing.
     void showModule(const PanelView& view);
@@ -31,7 +33,9 @@ signals:
     void settingsEdited(const nmc::AxisSettings& settings);
 
 private:
+    [[nodiscard]] QString named(const QString& name) const;
     void build();
+    void buildAnalog(QFormLayout* form);
     NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                            const QString& meaning);
     void keep();
@@ -39,6 +43,7 @@ private:
     void refresh();
     [[nodiscard]] UnitKind kind() const;
 
+    ModuleType m_type;
     QLineEdit* m_name = nullptr;
     QComboBox* m_unit = nullptr;
     NumberField* m_countsPerUnit = nullptr;

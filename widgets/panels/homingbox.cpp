@@ -8,6 +8,7 @@
 #include <QScrollBar>
 
 #include "model/homingplan.h"
+#include "model/stepspeed.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -21,22 +22,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kSlowestSpeedUnit = 25.0;  // steps/s, speed mode 1x (DS-S table 3)
-
 double speedUnit(const ModuleState& module) {
-    if (!module.parameters)
-        return kSlowestSpeedUnit;
-    switch (module.parameters->speedMode) {
-        case step::SpeedMode::X1:
-            return kSlowestSpeedUnit;
-        case step::SpeedMode::X2:
-            return 2 * kSlowestSpeedUnit;
-        case step::SpeedMode::X4:
-            return 4 * kSlowestSpeedUnit;
-        case step::SpeedMode::X8:
-            return 8 * kSlowestSpeedUnit;
-    }
-    return kSlowestSpeedUnit;
+    const auto& parameters = module.stepper.parameters();
+    return StepSpeed(parameters ? parameters->speedMode : step::SpeedMode::X1).unit();
 }
 
 /// What a search goes through, as far as its recipe tells beforehand.

@@ -6,6 +6,7 @@
 #include "widgets/common/look.h"
 #include "widgets/panels/genericpanel.h"
 #include "widgets/panels/servopanel.h"
+#include "widgets/panels/steppanel.h"
 
 namespace nmc {
 
@@ -15,6 +16,7 @@ ModulePanel::ModulePanel(QWidget* parent)
     : QStackedWidget(parent),
       m_empty(look::newMutedLabel({}, this)),
       m_servo(new ServoPanel(this)),
+      m_stepper(new StepPanel(this)),
       m_generic(new GenericPanel(this)) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
     m_empty->setObjectName(u"emptyPanel"_s);
@@ -23,25 +25,35 @@ ModulePanel::ModulePanel(QWidget* parent)
     m_empty->setFont(look::scaled(font(), 1.2));
     addWidget(m_empty);
     addWidget(m_servo);
+    addWidget(m_stepper);
     addWidget(m_generic);
     setCurrentWidget(m_servo);
     bringUp(m_empty);
-    connect(m_servo, &ServoPanel::intentRequested, this, &ModulePanel::intentRequested);
-    connect(m_servo, &ServoPanel::holdRequested, this, &ModulePanel::holdRequested);
-    connect(m_servo, &ServoPanel::holdReleased, this, &ModulePanel::holdReleased);
-    connect(m_servo, &ServoPanel::settingsEdited, this, &ModulePanel::settingsEdited);
+    for (ModulePage* page : pages()) {
+        connect(page, &ModulePage::intentRequested, this, &ModulePanel::intentRequested);
+        connect(page, &ModulePage::holdRequested, this, &ModulePanel::holdRequested);
+        connect(page, &ModulePage::holdReleased, this, &ModulePanel::holdReleased);
+        connect(page, &ModulePage::settingsEdited, this, &ModulePanel::settingsEdited);
+    }
+}
+
+std::array<ModulePage*, 2> ModulePanel::pages() const {
+    return {m_servo, m_stepper};
 }
 
 void ModulePanel::resetSpeeds() {
-    m_servo->resetSpeeds();
+    for (ModulePage* page : pages())
+        page->resetSpeeds();
 }
 
 void ModulePanel::endHold() {
-    m_servo->endHold();
+    for (ModulePage* page : pages())
+        page->endHold();
 }
 
 void ModulePanel::setHoldInterval(int milliseconds) {
-    m_servo->setHoldInterval(milliseconds);
+    for (ModulePage* page : pages())
+        page->setHoldInterval(milliseconds);
 }
 
 void ModulePanel::bringUp(QWidget* page) {
@@ -56,17 +68,22 @@ void ModulePanel::bringUp(QWidget* page) {
 
 void ModulePanel::showModule(const PanelView& view) {
     if (view.module.isServo()) {
+        m_stepper->endHold();
         m_servo->showModule(view);
         bringUp(m_servo);
-    } else {
+    } else if (view.module.isStepper()) {
         m_servo->endHold();
+        m_stepper->showModule(view);
+        bringUp(m_stepper);
+    } else {
+        endHold();
         m_generic->showModule(view.module);
         bringUp(m_generic);
     }
 }
 
 void ModulePanel::showNothing(const QString& text) {
-    m_servo->endHold();
+    endHold();
     look::setText(m_empty, text);
     bringUp(m_empty);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStackedWidget>
+#include <array>
 
 #include "widgets/panels/panelview.h"
 
@@ -10,7 +11,9 @@ class QLabel;
 namespace nmc {
 
 class GenericPanel;
+class ModulePage;
 class ServoPanel;
+class StepPanel;
 
 /// The middle of the window: the panel that fits the selected module, or what to do when there is none.
 class ModulePanel : public QStackedWidget {
@@ -37,11 +40,13 @@ signals:
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
+    [[nodiscard]] std::array<ModulePage*, 2> pages() const;
     /// Only the page in sight decides how much room is needed.
     void bringUp(QWidget* page);
 
     QLabel* m_empty;
     ServoPanel* m_servo;
+    StepPanel* m_stepper;
     GenericPanel* m_generic;
 };
 

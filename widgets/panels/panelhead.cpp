@@ -16,18 +16,22 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-PanelHead::PanelHead(QWidget* parent)
+PanelHead::PanelHead(Drive drive, QWidget* parent)
     : QFrame(parent),
+      m_drive(drive),
       m_glyph(new GlyphLabel(this)),
       m_name(new QLabel(this)),
       m_type(look::newMutedLabel({}, this)),
       m_state(new QLabel(this)),
       m_meaning(look::newMutedLabel({}, this)),
       m_position(new QLabel(this)),
-      m_positionUnit(look::newMutedLabel(texts::unitCounts(), this)),
+      m_positionUnit(look::newMutedLabel({}, this)),
       m_otherPosition(look::newMutedLabel({}, this)),
-      m_enable(addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
-                         tr("Enable the servo of this module"), intent::Enable{})),
+      m_enable(drive == Drive::Stepper
+                   ? addButton(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
+                               tr("Enable the amplifier of this module"), intent::Enable{})
+                   : addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
+                               tr("Enable the servo of this module"), intent::Enable{})),
       m_stopSmoothly(addButton(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
                                tr("Stop this module smoothly"), intent::StopSmoothly{})),
       m_stopAbruptly(addButton(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
@@ -36,11 +40,11 @@ PanelHead::PanelHead(QWidget* parent)
                            tr("Stop this module at its present position"), intent::StopHere{})),
       m_motorOff(addButton(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
                            intent::MotorOff{})) {
-    look::name(this, u"panelHead"_s, tr("State of the selected module"));
-    m_name->setObjectName(u"moduleName"_s);
-    m_type->setObjectName(u"moduleType"_s);
-    m_state->setObjectName(u"stateLabel"_s);
-    m_position->setObjectName(u"positionLabel"_s);
+    look::name(this, named(u"panelHead"_s), tr("State of the selected module"));
+    m_name->setObjectName(named(u"moduleName"_s));
+    m_type->setObjectName(named(u"moduleType"_s));
+    m_state->setObjectName(named(u"stateLabel"_s));
+    m_position->setObjectName(named(u"positionLabel"_s));
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
     m_state->setFont(large);
@@ -50,12 +54,13 @@ PanelHead::PanelHead(QWidget* parent)
     m_name->setFont(bold);
     m_position->setFont(look::tabular(look::scaled(font(), 2.8)));
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_positionUnit->setObjectName(u"positionUnit"_s);
-    m_otherPosition->setObjectName(u"otherPosition"_s);
+    m_positionUnit->setObjectName(named(u"positionUnit"_s));
+    m_otherPosition->setObjectName(named(u"otherPosition"_s));
     m_otherPosition->setFont(look::tabular(font()));
-    m_meaning->setObjectName(u"stateMeaning"_s);
+    m_meaning->setObjectName(named(u"stateMeaning"_s));
     m_meaning->setWordWrap(true);
 
+    m_stopHere->setVisible(m_drive == Drive::Servo);
     m_stopHere->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_H);
 
     const int unit = look::gridUnit(this);
@@ -94,10 +99,14 @@ PanelHead::PanelHead(QWidget* parent)
     grid->setColumnStretch(0, 1);
 }
 
+QString PanelHead::named(const QString& name) const {
+    return m_drive == Drive::Servo ? name : u"step"_s + name[0].toUpper() + name.mid(1);
+}
+
 QPushButton* PanelHead::addButton(const QString& icon, const QString& text, const QString& objectName,
                                   const QString& accessibleName, Intent intent) {
     auto* button = new QPushButton(icons::tinted(icon), text, this);
-    look::name(button, objectName, accessibleName);
+    look::name(button, named(objectName), accessibleName);
     connect(button, &QPushButton::clicked, this, [this, intent] { emit intentRequested(intent); });
     return button;
 }
@@ -131,7 +140,7 @@ void PanelHead::showModule(const PanelView& view) {
     const ModuleState& module = view.module;
     m_module = module;
     m_connected = view.connected;
-    m_on = module.servoOn() && module.amplifierEnabled;
+    m_on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
     const Activity activity = module.activity();
     look::setText(m_name, texts::moduleName(module.info.index));
     look::setText(
@@ -158,7 +167,9 @@ void PanelHead::refresh() {
             m_connected && m_module ? whyNot(request, *m_module) : std::optional(Refusal::NotConnected);
         return refusal.has_value() ? texts::refusal(*refusal) : QString();
     };
-    const QString enable = m_on ? tr("The servo is on already.") : reason(Request::Enable);
+    const QString enable = !m_on                       ? reason(Request::Enable)
+                           : m_drive == Drive::Stepper ? tr("The amplifier is on already.")
+                                                       : tr("The servo is on already.");
     look::setPossible(m_enable, enable.isEmpty() && m_busy ? tr("Waiting for the module's answer.") : enable,
                       tr("Switches the amplifier on and holds the motor where it is."));
     const QString stop = reason(Request::StopMotion);
@@ -169,7 +180,10 @@ void PanelHead::refresh() {
                          "(Ctrl+Shift+H)."));
     look::setPossible(
         m_motorOff, reason(Request::MotorOff),
-        tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
+        m_drive == Drive::Stepper
+            ? tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may "
+                 "fall.")
+            : tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
 }
 
 }  // namespace nmc

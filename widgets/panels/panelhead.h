@@ -19,7 +19,10 @@ class PanelHead : public QFrame {
     Q_OBJECT
 
 public:
-    explicit PanelHead(QWidget* parent = nullptr);
+    enum class Drive : std::uint8_t { Servo, Stepper };
+
+    /// The names of a stepper's controls begin with "step": stepEnableButton.
+    explicit PanelHead(Drive drive, QWidget* parent = nullptr);
 
     /// Emits nothing.
     void showModule(const PanelView& view);
@@ -30,11 +33,13 @@ signals:
     void intentRequested(const nmc::Intent& intent);
 
 private:
+    [[nodiscard]] QString named(const QString& name) const;
     QPushButton* addButton(const QString& icon, const QString& text, const QString& objectName,
                            const QString& accessibleName, Intent intent);
     void refresh();
     void showPosition(const PanelView& view);
 
+    Drive m_drive;
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;

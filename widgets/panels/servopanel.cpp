@@ -21,20 +21,9 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-/// Stops are never held back; everything else waits for the answer to the click before.
-bool isStop(const Intent& intent) {
-    return std::holds_alternative<intent::StopSmoothly>(intent) ||
-           std::holds_alternative<intent::StopAbruptly>(intent) ||
-           std::holds_alternative<intent::StopHere>(intent) ||
-           std::holds_alternative<intent::MotorOff>(intent) ||
-           std::holds_alternative<intent::CancelProcedure>(intent);
-}
-}  // namespace
-
 ServoPanel::ServoPanel(QWidget* parent)
-    : QWidget(parent),
-      m_head(new PanelHead(this)),
+    : ModulePage(parent),
+      m_head(new PanelHead(PanelHead::Drive::Servo, this)),
       m_motion(new MotionBox(this)),
       m_jog(new JogBox(this)),
       m_pages(new QTabWidget(this)),
@@ -81,27 +70,15 @@ void ServoPanel::connectBoxes() {
     connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
     connect(m_homing, &HomingBox::intentRequested, this, &ServoPanel::pass);
-    connect(m_homing, &HomingBox::settingsEdited, this,
-            [this](const AxisSettings& settings) { emit settingsEdited(m_module, settings); });
+    connect(m_homing, &HomingBox::settingsEdited, this, &ServoPanel::passSettings);
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
     connect(m_jog, &JogBox::holdRequested, this, &ServoPanel::holdRequested);
     connect(m_jog, &JogBox::holdReleased, this, &ServoPanel::holdReleased);
     connect(m_motion, &MotionBox::accelerationEdited, m_jog, &JogBox::endHold);
-    const auto keep = [this](const AxisSettings& settings) { emit settingsEdited(m_module, settings); };
-    connect(m_motion, &MotionBox::settingsEdited, this, keep);
-    connect(m_gains, &GainsBox::settingsEdited, this, keep);
-    connect(m_axis, &AxisBox::settingsEdited, this, keep);
-}
-
-void ServoPanel::pass(const Intent& intent) {
-    if (!isStop(intent)) {
-        if (m_askedAt.has_value())
-            return;
-        m_askedAt = m_latestTime;
-        setBusy(true);
-    }
-    emit intentRequested(m_module, intent);
+    connect(m_motion, &MotionBox::settingsEdited, this, &ServoPanel::passSettings);
+    connect(m_gains, &GainsBox::settingsEdited, this, &ServoPanel::passSettings);
+    connect(m_axis, &AxisBox::settingsEdited, this, &ServoPanel::passSettings);
 }
 
 void ServoPanel::setBusy(bool busy) {
@@ -114,15 +91,7 @@ void ServoPanel::setBusy(bool busy) {
     m_details->setBusy(busy);
 }
 
-void ServoPanel::showModule(const PanelView& view) {
-    const ModuleState& module = view.module;
-    if (m_askedAt.has_value() &&
-        (module.info.index != m_module || module.latestTime != *m_askedAt || !view.connected)) {
-        m_askedAt.reset();
-        setBusy(false);
-    }
-    m_module = module.info.index;
-    m_latestTime = module.latestTime;
+void ServoPanel::showBoxes(const PanelView& view) {
     m_head->showModule(view);
     m_motion->showModule(view);
     m_jog->showModule(view, m_motion->acceleration());

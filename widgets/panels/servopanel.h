@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-#include <optional>
-
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulepage.h"
 
 class QTabWidget;
 
@@ -22,28 +19,22 @@ class PwmBox;
 
 /// Everything one PIC-SERVO can be asked for. Motion and jog are always in sight; the rest shares the pages
 /// beside them.
-class ServoPanel : public QWidget {
+class ServoPanel : public ModulePage {
     Q_OBJECT
 
 public:
     explicit ServoPanel(QWidget* parent = nullptr);
 
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    void resetSpeeds();
-    void endHold();
-    void setHoldInterval(int milliseconds);
+    void resetSpeeds() override;
+    void endHold() override;
+    void setHoldInterval(int milliseconds) override;
 
-signals:
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
+protected:
+    void showBoxes(const PanelView& view) override;
+    void setBusy(bool busy) override;
 
 private:
     void connectBoxes();
-    void pass(const Intent& intent);
-    void setBusy(bool busy);
 
     PanelHead* m_head;
     MotionBox* m_motion;
@@ -55,10 +46,6 @@ private:
     PwmBox* m_pwm;
     AxisBox* m_axis;
     DetailsBox* m_details;
-    ModuleIndex m_module;
-    TimePoint m_latestTime;
-    /// A click that was passed on, until the module has spoken again: a double click is one command.
-    std::optional<TimePoint> m_askedAt;
 };
 
 }  // namespace nmc

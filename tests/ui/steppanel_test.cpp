@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+#include <QComboBox>
+#include <QTabWidget>
+#include <QWheelEvent>
+
+#include "tests/model/stepfixture.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::kAmplifier;
+using testing_support::kLimit1In;
+using testing_support::kStepPower;
+using testing_support::Stepper;
+
+class StepPanelTest : public WindowTest {
+protected:
+    void show(const Stepper& stepper) { window->showLink(connectedTo({stepper.module})); }
+    /// As the composition does it: what was edited comes back.
+    void echoSettings() {
+        QObject::connect(
+            window.get(), &MainWindow::axisEdited, window.get(),
+            [this](ModuleIndex module, const AxisSettings& edited) {
+                machine.axes.resize(std::max(machine.axes.size(), module.value() + std::size_t{1}));
+                machine.axes[module.value()] = edited;
+                window->showMachine(machine);
+            });
+    }
+    template <typename T>
+    std::optional<T> asked(int number = 0) {
+        if (intents.size() <= number)
+            return std::nullopt;
+        const auto intent = intents.at(number).at(1).value<Intent>();
+        const T* wanted = std::get_if<T>(&intent);
+        return wanted == nullptr ? std::nullopt : std::optional(*wanted);
+    }
+    void choose(const QString& mode) { button(mode)->click(); }
+    void bringUp(int page) { find<QTabWidget>(u"stepPages"_s)->setCurrentIndex(page); }
+    QString plain(const QString& label) { return text(label).replace(QChar(0x202F), u' '); }
+
+    Machine machine;
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy edits{window.get(), &MainWindow::axisEdited};
+    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
+    QSignalSpy releases{window.get(), &MainWindow::holdReleased};
+};
+
+TEST_F(StepPanelTest, ShowsAModuleAndAsksForNothing) {
+    show(Stepper::holding());
+    EXPECT_TRUE(find(u"stepPanel"_s)->isVisible());
+    EXPECT_FALSE(find(u"servoPanel"_s)->isVisible());
+    EXPECT_EQ(text(u"stepStateLabel"_s), u"Holding"_s);
+    EXPECT_EQ(text(u"stepPositionUnit"_s), u"steps"_s);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_EQ(edits.size(), 0);
+}
+
+TEST_F(StepPanelTest, OffersWhatTheChipForbidsAsStopWaitGo) {
+    show(Stepper::running());
+    choose(u"stepModeProfile"_s);
+    EXPECT_EQ(button(u"stepRunForwardButton"_s)->text(), u"R&un forward"_s);
+    EXPECT_EQ(button(u"stepRunReverseButton"_s)->text(), u"Stop, wait: Run &reverse"_s);
+    click(u"stepRunReverseButton"_s);
+    const auto change = asked<stepintent::ChangeMotion>();
+    ASSERT_TRUE(change);
+    // 200 steps/s at 1x is speed 8; 40 is where it begins, 10 ms.
+    EXPECT_EQ(change->motion, StepMotion(stepmotion::VelocityProfile{8, 40, true}));
+}
+
+TEST_F(StepPanelTest, OffersAMoveOutOfARunAsStopWaitGo) {
+    show(Stepper::running());
+    type(u"stepGoalField"_s, u"900"_s);
+    EXPECT_EQ(button(u"stepGoButton"_s)->text(), u"Stop, wait: &Go"_s);
+    EXPECT_EQ(button(u"stepGoButton"_s)->shortcut(), QKeySequence(Qt::ALT | Qt::Key_G));
+    click(u"stepLoadOnlyBox"_s);
+    EXPECT_FALSE(button(u"stepGoButton"_s)->isEnabled()) << "a load does not stop anything";
+    click(u"stepLoadOnlyBox"_s);
+    click(u"stepGoButton"_s);
+    const auto change = asked<stepintent::ChangeMotion>();
+    ASSERT_TRUE(change);
+    EXPECT_EQ(change->motion, StepMotion(stepmotion::Trapezoid{900, false, 16, 40}));
+}
+
+TEST_F(StepPanelTest, StartsAMoveByEnterAndOnlyOnceForADoubleClick) {
+    show(Stepper::holding());
+    type(u"stepGoalField"_s, u"-300"_s);
+    QTest::keyClick(field(u"stepGoalField"_s), Qt::Key_Return);
+    click(u"stepGoButton"_s);
+    EXPECT_EQ(intents.size(), 1);
+    const auto move = asked<stepintent::Move>();
+    ASSERT_TRUE(move);
+    EXPECT_EQ(move->motion, StepMotion(stepmotion::Trapezoid{-300, false, 16, 40}));
+    click(u"stepStopAbruptlyButton"_s);
+    EXPECT_TRUE(asked<intent::StopAbruptly>(1)) << "a stop never waits";
+}
+
+TEST_F(StepPanelTest, SaysTheRangeAndSendsNothingOutOfIt) {
+    show(Stepper::holding());
+    type(u"stepSpeedField"_s, u"6251"_s);
+    EXPECT_FALSE(button(u"stepGoButton"_s)->isEnabled());
+    EXPECT_TRUE(plain(u"stepMotionHint"_s).contains(u"6250"_s)) << text(u"stepMotionHint"_s).toStdString();
+    QTest::keyClick(field(u"stepGoalField"_s), Qt::Key_Return);
+    EXPECT_EQ(intents.size(), 0);
+    // The timer goes faster than the profile: 625 000 / 86.
+    choose(u"stepModeTimedMove"_s);
+    type(u"stepSpeedField"_s, u"7000"_s);
+    EXPECT_TRUE(button(u"stepGoButton"_s)->isEnabled()) << button(u"stepGoButton"_s)->toolTip().toStdString();
+    EXPECT_EQ(text(u"stepRampOutcome"_s), u"No ramp."_s);
+}
+
+TEST_F(StepPanelTest, KeepsSpeedsInTheSettingsPerKindOfMotion) {
+    echoSettings();
+    show(Stepper::holding());
+    type(u"stepSpeedField"_s, u"800"_s);
+    choose(u"stepModeProfile"_s);
+    EXPECT_EQ(field(u"stepSpeedField"_s)->text(), u"200"_s);
+    type(u"stepSpeedField"_s, u"300"_s);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).motion.velocity, 800);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).motion.runVelocity, 300);
+    choose(u"stepModeTrapezoidal"_s);
+    EXPECT_EQ(field(u"stepSpeedField"_s)->text(), u"800"_s);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
+    echoSettings();
+    show(Stepper::holding());
+    type(u"stepGoalField"_s, u"1000"_s);
+    const auto before = edits.size();
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 200.0, {}};
+    window->showMachine(machine);
+    EXPECT_EQ(edits.size(), before);
+    EXPECT_EQ(field(u"stepGoalField"_s)->value(), 5.0) << "1000 steps of 200 a millimetre";
+    EXPECT_EQ(text(u"stepGoalFieldUnit"_s), u"mm"_s);
+    EXPECT_EQ(field(u"stepSpeedField"_s)->value(), 2.0);
+    EXPECT_EQ(plain(u"stepSpeedOutcome"_s), u"Runs at 400 steps/s (2 mm/s): speed 16 of 250."_s);
+    // 25 steps/s each 10 ms are 2 500 steps/s^2, 12.5 mm/s^2.
+    EXPECT_EQ(plain(u"stepRampOutcome"_s), u"Ramp of 2 500 steps/s² (12.5 mm/s²): acceleration time 40."_s);
+}
+
+TEST_F(StepPanelTest, SaysWhatBlocksADirection) {
+    Stepper stepper = Stepper::holding();
+    stepper.inputs = kLimit1In;
+    stepper.says(kStepPower | kAmplifier);
+    show(stepper);
+    choose(u"stepModeTimedRun"_s);
+    EXPECT_FALSE(button(u"stepRunForwardButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"stepRunForwardButton"_s)->toolTip(), texts::refusal(Refusal::Limit1Active));
+    EXPECT_TRUE(button(u"stepRunReverseButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"stepHoldForwardButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"stepHoldReverseButton"_s)->isEnabled());
+    EXPECT_EQ(text(u"stepLimit1InputEffect"_s), u"blocks forward"_s);
+}
+
+TEST_F(StepPanelTest, HoldsAtALowSpeedAndEndsWithTheModeAndTheModule) {
+    show(Stepper::holding());
+    auto* forward = button(u"stepHoldForwardButton"_s);
+    QTest::mousePress(forward, Qt::LeftButton);
+    ASSERT_EQ(holds.size(), 1);
+    const auto hold = holds.at(0).at(0).value<bus::HoldToMove>();
+    EXPECT_EQ(hold.pace, (bus::StepPace{4, 40})) << "100 steps/s";
+    EXPECT_FALSE(hold.reverse);
+    choose(u"stepModeProfile"_s);
+    EXPECT_EQ(releases.size(), 1) << "a change of mode";
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    QTest::mousePress(forward, Qt::LeftButton);
+    Stepper blocked = Stepper::holding();
+    blocked.inputs = kLimit1In;
+    blocked.says(kStepPower | kAmplifier);
+    show(blocked);
+    EXPECT_EQ(releases.size(), 2) << "its permission went";
+    QTest::mouseRelease(forward, Qt::LeftButton);
+}
+
+TEST_F(StepPanelTest, NeverHoldsFasterThanWhatStandsThere) {
+    show(Stepper::holding());
+    type(u"stepHoldVelocityField"_s, u"149"_s);
+    QTest::mousePress(button(u"stepHoldReverseButton"_s), Qt::LeftButton);
+    ASSERT_EQ(holds.size(), 1);
+    EXPECT_EQ(holds.at(0).at(0).value<bus::HoldToMove>().pace->speed, 5) << "125 steps/s, not 150";
+    QTest::mouseRelease(button(u"stepHoldReverseButton"_s), Qt::LeftButton);
+}
+
+TEST_F(StepPanelTest, StagesParametersAndSendsThemAllAtOnce) {
+    echoSettings();
+    Stepper fresh;
+    fresh.says(kStepPower);
+    show(fresh);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"? unknown"_s);
+    EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
+    click(u"stepFillParametersButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● edited, not sent"_s);
+    type(u"stepRunCurrentField"_s, u"90"_s);
+    click(u"stepApplyParametersButton"_s);
+    const auto set = asked<stepintent::SetParameters>();
+    ASSERT_TRUE(set);
+    EXPECT_EQ(set->parameters, (step::SetParameters{step::SpeedMode::X1, false, false, false, 4, 90, 32, 0}));
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).parameters, set->parameters);
+    fresh.was(set->parameters);
+    fresh.says(kStepPower);
+    show(fresh);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"✓ sent"_s);
+    EXPECT_FALSE(button(u"stepRevertParametersButton"_s)->isEnabled());
+    type(u"stepRunCurrentField"_s, u"91"_s);
+    EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● edited, not sent"_s);
+    click(u"stepRevertParametersButton"_s);
+    EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), u"90"_s);
+}
+
+TEST_F(StepPanelTest, KeepsUnfinishedEditsPerModule) {
+    Stepper first;
+    first.says(kStepPower);
+    Stepper second = first;
+    second.module.info.index = ModuleIndex(1);
+    window->showLink(connectedTo({first.module, second.module}));
+    type(u"stepRunCurrentField"_s, u"77"_s);
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), QString());
+    chain->setCurrentIndex(chain->model()->index(0, 0));
+    EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), u"77"_s);
+}
+
+TEST_F(StepPanelTest, ParametersWaitForStandstill) {
+    show(Stepper::running());
+    type(u"stepRunCurrentField"_s, u"90"_s);
+    EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"stepApplyParametersButton"_s)->toolTip(), texts::refusal(Refusal::NeedsStop));
+}
+
+TEST_F(StepPanelTest, TheWheelDoesNothingToAChoiceWithoutFocus) {
+    show(Stepper::holding());
+    auto* mode = find<QComboBox>(u"stepSpeedModeField"_s);
+    button(u"stepGoButton"_s)->setFocus();
+    const int before = mode->currentIndex();
+    QWheelEvent wheel(QPointF(5, 5), mode->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(mode, &wheel);
+    EXPECT_EQ(mode->currentIndex(), before);
+}
+
+TEST_F(StepPanelTest, OutputsThatNobodyKnowsAreChosenAllBeforeTheyAreSent) {
+    Stepper stepper;
+    stepper.module.attached();
+    stepper.says(kStepPower);
+    show(stepper);
+    bringUp(1);
+    EXPECT_EQ(find<QCheckBox>(u"stepOutput1Box"_s)->checkState(), Qt::PartiallyChecked);
+    EXPECT_FALSE(button(u"stepSetOutputsButton"_s)->isEnabled());
+    for (int i = 1; i <= 5; ++i)
+        button(u"stepOutput%1Box"_s.arg(i))->click();
+    // A click on what is unknown chooses "high"; a second one on the third "low".
+    button(u"stepOutput3Box"_s)->click();
+    EXPECT_EQ(text(u"stepOutput3State"_s), u"● low, not sent"_s);
+    EXPECT_EQ(intents.size(), 0);
+    click(u"stepSetOutputsButton"_s);
+    ASSERT_TRUE(asked<stepintent::SetOutputs>());
+    EXPECT_EQ(asked<stepintent::SetOutputs>()->outputs, 0x1B);
+}
+
+TEST_F(StepPanelTest, AnOutputThatIsKnownShowsWhatWasConfirmed) {
+    show(Stepper::holding());
+    bringUp(1);
+    EXPECT_FALSE(button(u"stepSetOutputsButton"_s)->isVisible());
+    button(u"stepOutput1Box"_s)->click();
+    ASSERT_TRUE(asked<stepintent::SetOutputs>());
+    EXPECT_EQ(asked<stepintent::SetOutputs>()->outputs, 0x11);
+    EXPECT_FALSE(button(u"stepOutput1Box"_s)->isChecked()) << "not before the module has said so";
+}
+
+TEST_F(StepPanelTest, SaysWhyNothingIsPossibleWithoutAConnection) {
+    LinkState link = connectedTo({Stepper::holding().module});
+    link.phase = LinkPhase::Lost;
+    window->showLink(link);
+    for (const char* name :
+         {"stepGoButton", "stepHoldForwardButton", "stepApplyParametersButton", "stepZeroHereButton"}) {
+        EXPECT_FALSE(button(QLatin1String(name))->isEnabled()) << name;
+        EXPECT_EQ(button(QLatin1String(name))->toolTip(), texts::refusal(Refusal::NotConnected)) << name;
+    }
+}
+
+TEST_F(StepPanelTest, EachControlIsReachedByTab) {
+    show(Stepper::holding());
+    for (int page = 0; page < find<QTabWidget>(u"stepPages"_s)->count(); ++page) {
+        bringUp(page);
+        QSet<const QWidget*> reached;
+        for (const QWidget* w = window->nextInFocusChain(); w != window.get(); w = w->nextInFocusChain())
+            reached.insert(w);
+        for (const QWidget* control : find(u"stepPanel"_s)->findChildren<QWidget*>()) {
+            const bool operates = qobject_cast<const QAbstractButton*>(control) != nullptr ||
+                                  qobject_cast<const QLineEdit*>(control) != nullptr ||
+                                  qobject_cast<const QComboBox*>(control) != nullptr;
+            if (!operates || !control->isVisible() || control->parentWidget()->inherits("QTabBar"))
+                continue;
+            EXPECT_TRUE(reached.contains(control)) << control->objectName().toStdString();
+            EXPECT_NE(control->focusPolicy() & Qt::TabFocus, 0) << control->objectName().toStdString();
+            EXPECT_FALSE(control->accessibleName().isEmpty()) << control->objectName().toStdString();
+            EXPECT_FALSE(control->toolTip().isEmpty()) << control->objectName().toStdString();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nmc

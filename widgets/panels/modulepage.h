@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/panels/panelview.h"
+
+namespace nmc {
+
+/// What the panels of both chips have in common: clicks become intents of the module that is shown, one at a
+/// time until it has spoken again; stops never wait.
+class ModulePage : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    /// Emits nothing, except that a hold ends when its module or its permission goes.
+    void showModule(const PanelView& view);
+    /// A new connection: low speeds again.
+    virtual void resetSpeeds() = 0;
+    virtual void endHold() = 0;
+    virtual void setHoldInterval(int milliseconds) = 0;
+
+signals:
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    void holdRequested(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+    /// What the panel knows of the axis was changed by hand; nothing is sent by that.
+    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
+
+protected:
+    void pass(const Intent& intent);
+    void passSettings(const AxisSettings& settings);
+    virtual void showBoxes(const PanelView& view) = 0;
+    virtual void setBusy(bool busy) = 0;
+
+private:
+    ModuleIndex m_module;
+    TimePoint m_latestTime;
+    /// A click that was passed on, until the module has spoken again: a double click is one command.
+    std::optional<TimePoint> m_askedAt;
+};
+
+}  // namespace nmc

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/machine.h"
+#include "model/modulestate.h"
+#include "model/stepspeed.h"
+
+/// Where a PIC-STEP begins that nothing was set for: slow, whatever motor it drives. Steps/s.
+namespace nmc::stepdefaults {
+
+inline constexpr double kMove = 400;
+inline constexpr double kRun = 200;
+inline constexpr double kHold = 100;
+inline constexpr double kHoldCap = 1'000;
+inline constexpr int kAccelerationTime = 40;  ///< 10 ms from one speed to the next
+
+[[nodiscard]] inline int accelerationTime(const AxisSettings& settings) {
+    const bool set = settings.accelerationTime >= 1 && settings.accelerationTime <= 255;
+    return set ? static_cast<int>(std::lround(settings.accelerationTime)) : kAccelerationTime;
+}
+/// Of the parameters in force; before there are any, of those that stand in the fields.
+[[nodiscard]] inline StepSpeed speedMode(const StepState& stepper, const AxisSettings& settings) {
+    if (stepper.parameters())
+        return StepSpeed(stepper.parameters()->speedMode);
+    return StepSpeed(settings.parameters ? settings.parameters->speedMode : step::SpeedMode::X1);
+}
+
+/// The chip goes no slower in a profile than this (DS-S 5.1).
+[[nodiscard]] inline double slowestProfile(const StepState& stepper, const AxisSettings& settings) {
+    const StepSpeed mode = speedMode(stepper, settings);
+    return stepper.parameters() ? mode.ofSpeed(stepper.parameters()->minimumProfileSpeed) : mode.slowest();
+}
+[[nodiscard]] inline double holdCap(const StepState& stepper, const AxisSettings& settings) {
+    const double cap = settings.motion.holdCap > 0 ? settings.motion.holdCap : kHoldCap;
+    const double slowest = slowestProfile(stepper, settings);
+    return std::clamp(cap, slowest, std::max(slowest, speedMode(stepper, settings).fastest()));
+}
+
+}  // namespace nmc::stepdefaults

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepholdbox.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "model/stepplan.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/holdbutton.h"
+#include "widgets/panels/stepdefaults.h"
+#include "widgets/panels/stepwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepHoldBox::StepHoldBox(QWidget* parent)
+    : QWidget(parent),
+      m_label(new QLabel(tr("Speed whe&n held"), this)),
+      m_speed(new QuantityField(QuantityField::Kind::Velocity, this)),
+      m_outcome(look::newMutedLabel({}, this)),
+      m_forward(new HoldButton(this)),
+      m_reverse(new HoldButton(this)) {
+    m_speed->setName(u"stepHoldVelocityField"_s, tr("Speed while held"));
+    m_speed->setQuantity(tr("The speed while held"));
+    m_speed->setSingleStep(25);
+    m_outcome->setObjectName(u"stepHoldOutcome"_s);
+    m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
+    m_reverse->setText(tr("◂ Hold"));
+    look::name(m_reverse, u"stepHoldReverseButton"_s, tr("Move in reverse while held"));
+    m_forward->setIcon(icons::tinted(u"hand-stop"_s));
+    m_forward->setText(tr("Hold ▸"));
+    look::name(m_forward, u"stepHoldForwardButton"_s, tr("Move forward while held"));
+
+    const int unit = look::gridUnit(this);
+    auto* title = new QLabel(tr("Hold to move"), this);
+    QFont bold = font();
+    bold.setBold(true);
+    title->setFont(bold);
+    m_label->setBuddy(m_speed);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    grid->addWidget(title, 0, 0);
+    grid->addWidget(look::newMutedLabel(tr("moves only while a button, or Space on it, is held"), this), 0, 1,
+                    1, 4);
+    grid->addWidget(m_label, 1, 0);
+    grid->addWidget(m_speed, 1, 1);
+    grid->addWidget(m_speed->unitLabel(), 1, 2);
+    grid->addWidget(m_speed->otherView(), 1, 3);
+    grid->addWidget(m_outcome, 2, 1, 1, 4);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addWidget(m_reverse);
+    buttons->addWidget(m_forward);
+    buttons->addStretch(1);
+    grid->addLayout(buttons, 3, 1, 1, 4);
+    grid->setColumnStretch(3, 1);
+
+    connect(m_speed, &QuantityField::nativeEdited, this, [this] {
+        // What is held was asked for at another speed.
+        endHold();
+        if (const auto speed = m_speed->native(); speed && m_state)
+            m_speeds[m_state->info.index.value()] = *speed;
+        refresh();
+    });
+    connect(m_forward, &HoldButton::held, this, [this] { hold(false); });
+    connect(m_reverse, &HoldButton::held, this, [this] { hold(true); });
+    for (HoldButton* button : {m_forward, m_reverse})
+        connect(button, &HoldButton::holdEnded, this, &StepHoldBox::holdReleased);
+    refresh();
+}
+
+int StepHoldBox::labelWidth() const {
+    return m_label->sizeHint().width();
+}
+
+void StepHoldBox::showModule(const PanelView& view) {
+    const double slowest = stepdefaults::slowestProfile(view.module.stepper, view.settings);
+    const double cap = stepdefaults::holdCap(view.module.stepper, view.settings);
+    const bool other = !m_state || m_state->info.index != view.module.info.index;
+    const bool otherRange = m_slowest != slowest || m_cap != cap;
+    if (other || otherRange)
+        endHold();
+    m_state = view.module;
+    m_connected = view.connected;
+    m_slowest = slowest;
+    m_cap = cap;
+    m_accelerationTime = stepdefaults::accelerationTime(view.settings);
+    m_speed->setScale(view.scale());
+    m_speed->setNativeRange(slowest, cap);
+    m_speed->setMeaning(
+        tr("How fast the motor turns while a button is held: %1 to %2. The most is set on the "
+           "Parameters page.")
+            .arg(texts::stepsPerSecond(slowest, view.scale()), texts::stepsPerSecond(cap, view.scale())));
+    if (other || otherRange)
+        showSpeed();
+    refresh();
+}
+
+void StepHoldBox::showSpeed() {
+    const auto kept = m_speeds.constFind(m_state->info.index.value());
+    const double wanted = kept == m_speeds.constEnd() ? stepdefaults::kHold : *kept;
+    m_speed->showNative(std::clamp(wanted, m_slowest, m_cap));
+}
+
+void StepHoldBox::resetSpeeds() {
+    endHold();
+    m_speeds.clear();
+    if (m_state)
+        showSpeed();
+    refresh();
+}
+
+void StepHoldBox::endHold() {
+    m_forward->endHold();
+    m_reverse->endHold();
+}
+
+void StepHoldBox::setHoldInterval(int milliseconds) {
+    m_forward->setInterval(milliseconds);
+    m_reverse->setInterval(milliseconds);
+}
+
+std::optional<stepmotion::VelocityProfile> StepHoldBox::motion(bool reverse) const {
+    const auto speed = m_speed->native();
+    if (!speed || !m_state || !m_state->stepper.parameters())
+        return std::nullopt;
+    const StepSpeed mode(m_state->stepper.parameters()->speedMode);
+    // Never faster than what stands there.
+    const auto whole = std::max(1.0, std::floor(*speed / mode.unit() + 1e-9));
+    return stepmotion::VelocityProfile{static_cast<std::uint8_t>(std::min(whole, 250.0)),
+                                       static_cast<std::uint8_t>(m_accelerationTime), reverse};
+}
+
+QString StepHoldBox::reasonFor(bool reverse) const {
+    if (!m_connected || !m_state)
+        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNot(Request::Hold, *m_state))
+        return texts::refusal(*refusal);
+    const auto wanted = motion(reverse);
+    if (!wanted)
+        return m_speed->problemText();
+    const auto refusal = whyNot(StepMotion(*wanted), *m_state);
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
+void StepHoldBox::refresh() {
+    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while it is held, then stops."));
+    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while it is held, then stops."));
+    const auto wanted = motion(false);
+    QString outcome = m_speed->problemText();
+    if (wanted) {
+        const step::SetParameters& parameters = *m_state->stepper.parameters();
+        outcome = texts::profiledSpeed(StepSpeed(parameters.speedMode), wanted->speed,
+                                       parameters.minimumProfileSpeed, m_speed->scale());
+    }
+    look::setText(m_outcome, outcome);
+}
+
+void StepHoldBox::hold(bool reverse) {
+    const auto wanted = motion(reverse);
+    if (!wanted)
+        return;
+    bus::HoldToMove hold;
+    hold.module = m_state->info.index;
+    hold.reverse = reverse;
+    hold.pace = bus::StepPace{wanted->speed, wanted->accelerationTime};
+    emit holdRequested(hold);
+}
+
+}  // namespace nmc

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepiobox.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLongestName = 40;
+
+bool bitOf(unsigned mask, std::size_t bit) {
+    return (mask >> bit & 1U) != 0;
+}
+
+QLabel* newHeading(const QString& text, QWidget* parent) {
+    auto* heading = new QLabel(text, parent);
+    QFont bold = parent->font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    return heading;
+}
+
+}  // namespace
+
+StepIoBox::StepIoBox(QWidget* parent)
+    : QWidget(parent),
+      m_send(new QPushButton(icons::tinted(u"send"_s), tr("Set all outputs"), this)),
+      m_hint(look::newMutedLabel({}, this)),
+      m_analog(new QLabel(this)) {
+    look::name(this, u"stepIoBox"_s, tr("Inputs and outputs"));
+    look::name(m_send, u"stepSetOutputsButton"_s, tr("Set all five outputs"));
+    m_send->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
+    m_hint->setObjectName(u"stepOutputsHint"_s);
+    m_hint->setWordWrap(true);
+    m_analog->setObjectName(u"stepIoAnalog"_s);
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    buildOutputs(grid);
+    grid->setRowMinimumHeight(8, unit);
+    buildInputs(grid, 9);
+    grid->setRowStretch(18, 1);
+    grid->setColumnStretch(3, 1);
+    connect(m_send, &QPushButton::clicked, this, &StepIoBox::sendAll);
+}
+
+QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessibleName) {
+    auto* name = new QLineEdit(this);
+    look::name(name, objectName, accessibleName);
+    name->setMaxLength(kLongestName);
+    name->setPlaceholderText(tr("name"));
+    name->setToolTip(tr("What it is on this machine. Sends nothing."));
+    connect(name, &QLineEdit::textEdited, this, &StepIoBox::keepNames);
+    return name;
+}
+
+void StepIoBox::buildOutputs(QGridLayout* grid) {
+    grid->addWidget(newHeading(tr("Outputs"), this), 0, 0, 1, 4);
+    for (std::size_t i = 0; i < kOutputs; ++i) {
+        Output& output = m_outputs[i];
+        const QString number = QString::number(i + 1);
+        const int line = static_cast<int>(i) + 1;
+        output.box = new QCheckBox(u"OUT"_s + number, this);
+        look::name(output.box, u"stepOutput%1Box"_s.arg(number), tr("Output %1").arg(number));
+        output.state = look::newMutedLabel({}, this);
+        output.state->setObjectName(u"stepOutput%1State"_s.arg(number));
+        output.name = newName(u"stepOutput%1Name"_s.arg(number), tr("Name of output %1").arg(number));
+        grid->addWidget(output.box, line, 0);
+        grid->addWidget(output.state, line, 1);
+        grid->addWidget(output.name, line, 2, 1, 2);
+        connect(output.box, &QCheckBox::clicked, this, [this, i](bool on) { choose(i, on); });
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(look::gridUnit(this));
+    row->addWidget(m_send);
+    row->addStretch(1);
+    grid->addLayout(row, 6, 0, 1, 4);
+    grid->addWidget(m_hint, 7, 0, 1, 4);
+}
+
+void StepIoBox::buildInputs(QGridLayout* grid, int line) {
+    grid->addWidget(newHeading(tr("Inputs"), this), line, 0, 1, 4);
+    const std::array<QString, kInputs> names{
+        tr("E-stop input"),      u"IN1"_s,         u"IN2"_s, tr("Limit 1 (forward)"),
+        tr("Limit 2 (reverse)"), tr("Home switch")};
+    const std::array<QString, kInputs> objects{u"stepEstopInput"_s,  u"stepIn1Input"_s,
+                                               u"stepIn2Input"_s,    u"stepLimit1Input"_s,
+                                               u"stepLimit2Input"_s, u"stepHomeInput"_s};
+    for (std::size_t i = 0; i < kInputs; ++i) {
+        Input& input = m_inputs[i];
+        const int row = line + 1 + static_cast<int>(i);
+        input.glyph = new GlyphLabel(this);
+        input.glyph->showBit(std::nullopt);
+        input.state = look::newMutedLabel(u"–"_s, this);
+        input.state->setObjectName(objects[i]);
+        auto* who = new QHBoxLayout;
+        who->setSpacing(look::gridUnit(this) / 2);
+        who->addWidget(input.glyph);
+        who->addWidget(new QLabel(names[i], this));
+        who->addStretch(1);
+        grid->addLayout(who, row, 0);
+        grid->addWidget(input.state, row, 1);
+        if (i == 1 || i == 2) {
+            input.name = newName(u"stepInput%1Name"_s.arg(i), tr("Name of input %1").arg(i));
+            grid->addWidget(input.name, row, 2, 1, 2);
+        } else {
+            input.effect = look::newMutedLabel({}, this);
+            input.effect->setObjectName(objects[i] + u"Effect"_s);
+            grid->addWidget(input.effect, row, 2, 1, 2);
+        }
+    }
+    const int row = line + 1 + static_cast<int>(kInputs);
+    grid->addWidget(new QLabel(tr("A/D (temperature)"), this), row, 0);
+    grid->addWidget(m_analog, row, 1, 1, 3);
+}
+
+void StepIoBox::showNames() {
+    const auto show = [](QLineEdit* edit, const std::string& name) {
+        const QString text = QString::fromStdString(name);
+        if (edit->text() != text && !edit->hasFocus())
+            edit->setText(text);
+    };
+    for (std::size_t i = 0; i < kOutputs; ++i)
+        show(m_outputs[i].name, m_settings.outputNames[i]);
+    for (std::size_t i = 0; i < m_settings.inputNames.size(); ++i)
+        show(m_inputs[i + 1].name, m_settings.inputNames[i]);
+}
+
+void StepIoBox::keepNames() {
+    for (std::size_t i = 0; i < kOutputs; ++i)
+        m_settings.outputNames[i] = m_outputs[i].name->text().toStdString();
+    for (std::size_t i = 0; i < m_settings.inputNames.size(); ++i)
+        m_settings.inputNames[i] = m_inputs[i + 1].name->text().toStdString();
+    emit settingsEdited(m_settings);
+}
+
+void StepIoBox::showModule(const PanelView& view) {
+    const bool other = !m_state || m_state->info.index != view.module.info.index;
+    m_state = view.module;
+    m_settings = view.settings;
+    m_connected = view.connected;
+    if (other) {
+        m_staged = {};
+        for (const Output& output : m_outputs)
+            output.name->clearFocus();
+        for (const Input& input : m_inputs)
+            if (input.name != nullptr)
+                input.name->clearFocus();
+    }
+    if (m_state->stepper.outputs())
+        m_staged = {};
+    showNames();
+    refresh();
+}
+
+void StepIoBox::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+void StepIoBox::choose(std::size_t output, bool on) {
+    if (!m_state)
+        return;
+    if (const auto known = m_state->stepper.outputs()) {
+        const unsigned bit = 1U << output;
+        const unsigned outputs = on ? *known | bit : *known & ~bit;
+        emit intentRequested(stepintent::SetOutputs{static_cast<std::uint8_t>(outputs)});
+    } else {
+        m_staged[output] = on;
+    }
+    // What it shows is what was confirmed, not what was clicked.
+    refresh();
+}
+
+std::optional<std::uint8_t> StepIoBox::staged() const {
+    unsigned outputs = 0;
+    for (std::size_t i = 0; i < kOutputs; ++i) {
+        if (!m_staged[i])
+            return std::nullopt;
+        outputs |= *m_staged[i] ? 1U << i : 0U;
+    }
+    return static_cast<std::uint8_t>(outputs);
+}
+
+void StepIoBox::sendAll() {
+    if (const auto outputs = staged())
+        emit intentRequested(stepintent::SetOutputs{*outputs});
+}
+
+QString StepIoBox::effectOf(std::size_t input, bool active) const {
+    const auto& parameters = m_state->stepper.parameters();
+    const bool limitsIgnored = parameters && parameters->ignoreLimits;
+    const bool estopIgnored = parameters && parameters->ignoreEstop;
+    switch (input) {
+        case 0:
+            return estopIgnored ? tr("ignored") : active ? tr("keeps the motor from moving") : QString();
+        case 3:
+            return limitsIgnored ? tr("ignored") : active ? tr("blocks forward") : QString();
+        case 4:
+            return limitsIgnored ? tr("ignored") : active ? tr("blocks reverse") : QString();
+        default:
+            return {};
+    }
+}
+
+void StepIoBox::refresh() {
+    const bool known = m_state && m_state->stepper.outputs();
+    QString reason;
+    if (!m_connected || !m_state)
+        reason = texts::refusal(Refusal::NotConnected);
+    else if (const auto refusal = whyNot(Request::SetOutputs, *m_state))
+        reason = texts::refusal(*refusal);
+    else if (m_busy)
+        reason = tr("Waiting for the module's answer.");
+    for (std::size_t i = 0; i < kOutputs; ++i) {
+        const Output& output = m_outputs[i];
+        const auto on = known ? std::optional(bitOf(*m_state->stepper.outputs(), i)) : m_staged[i];
+        const QSignalBlocker blocker(output.box);
+        output.box->setTristate(!on);
+        output.box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
+        const QString level = on ? *on ? tr("high") : tr("low") : QString();
+        look::setText(output.state, !on ? tr("? unknown") : known ? level : tr("● %1, not sent").arg(level));
+        look::setPossible(output.box, reason,
+                          known ? tr("Switches this output at once.")
+                                : tr("Chooses what it shall be. Set all outputs sends the five of them."));
+    }
+    m_send->setVisible(!known);
+    look::setPossible(m_send,
+                      !reason.isEmpty() ? reason
+                      : staged()        ? QString()
+                                        : tr("Choose all five outputs first."),
+                      tr("Sends all five outputs as chosen above."));
+    look::setText(m_hint,
+                  known ? QString()
+                        : tr("The outputs are unknown: the module cannot be asked. Choose all five, then "
+                             "set them."));
+    const bool seen = m_state && m_state->latest && m_state->latest->aux;
+    for (std::size_t i = 0; i < kInputs; ++i) {
+        const Input& input = m_inputs[i];
+        const bool active = seen && bitOf(*m_state->latest->aux, i);
+        input.glyph->showBit(seen ? std::optional(active) : std::nullopt);
+        look::setText(input.state, !seen ? u"–"_s : active ? tr("high") : tr("low"));
+        if (input.effect != nullptr)
+            look::setText(input.effect, seen ? effectOf(i, active) : QString());
+    }
+    const bool analog = m_state && m_state->latest && m_state->latest->analog;
+    look::setText(m_analog, analog ? tr("%1 of 255, %2 V")
+                                         .arg(*m_state->latest->analog)
+                                         .arg(texts::readout(*m_state->latest->analog * 5.0 / 255.0, 3))
+                                   : u"–"_s);
+}
+
+}  // namespace nmc

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "widgets/panels/panelview.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace nmc {
+
+class GlyphLabel;
+
+/// Outputs and inputs of one PIC-STEP. The chip takes all five outputs at once and tells none: while they are
+/// unknown all five are chosen first, then sent; after that each acts at once.
+class StepIoBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StepIoBox(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showModule(const PanelView& view);
+    /// A click was passed on; outputs wait for the module's next word.
+    void setBusy(bool busy);
+
+signals:
+    void intentRequested(const nmc::Intent& intent);
+    void settingsEdited(const nmc::AxisSettings& settings);
+
+private:
+    static constexpr std::size_t kOutputs = 5;
+    static constexpr std::size_t kInputs = 6;
+    struct Output {
+        QCheckBox* box = nullptr;
+        QLineEdit* name = nullptr;
+        QLabel* state = nullptr;
+    };
+    struct Input {
+        GlyphLabel* glyph = nullptr;
+        QLabel* state = nullptr;
+        QLabel* effect = nullptr;
+        QLineEdit* name = nullptr;  ///< of IN1 and IN2
+    };
+
+    void buildOutputs(QGridLayout* grid);
+    void buildInputs(QGridLayout* grid, int line);
+    QLineEdit* newName(const QString& objectName, const QString& accessibleName);
+    void choose(std::size_t output, bool on);
+    void keepNames();
+    void showNames();
+    void sendAll();
+    [[nodiscard]] std::optional<std::uint8_t> staged() const;
+    [[nodiscard]] QString effectOf(std::size_t input, bool active) const;
+    void refresh();
+
+    std::array<Output, kOutputs> m_outputs;
+    std::array<Input, kInputs> m_inputs;
+    QPushButton* m_send;
+    QLabel* m_hint;
+    QLabel* m_analog;
+    /// Chosen while the outputs are unknown.
+    std::array<std::optional<bool>, kOutputs> m_staged;
+    std::optional<ModuleState> m_state;
+    AxisSettings m_settings;
+    bool m_connected = false;
+    bool m_busy = false;
+};
+
+}  // namespace nmc

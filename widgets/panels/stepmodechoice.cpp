@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepmodechoice.h"
+
+#include <QGridLayout>
+#include <QRadioButton>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepModeChoice::StepModeChoice(QWidget* parent) : QWidget(parent) {
+    struct Choice {
+        QString name;
+        QString text;
+        QString meaning;
+    };
+    const std::array<Choice, 4> choices{
+        Choice{u"stepModeTrapezoidal"_s, tr("Move"),
+               tr("Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile "
+                  "mode).")},
+        Choice{u"stepModeProfile"_s, tr("Run"),
+               tr("Ramps to a speed and keeps it until it is stopped (velocity profile mode).")},
+        Choice{
+            u"stepModeTimedMove"_s, tr("Move without ramp"),
+            tr("Goes to a position at one speed from the first step on, and stops there at once. Too fast, "
+               "and the motor loses steps (unprofiled, with stop).")},
+        Choice{
+            u"stepModeTimedRun"_s, tr("Run without ramp"),
+            tr("Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses "
+               "steps (unprofiled, without stop).")}};
+    look::name(this, u"stepModeChoice"_s, tr("How to move"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(look::gridUnit(this) * 2);
+    grid->setVerticalSpacing(look::gridUnit(this) / 2);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        m_buttons[i] = new QRadioButton(choices[i].text, this);
+        look::name(m_buttons[i], choices[i].name, choices[i].text);
+        m_buttons[i]->setToolTip(choices[i].meaning);
+        grid->addWidget(m_buttons[i], static_cast<int>(i) / 2, static_cast<int>(i) % 2);
+        connect(m_buttons[i], &QRadioButton::clicked, this, &StepModeChoice::chosen);
+    }
+    grid->setColumnStretch(2, 1);
+}
+
+StepModeChoice::Mode StepModeChoice::mode() const {
+    for (std::size_t i = 0; i < m_buttons.size(); ++i)
+        if (m_buttons[i]->isChecked())
+            return static_cast<Mode>(i);
+    return Mode::Trapezoid;
+}
+
+void StepModeChoice::showMode(Mode mode) {
+    m_buttons[static_cast<std::size_t>(mode)]->setChecked(true);
+}
+
+}  // namespace nmc

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepmotionbox.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <cmath>
+
+#include "model/stepplan.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/stepdefaults.h"
+#include "widgets/panels/stepholdbox.h"
+#include "widgets/panels/stepmodechoice.h"
+#include "widgets/panels/stepwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepMotionBox::StepMotionBox(QWidget* parent) : QGroupBox(tr("Motion"), parent) {
+    look::name(this, u"stepMotionBox"_s, tr("Motion"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    m_mode = new StepModeChoice(this);
+    grid->addWidget(m_mode, 0, 0, 1, 5);
+    grid->setRowMinimumHeight(2, unit / 2);
+    buildFields(grid, 3);
+    buildButtons(grid, 9);
+    grid->setRowMinimumHeight(12, unit);
+    m_hold = new StepHoldBox(this);
+    grid->addWidget(m_hold, 13, 0, 1, 5);
+    grid->setColumnMinimumWidth(0, m_hold->labelWidth());
+    grid->setRowStretch(14, 1);
+    grid->setColumnStretch(3, 1);
+    connectControls();
+    showDraft();
+    refresh();
+}
+
+void StepMotionBox::buildFields(QGridLayout* grid, int line) {
+    m_goal = new QuantityField(QuantityField::Kind::Position, this);
+    m_goal->setName(u"stepGoalField"_s, tr("Goal position"));
+    m_goal->setQuantity(tr("The goal position"));
+    m_goal->setNativeRange(static_cast<double>(step::kPositionRange.min),
+                           static_cast<double>(step::kPositionRange.max));
+    m_goal->setSingleStep(100);
+    m_relative = new QCheckBox(tr("b&y that much from here"), this);
+    look::name(m_relative, u"stepRelativeBox"_s, tr("Move by that much from where the motor stands"));
+    m_speed = new QuantityField(QuantityField::Kind::Velocity, this);
+    m_speed->setName(u"stepSpeedField"_s, tr("Speed"));
+    m_speed->setQuantity(tr("The speed"));
+    m_speed->setSingleStep(25);
+    const auto addRow = [&](QuantityField* field, const QString& text) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        grid->addWidget(label, line, 0);
+        grid->addWidget(field, line, 1);
+        grid->addWidget(field->unitLabel(), line, 2);
+        grid->addWidget(field->otherView(), line++, 3, 1, 2);
+    };
+    addRow(m_goal, tr("&Position"));
+    grid->addWidget(m_relative, line++, 1, 1, 4);
+    addRow(m_speed, tr("Trave&l speed"));
+    const auto addRemark = [&](QLabel*& label, const QString& name) {
+        label = look::newMutedLabel({}, this);
+        label->setObjectName(name);
+        grid->addWidget(label, line++, 1, 1, 4);
+    };
+    addRemark(m_outcome, u"stepSpeedOutcome"_s);
+    addRemark(m_ramp, u"stepRampOutcome"_s);
+    addRemark(m_forecast, u"stepForecast"_s);
+}
+
+void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
+    m_go = new QPushButton(icons::tinted(u"arrow-bar-to-right"_s), tr("&Go"), this);
+    look::name(m_go, u"stepGoButton"_s, tr("Go to the position"));
+    m_runReverse = new QPushButton(icons::tinted(u"arrow-left"_s), tr("Run &reverse"), this);
+    look::name(m_runReverse, u"stepRunReverseButton"_s, tr("Run in reverse until stopped"));
+    m_runForward = new QPushButton(icons::tinted(u"arrow-right"_s), tr("R&un forward"), this);
+    look::name(m_runForward, u"stepRunForwardButton"_s, tr("Run forward until stopped"));
+    m_loadOnly = new QCheckBox(tr("L&oad only"), this);
+    look::name(m_loadOnly, u"stepLoadOnlyBox"_s, tr("Load the motion, start it later"));
+    m_startLoaded = new QPushButton(tr("Start loaded"), this);
+    m_startLoaded->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
+    look::name(m_startLoaded, u"stepStartLoadedButton"_s, tr("Start the motion that was loaded"));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    for (QPushButton* button : {m_go, m_runReverse, m_runForward})
+        buttons->addWidget(button);
+    buttons->addStretch(1);
+    auto* later = new QHBoxLayout;
+    later->setSpacing(look::gridUnit(this));
+    later->addWidget(m_loadOnly);
+    later->addWidget(m_startLoaded);
+    later->addStretch(1);
+    m_hint = new QLabel(this);
+    m_hint->setObjectName(u"stepMotionHint"_s);
+    m_hint->setWordWrap(true);
+    m_hint->setTextFormat(Qt::PlainText);
+    grid->addLayout(buttons, line, 1, 1, 4);
+    grid->addLayout(later, line + 1, 1, 1, 4);
+    grid->addWidget(m_hint, line + 2, 0, 1, 5);
+}
+
+void StepMotionBox::connectControls() {
+    connect(m_mode, &StepModeChoice::chosen, this, &StepMotionBox::chooseMode);
+    connect(m_goal, &QuantityField::nativeEdited, this, [this] {
+        if (const auto goal = m_goal->native(); goal && m_state)
+            m_drafts[m_state->info.index.value()].goal = *goal;
+        refresh();
+    });
+    connect(m_goal, &NumberField::returnPressed, m_go, &QPushButton::click);
+    connect(m_relative, &QCheckBox::toggled, this, [this](bool relative) {
+        if (m_state)
+            m_drafts[m_state->info.index.value()].relative = relative;
+        refresh();
+    });
+    connect(m_speed, &QuantityField::nativeEdited, this, &StepMotionBox::keepSpeed);
+    connect(m_loadOnly, &QCheckBox::toggled, this, &StepMotionBox::refresh);
+    connect(m_go, &QPushButton::clicked, this, [this] { request(false); });
+    connect(m_runForward, &QPushButton::clicked, this, [this] { request(false); });
+    connect(m_runReverse, &QPushButton::clicked, this, [this] { request(true); });
+    connect(m_startLoaded, &QPushButton::clicked, this,
+            [this] { emit intentRequested(intent::StartLoaded{}); });
+    connect(m_hold, &StepHoldBox::holdRequested, this, &StepMotionBox::holdRequested);
+    connect(m_hold, &StepHoldBox::holdReleased, this, &StepMotionBox::holdReleased);
+}
+
+double MotionSettings::*StepMotionBox::speedSetting() const {
+    return m_mode->hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
+}
+
+void StepMotionBox::chooseMode() {
+    m_hold->endHold();
+    if (m_state)
+        m_drafts[m_state->info.index.value()].mode = m_mode->mode();
+    showSpeed();
+    refresh();
+}
+
+void StepMotionBox::showDraft() {
+    const Draft draft = m_state ? m_drafts.value(m_state->info.index.value()) : Draft{};
+    m_mode->showMode(draft.mode);
+    m_goal->showNative(draft.goal);
+    const QSignalBlocker blocker(m_relative);
+    m_relative->setChecked(draft.relative);
+    m_loadOnly->setChecked(false);
+}
+
+void StepMotionBox::showSpeed() {
+    if (!m_state)
+        return;
+    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    const double set = m_settings.motion.*speedSetting();
+    const double fallback = m_mode->hasGoal() ? stepdefaults::kMove : stepdefaults::kRun;
+    m_shownSpeed = set;
+    const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
+    const double fastest = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
+    m_speed->setNativeRange(slowest, fastest);
+    m_speed->setMeaning(tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the "
+                           "nearest that it can do.")
+                            .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
+                                 texts::stepsPerSecond(fastest, m_speed->scale())));
+    m_speed->showNative(set > 0 ? set : std::max(fallback, slowest));
+}
+
+void StepMotionBox::keepSpeed() {
+    if (const auto speed = m_speed->native()) {
+        m_settings.motion.*speedSetting() = *speed;
+        m_shownSpeed = *speed;
+        emit settingsEdited(m_settings);
+    }
+    refresh();
+}
+
+void StepMotionBox::resetSpeeds() {
+    m_hold->resetSpeeds();
+    m_drafts.clear();
+    showDraft();
+    showSpeed();
+    refresh();
+}
+
+void StepMotionBox::endHold() {
+    m_hold->endHold();
+}
+
+void StepMotionBox::setHoldInterval(int milliseconds) {
+    m_hold->setHoldInterval(milliseconds);
+}
+
+void StepMotionBox::showModule(const PanelView& view) {
+    const bool other = !m_state || m_state->info.index != view.module.info.index;
+    const bool otherMode = !m_state || !(stepdefaults::speedMode(m_state->stepper, m_settings) ==
+                                         stepdefaults::speedMode(view.module.stepper, view.settings));
+    m_state = view.module;
+    m_settings = view.settings;
+    m_connected = view.connected;
+    m_goal->setScale(view.scale());
+    m_speed->setScale(view.scale());
+    if (other)
+        showDraft();
+    if (other || otherMode || m_shownSpeed != m_settings.motion.*speedSetting())
+        showSpeed();
+    m_hold->showModule(view);
+    refresh();
+}
+
+void StepMotionBox::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
+    const auto goal = m_goal->native();
+    const auto speed = m_speed->native();
+    if (!m_state || !speed || (m_mode->hasGoal() && !goal))
+        return std::nullopt;
+    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    const auto position = static_cast<std::int32_t>(goal.value_or(0));
+    const auto acceleration = static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_settings));
+    switch (m_mode->mode()) {
+        case StepModeChoice::Mode::Trapezoid:
+            return stepmotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
+                                         acceleration};
+        case StepModeChoice::Mode::Profile:
+            return stepmotion::VelocityProfile{speeds.speedFor(*speed), acceleration, reverse};
+        case StepModeChoice::Mode::TimedMove:
+            return stepmotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
+        case StepModeChoice::Mode::TimedRun:
+            return stepmotion::UnprofiledRun{speeds.timerFor(*speed), reverse};
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> StepMotionBox::refusalOf(bool reverse) const {
+    if (!m_connected || !m_state)
+        return Refusal::NotConnected;
+    const auto wanted = motion(reverse);
+    // Before there is a motion: what any motion needs.
+    return wanted ? whyNot(*wanted, *m_state) : whyNot(Request::Run, *m_state);
+}
+
+bool StepMotionBox::viaStop(bool reverse) const {
+    return refusalOf(reverse) == Refusal::NeedsStop && !m_loadOnly->isChecked() &&
+           !whyNotFromStandstill(*motion(reverse), *m_state);
+}
+
+QString StepMotionBox::reasonFor(bool reverse) const {
+    if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse))
+        return texts::refusal(*refusal);
+    if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
+        return m_goal->problemText();
+    return m_speed->problemText();
+}
+
+void StepMotionBox::request(bool reverse) {
+    const auto wanted = motion(reverse);
+    if (!wanted || !reasonFor(reverse).isEmpty())
+        return;
+    if (m_loadOnly->isChecked())
+        emit intentRequested(stepintent::LoadMove{*wanted});
+    else if (viaStop(reverse))
+        emit intentRequested(stepintent::ChangeMotion{*wanted});
+    else
+        emit intentRequested(stepintent::Move{*wanted});
+}
+
+QString StepMotionBox::outcome() const {
+    const auto speed = m_speed->native();
+    if (!m_state || !speed)
+        return m_speed->problemText();
+    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    if (!m_mode->profiled())
+        return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
+    const auto& parameters = m_state->stepper.parameters();
+    return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
+                                parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
+}
+
+/// Before the start: how long it takes and how fast it gets.
+QString StepMotionBox::forecast() const {
+    const auto speed = m_speed->native();
+    if (!m_state || !speed || !m_state->stepper.parameters())
+        return {};
+    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    const int minimum = m_state->stepper.parameters()->minimumProfileSpeed;
+    const int acceleration = stepdefaults::accelerationTime(m_settings);
+    if (!m_mode->hasGoal()) {
+        if (!m_mode->profiled())
+            return tr("At that speed from the first step on.");
+        const int units = std::max(0, speeds.speedFor(*speed) - minimum);
+        return tr("Gets there in %1 s from standstill.")
+            .arg(texts::readout(units * acceleration * 0.00025, 3));
+    }
+    const auto goal = m_goal->native();
+    const auto position = m_state->stepper.position();
+    if (!goal || !position || m_state->moving())
+        return {};
+    const double way = m_relative->isChecked() ? *goal : *goal - *position;
+    if (m_mode->profiled())
+        return texts::forecast(forecastMove(speeds, minimum, speeds.speedFor(*speed), acceleration, way),
+                               m_speed->scale());
+    const double rate = speeds.ofCount(speeds.timerFor(*speed).count);
+    return texts::forecast({std::abs(way) / rate, way == 0 ? 0 : rate, false}, m_speed->scale());
+}
+
+void StepMotionBox::refreshButton(QPushButton* button, bool reverse, const QString& text,
+                                  const QString& meaning) {
+    QString reason = reasonFor(reverse);
+    if (reason.isEmpty() && m_busy)
+        reason = tr("Waiting for the module's answer.");
+    const bool stopsFirst = m_connected && viaStop(reverse);
+    const QString wanted = stopsFirst ? tr("Stop, wait: %1").arg(text) : text;
+    if (button->text() != wanted) {
+        const QKeySequence key = button->shortcut();
+        button->setText(wanted);
+        button->setShortcut(key);  // the same, whatever it says
+    }
+    look::setPossible(button, reason,
+                      stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, waits "
+                                      "until the motor stands, then: %1")
+                                       .arg(meaning)
+                                 : meaning);
+}
+
+void StepMotionBox::refreshButtons() {
+    const bool load = m_loadOnly->isChecked();
+    const QString later = tr("Sends the motion without starting it.");
+    m_go->setVisible(m_mode->hasGoal());
+    m_runReverse->setVisible(!m_mode->hasGoal());
+    m_runForward->setVisible(!m_mode->hasGoal());
+    refreshButton(m_go, false, load ? tr("Load") : tr("&Go"),
+                  load ? later : tr("Starts the move to the position, and holds there."));
+    refreshButton(m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
+                  load ? later : tr("Runs in reverse until it is stopped."));
+    refreshButton(m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
+                  load ? later : tr("Runs forward until it is stopped."));
+    QString reason;
+    if (!m_connected || !m_state)
+        reason = texts::refusal(Refusal::NotConnected);
+    else if (const auto refusal = whyNot(Request::StartLoaded, *m_state))
+        reason = texts::refusal(*refusal);
+    else if (m_busy)
+        reason = tr("Waiting for the module's answer.");
+    look::setPossible(m_startLoaded, reason, tr("Starts the motion that was loaded last."));
+}
+
+void StepMotionBox::refresh() {
+    const QString unused = m_mode->hasGoal() ? QString() : tr("A run has no goal.");
+    m_goal->setMeaning(m_mode->hasGoal() ? tr("Where to go. Enter starts the move.") : unused);
+    m_goal->setEnabled(m_mode->hasGoal());
+    look::setPossible(m_relative, unused,
+                      tr("The position counts from where the motor stands at the start."));
+    m_loadOnly->setToolTip(
+        tr("The buttons send the motion without starting it; Start loaded does, or its "
+           "group."));
+    look::setText(m_outcome, outcome());
+    const bool known = m_state.has_value();
+    look::setText(m_ramp, !known ? QString()
+                          : m_mode->profiled()
+                              ? texts::ramp(stepdefaults::speedMode(m_state->stepper, m_settings),
+                                            stepdefaults::accelerationTime(m_settings), m_speed->scale())
+                              : tr("No ramp."));
+    look::setText(m_forecast, forecast());
+    refreshButtons();
+    QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
+    if (hint.isEmpty())
+        hint = m_speed->problemText();
+    if (hint.isEmpty() && m_connected && known)
+        if (const auto refusal = whyNot(Request::Run, *m_state))
+            hint = texts::refusal(*refusal);
+    look::setText(m_hint, hint);
+}
+
+}  // namespace nmc

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepparametersbox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/steprampbox.h"
+#include "widgets/panels/stepwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The wheel scrolls past it unless it has the focus.
+class CalmComboBox : public QComboBox {
+public:
+    explicit CalmComboBox(QWidget* parent) : QComboBox(parent) { setFocusPolicy(Qt::StrongFocus); }
+
+protected:
+    void wheelEvent(QWheelEvent* event) override {
+        if (hasFocus())
+            QComboBox::wheelEvent(event);
+        else
+            event->ignore();
+    }
+};
+
+std::optional<int> whole(const std::optional<double>& value) {
+    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+void showWhole(NumberField* field, const std::optional<int>& value) {
+    const QSignalBlocker blocker(field);
+    if (value)
+        field->showValue(*value);
+    else
+        field->showNothing();
+}
+
+void showTick(QCheckBox* box, const std::optional<int>& value) {
+    const QSignalBlocker blocker(box);
+    box->setChecked(value.value_or(0) != 0);
+}
+
+constexpr std::size_t indexOf(StepParameter parameter) {
+    return static_cast<std::size_t>(parameter);
+}
+
+}  // namespace
+
+StepParametersBox::StepParametersBox(QWidget* parent)
+    : QWidget(parent),
+      m_speedMode(new CalmComboBox(this)),
+      m_minimumSpeed(new QuantityField(QuantityField::Kind::Velocity, this)),
+      m_runCurrent(new NumberField(0, this)),
+      m_holdCurrent(new NumberField(0, this)),
+      m_thermalLimit(new NumberField(0, this)),
+      m_ignoreLimits(new QCheckBox(tr("ignored: they stop nothing"), this)),
+      m_ignoreEstop(new QCheckBox(tr("ignored: it stops nothing"), this)),
+      m_motorOff(new QCheckBox(tr("the motor goes off as well"), this)),
+      m_ramp(new StepRampBox(this)),
+      m_fill(new QPushButton(icons::tinted(u"wand"_s), tr("Start&ing values"), this)),
+      m_revert(new QPushButton(icons::tinted(u"arrow-back-up"_s), tr("Revert"), this)),
+      m_apply(new QPushButton(icons::tinted(u"send"_s), tr("&Apply parameters"), this)),
+      m_hint(new QLabel(this)) {
+    look::name(this, u"stepParametersBox"_s, tr("Parameters"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    buildRows(grid);
+    const int line = static_cast<int>(kStepParameters.size());
+    buildButtons(grid, line);
+    grid->setRowMinimumHeight(line + 2, unit);
+    grid->addWidget(m_ramp, line + 3, 0, 1, 5);
+    grid->setRowStretch(line + 4, 1);
+    grid->setColumnStretch(4, 1);
+    connectControls();
+    refresh();
+}
+
+void StepParametersBox::buildRows(QGridLayout* grid) {
+    for (const auto mode :
+         {step::SpeedMode::X1, step::SpeedMode::X2, step::SpeedMode::X4, step::SpeedMode::X8})
+        m_speedMode->addItem(texts::speedMode(mode), static_cast<int>(mode));
+    m_speedMode->setPlaceholderText(tr("unknown"));
+    m_speedMode->setCurrentIndex(-1);
+    m_minimumSpeed->setQuantity(stepParameterName(StepParameter::MinimumSpeed));
+    m_minimumSpeed->setSingleStep(25);
+    for (const auto& [field, parameter] : {std::pair{m_runCurrent, StepParameter::RunCurrent},
+                                           {m_holdCurrent, StepParameter::HoldCurrent},
+                                           {m_thermalLimit, StepParameter::ThermalLimit}}) {
+        field->setRange(static_cast<double>(step::kByteRange.min), static_cast<double>(step::kByteRange.max));
+        field->setWords(stepParameterName(parameter), {});
+        field->setDigits(8);
+    }
+    for (NumberField* field :
+         {static_cast<NumberField*>(m_minimumSpeed), m_runCurrent, m_holdCurrent, m_thermalLimit})
+        field->setPlaceholderText(tr("unknown"));
+    addRow(grid, StepParameter::SpeedMode, m_speedMode);
+    addRow(grid, StepParameter::MinimumSpeed, m_minimumSpeed);
+    addRow(grid, StepParameter::RunCurrent, m_runCurrent);
+    addRow(grid, StepParameter::HoldCurrent, m_holdCurrent);
+    addRow(grid, StepParameter::ThermalLimit, m_thermalLimit);
+    addRow(grid, StepParameter::IgnoreLimits, m_ignoreLimits);
+    addRow(grid, StepParameter::IgnoreEstop, m_ignoreEstop);
+    addRow(grid, StepParameter::MotorOff, m_motorOff);
+}
+
+void StepParametersBox::addRow(QGridLayout* grid, StepParameter parameter, QWidget* control) {
+    Row& row = m_rows[indexOf(parameter)];
+    const int line = static_cast<int>(parameter);
+    const QString name = stepParameterName(parameter);
+    const QString object = stepParameterObject(parameter);
+    row.label = new QLabel(name, this);
+    row.label->setBuddy(control);
+    row.label->setToolTip(stepParameterMeaning(parameter));
+    row.remark = look::newMutedLabel({}, this);
+    row.remark->setObjectName(object + u"Remark"_s);
+    row.state = look::newMutedLabel({}, this);
+    row.state->setObjectName(object + u"State"_s);
+    look::name(control, object + u"Field"_s, name);
+    if (auto* field = qobject_cast<NumberField*>(control))
+        field->setMeaning(stepParameterMeaning(parameter));
+    else
+        control->setToolTip(stepParameterMeaning(parameter));
+    grid->addWidget(row.label, line, 0);
+    // A choice says all by itself; a number has its unit or what it comes to behind it.
+    const bool wide = parameter == StepParameter::SpeedMode || parameter >= StepParameter::IgnoreLimits;
+    grid->addWidget(control, line, 1, 1, wide ? 3 : 1);
+    if (parameter == StepParameter::MinimumSpeed) {
+        m_minimumSpeed->setName(object + u"Field"_s, name);
+        grid->addWidget(m_minimumSpeed->unitLabel(), line, 2);
+        m_minimumSpeed->otherView()->hide();
+    }
+    row.remark->setVisible(!wide);
+    if (!wide)
+        grid->addWidget(row.remark, line, parameter == StepParameter::MinimumSpeed ? 3 : 2, 1,
+                        parameter == StepParameter::MinimumSpeed ? 1 : 2);
+    grid->addWidget(row.state, line, 4);
+}
+
+void StepParametersBox::buildButtons(QGridLayout* grid, int line) {
+    look::name(m_fill, u"stepFillParametersButton"_s, tr("Fill in starting values"));
+    look::name(m_revert, u"stepRevertParametersButton"_s, tr("Revert the parameters to what was sent"));
+    look::name(m_apply, u"stepApplyParametersButton"_s, tr("Apply all parameters"));
+    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    m_fill->setToolTip(
+        tr("Fills the fields with slow speeds and low currents to begin with. Sends nothing."));
+    m_hint->setObjectName(u"stepParametersHint"_s);
+    m_hint->setWordWrap(true);
+    m_hint->setTextFormat(Qt::PlainText);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    buttons->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+    buttons->addWidget(m_fill);
+    buttons->addStretch(1);
+    buttons->addWidget(m_revert);
+    buttons->addWidget(m_apply);
+    grid->addLayout(buttons, line, 0, 1, 5);
+    grid->addWidget(m_hint, line + 1, 0, 1, 5);
+}
+
+void StepParametersBox::connectControls() {
+    connect(m_speedMode, &QComboBox::activated, this, &StepParametersBox::edit);
+    connect(m_minimumSpeed, &QuantityField::nativeEdited, this, &StepParametersBox::edit);
+    for (NumberField* field : {m_runCurrent, m_holdCurrent, m_thermalLimit})
+        connect(field, &NumberField::edited, this, &StepParametersBox::edit);
+    for (QCheckBox* box : {m_ignoreLimits, m_ignoreEstop, m_motorOff})
+        connect(box, &QCheckBox::toggled, this, &StepParametersBox::edit);
+    connect(m_ramp, &StepRampBox::settingsEdited, this, &StepParametersBox::settingsEdited);
+    connect(m_fill, &QPushButton::clicked, this, &StepParametersBox::fillIn);
+    connect(m_revert, &QPushButton::clicked, this, &StepParametersBox::revert);
+    connect(m_apply, &QPushButton::clicked, this, &StepParametersBox::apply);
+}
+
+// ---- What stands in the fields ----
+
+/// As the fields have it; 1x while no mode is chosen.
+StepSpeed StepParametersBox::speeds() const {
+    const bool chosen = m_speedMode->currentIndex() >= 0;
+    return StepSpeed(chosen ? static_cast<step::SpeedMode>(m_speedMode->currentData().toInt())
+                            : step::SpeedMode::X1);
+}
+
+std::optional<int> StepParametersBox::entry(StepParameter parameter) const {
+    switch (parameter) {
+        case StepParameter::SpeedMode:
+            return m_speedMode->currentIndex() < 0 ? std::nullopt
+                                                   : std::optional(m_speedMode->currentData().toInt());
+        case StepParameter::MinimumSpeed: {
+            const auto speed = m_minimumSpeed->native();
+            return speed ? std::optional<int>(speeds().speedFor(*speed)) : std::nullopt;
+        }
+        case StepParameter::RunCurrent:
+            return whole(m_runCurrent->value());
+        case StepParameter::HoldCurrent:
+            return whole(m_holdCurrent->value());
+        case StepParameter::ThermalLimit:
+            return whole(m_thermalLimit->value());
+        case StepParameter::IgnoreLimits:
+            return m_ignoreLimits->isChecked() ? 1 : 0;
+        case StepParameter::IgnoreEstop:
+            return m_ignoreEstop->isChecked() ? 1 : 0;
+        case StepParameter::MotorOff:
+            return m_motorOff->isChecked() ? 1 : 0;
+    }
+    return std::nullopt;
+}
+
+StepParametersBox::Entries StepParametersBox::entries() const {
+    Entries all;
+    for (const StepParameter parameter : kStepParameters)
+        all[indexOf(parameter)] = entry(parameter);
+    return all;
+}
+
+std::optional<step::SetParameters> StepParametersBox::entered() const {
+    step::SetParameters parameters;
+    for (const StepParameter parameter : kStepParameters) {
+        const auto value = entry(parameter);
+        if (!value)
+            return std::nullopt;
+        setStepParameter(parameters, parameter, *value);
+    }
+    return parameters;
+}
+
+void StepParametersBox::showEntries(const Entries& all) {
+    const auto of = [&all](StepParameter parameter) { return all[indexOf(parameter)]; };
+    const auto mode = of(StepParameter::SpeedMode);
+    m_speedMode->setCurrentIndex(mode ? m_speedMode->findData(*mode) : -1);
+    m_minimumSpeed->setNativeRange(speeds().slowest(), speeds().fastest());
+    if (const auto minimum = of(StepParameter::MinimumSpeed))
+        m_minimumSpeed->showNative(speeds().ofSpeed(*minimum));
+    else
+        m_minimumSpeed->showNothing();
+    showWhole(m_runCurrent, of(StepParameter::RunCurrent));
+    showWhole(m_holdCurrent, of(StepParameter::HoldCurrent));
+    showWhole(m_thermalLimit, of(StepParameter::ThermalLimit));
+    showTick(m_ignoreLimits, of(StepParameter::IgnoreLimits));
+    showTick(m_ignoreEstop, of(StepParameter::IgnoreEstop));
+    showTick(m_motorOff, of(StepParameter::MotorOff));
+}
+
+/// What the settings say, or what was sent; nothing where neither is known.
+void StepParametersBox::showSettings() {
+    Entries all;
+    const auto& known = m_settings.parameters ? m_settings.parameters : m_state->stepper.parameters();
+    if (known)
+        for (const StepParameter parameter : kStepParameters)
+            all[indexOf(parameter)] = stepParameter(*known, parameter);
+    showEntries(all);
+}
+
+void StepParametersBox::showModule(const PanelView& view) {
+    const bool other = !m_state || m_state->info.index != view.module.info.index;
+    const bool newlySent = !m_state || m_state->stepper.parameters() != view.module.stepper.parameters();
+    m_state = view.module;
+    m_settings = view.settings;
+    m_connected = view.connected;
+    m_minimumSpeed->setScale(view.scale());
+    m_ramp->showModule(view);
+    const int index = view.module.info.index.value();
+    const bool reloaded = !other && m_settings.parameters != m_shown;
+    m_shown = m_settings.parameters;
+    if (reloaded)
+        m_drafts.remove(index);
+    const auto draft = m_drafts.constFind(index);
+    if (other && draft != m_drafts.constEnd())
+        showEntries(*draft);
+    else if (draft == m_drafts.constEnd() && (other || reloaded || newlySent))
+        showSettings();
+    if (m_drafts.contains(index) && m_state->stepper.parameters() &&
+        entered() == m_state->stepper.parameters())
+        m_drafts.remove(index);
+    refresh();
+}
+
+void StepParametersBox::setBusy(bool busy) {
+    if (m_busy == busy)
+        return;
+    m_busy = busy;
+    refresh();
+}
+
+void StepParametersBox::edit() {
+    m_minimumSpeed->setNativeRange(speeds().slowest(), speeds().fastest());
+    if (m_state)
+        m_drafts[m_state->info.index.value()] = entries();
+    if (const auto parameters = entered(); parameters && parameters != m_settings.parameters) {
+        m_settings.parameters = m_shown = parameters;
+        emit settingsEdited(m_settings);
+    }
+    refresh();
+}
+
+void StepParametersBox::fillIn() {
+    Entries all;
+    const step::SetParameters values = stepStartingValues();
+    for (const StepParameter parameter : kStepParameters)
+        all[indexOf(parameter)] = stepParameter(values, parameter);
+    showEntries(all);
+    edit();
+}
+
+void StepParametersBox::revert() {
+    if (!m_state)
+        return;
+    m_drafts.remove(m_state->info.index.value());
+    m_settings.parameters = m_shown = m_state->stepper.parameters();
+    showSettings();
+    emit settingsEdited(m_settings);
+    refresh();
+}
+
+void StepParametersBox::apply() {
+    const auto parameters = entered();
+    if (parameters && m_apply->isEnabled())
+        emit intentRequested(stepintent::SetParameters{*parameters});
+}
+
+// ---- What it says about them ----
+
+QString StepParametersBox::trouble() const {
+    if (m_speedMode->currentIndex() < 0)
+        return tr("Choose a speed mode.");
+    for (const NumberField* field :
+         {static_cast<NumberField*>(m_minimumSpeed), m_runCurrent, m_holdCurrent, m_thermalLimit})
+        if (field->problem() != NumberField::Problem::None)
+            return field->problemText();
+    return {};
+}
+
+void StepParametersBox::refreshRow(StepParameter parameter) {
+    const Row& row = m_rows[indexOf(parameter)];
+    const auto value = entry(parameter);
+    const auto analog = m_state && m_state->latest ? m_state->latest->analog : std::nullopt;
+    look::setText(row.remark, stepParameterRemark(parameter, value, analog));
+    const auto sent = m_state && m_state->stepper.parameters()
+                          ? std::optional(stepParameter(*m_state->stepper.parameters(), parameter))
+                          : std::nullopt;
+    const bool choice = parameter >= StepParameter::IgnoreLimits;
+    const bool unknown = !sent && (!value || (choice && !m_settings.parameters));
+    // Shape, then word, as with gains.
+    const bool edited = !unknown && (!value || value != sent);
+    look::setText(row.state, unknown ? tr("? unknown") : edited ? tr("● edited, not sent") : tr("✓ sent"));
+    QFont font = this->font();
+    font.setBold(edited);
+    if (row.state->font().bold() != edited)
+        row.state->setFont(font);
+}
+
+void StepParametersBox::refresh() {
+    for (const StepParameter parameter : kStepParameters)
+        refreshRow(parameter);
+    const QString problem = trouble();
+    const bool sent = m_state && m_state->stepper.parameters();
+    QString hint = problem;
+    if (!sent &&
+        entries() == Entries{std::nullopt, std::nullopt, std::nullopt, std::nullopt, std::nullopt, 0, 0, 0})
+        hint =
+            tr("Parameters cannot be read back from the module, and nothing moves before they are applied.");
+    else if (problem.isEmpty() && m_ignoreEstop->isChecked())
+        hint = tr("With this the module's E-stop input does not stop the motor.");
+    else if (problem.isEmpty() && m_ignoreLimits->isChecked())
+        hint = tr("With this the limit switches do not stop the motor.");
+    look::setText(m_hint, hint);
+    QString reason;
+    if (!m_connected || !m_state)
+        reason = texts::refusal(Refusal::NotConnected);
+    else if (const auto refusal = whyNot(Request::SetParameters, *m_state))
+        reason = texts::refusal(*refusal);
+    else
+        reason = m_busy && problem.isEmpty() ? tr("Waiting for the module's answer.") : problem;
+    const bool live = m_state && m_state->driveOn();
+    look::setPossible(m_apply, reason,
+                      live ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
+                                "immediately.")
+                           : tr("Sends all parameters at once. The motor does not move."));
+    look::setPossible(
+        m_revert,
+        m_state && m_drafts.contains(m_state->info.index.value()) ? QString() : tr("Nothing was edited."),
+        sent ? tr("Back to the parameters that were sent. Sends nothing.")
+             : tr("Empties the fields: no parameters have been sent yet. Sends nothing."));
+}
+
+}  // namespace nmc

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/steprampbox.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/panels/stepdefaults.h"
+#include "widgets/panels/stepwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepRampBox::StepRampBox(QWidget* parent)
+    : QWidget(parent),
+      m_time(new NumberField(0, this)),
+      m_acceleration(look::newMutedLabel({}, this)),
+      m_state(look::newMutedLabel({}, this)),
+      m_cap(new QuantityField(QuantityField::Kind::Velocity, this)) {
+    look::name(m_time, u"stepAccelerationTimeField"_s, tr("Acceleration time"));
+    m_time->setRange(static_cast<double>(step::kAccelerationTimeRange.min),
+                     static_cast<double>(step::kAccelerationTimeRange.max));
+    m_time->setWords(tr("The acceleration time"), {});
+    m_time->setDigits(8);
+    m_time->setMeaning(
+        tr("How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next "
+           "motion that has a ramp, and used by a smooth stop after it."));
+    m_acceleration->setObjectName(u"stepAccelerationRemark"_s);
+    m_state->setObjectName(u"stepAccelerationTimeState"_s);
+    m_cap->setName(u"stepHoldCapField"_s, tr("Fastest speed of hold to move"));
+    m_cap->setQuantity(tr("The fastest speed of hold to move"));
+    m_cap->setSingleStep(100);
+    m_cap->setMeaning(tr("Hold to move goes no faster than this. Set it so that a hand can still follow."));
+    auto* heading = new QLabel(tr("With every motion"), this);
+    QFont bold = font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    auto* timeLabel = new QLabel(tr("Acceleration time"), this);
+    timeLabel->setBuddy(m_time);
+    auto* capLabel = new QLabel(tr("Hold to move, at most"), this);
+    capLabel->setBuddy(m_cap);
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, unit / 2, 0, 0);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    grid->addWidget(heading, 0, 0, 1, 5);
+    grid->addWidget(timeLabel, 1, 0);
+    grid->addWidget(m_time, 1, 1);
+    grid->addWidget(new QLabel(tr("× 0.25 ms"), this), 1, 2);
+    grid->addWidget(m_acceleration, 1, 3);
+    grid->addWidget(m_state, 1, 4);
+    grid->addWidget(capLabel, 2, 0);
+    grid->addWidget(m_cap, 2, 1);
+    grid->addWidget(m_cap->unitLabel(), 2, 2);
+    grid->addWidget(m_cap->otherView(), 2, 3);
+    grid->setColumnStretch(4, 1);
+
+    connect(m_time, &NumberField::edited, this, [this] {
+        if (const auto time = m_time->value()) {
+            m_settings.accelerationTime = *time;
+            emit settingsEdited(m_settings);
+        }
+        refresh();
+    });
+    connect(m_cap, &QuantityField::nativeEdited, this, [this] {
+        if (const auto cap = m_cap->native()) {
+            m_settings.motion.holdCap = *cap;
+            emit settingsEdited(m_settings);
+        }
+    });
+}
+
+void StepRampBox::showModule(const PanelView& view) {
+    const bool other = m_module != view.module.info.index;
+    m_module = view.module.info.index;
+    m_stepper = view.module.stepper;
+    m_settings = view.settings;
+    m_cap->setScale(view.scale());
+    m_cap->setNativeRange(stepdefaults::slowestProfile(*m_stepper, m_settings),
+                          stepdefaults::speedMode(*m_stepper, m_settings).fastest());
+    // Not under the hands of who is typing there.
+    const double time = stepdefaults::accelerationTime(m_settings);
+    if (other || (!m_time->hasFocus() && m_time->value() != time))
+        m_time->showValue(time);
+    const double cap = stepdefaults::holdCap(*m_stepper, m_settings);
+    if (other || (!m_cap->hasFocus() && m_cap->native() != cap))
+        m_cap->showNative(cap);
+    refresh();
+}
+
+void StepRampBox::refresh() {
+    if (!m_stepper)
+        return;
+    const StepSpeed speeds = stepdefaults::speedMode(*m_stepper, m_settings);
+    const auto time = m_time->value();
+    look::setText(m_acceleration, time ? texts::acceleration(speeds, static_cast<int>(*time), m_cap->scale())
+                                       : m_time->problemText());
+    const auto loaded = m_stepper->accelerationTime();
+    look::setText(m_state, !loaded           ? tr("? unknown")
+                           : *loaded == time ? tr("✓ sent")
+                                             : tr("● edited, not sent"));
+}
+
+}  // namespace nmc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/stepwords.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+class StepWords {
+    Q_DECLARE_TR_FUNCTIONS(StepWords)
+};
+}  // namespace
+
+QString stepsPerSecond(double speed, const AxisScale& scale) {
+    const QString native = StepWords::tr("%1 steps/s").arg(readout(speed, 6));
+    if (scale.native())
+        return native;
+    return u"%1 (%2 %3)"_s.arg(native, readout(scale.velocity(speed)), velocityUnitOf(scale));
+}
+
+QString speedMode(step::SpeedMode mode) {
+    const StepSpeed speeds(mode);
+    return StepWords::tr("%1x: %2 to %3 steps/s")
+        .arg(QString::number(speeds.multiplier()), readout(speeds.slowest()),
+             grouped(qRound64(speeds.fastest())));
+}
+
+QString profiledSpeed(const StepSpeed& mode, int speed, int minimum, const AxisScale& scale) {
+    if (speed < minimum)
+        return StepWords::tr("Runs at %1: speed %2, the minimum profile speed.")
+            .arg(stepsPerSecond(mode.ofSpeed(minimum), scale), QString::number(minimum));
+    return StepWords::tr("Runs at %1: speed %2 of 250.")
+        .arg(stepsPerSecond(mode.ofSpeed(speed), scale), QString::number(speed));
+}
+
+QString timedSpeed(const StepSpeed& mode, step::TimerCount timer, const AxisScale& scale) {
+    return StepWords::tr("Runs at %1: timer count %2.")
+        .arg(stepsPerSecond(mode.ofCount(timer.count), scale), grouped(timer.count));
+}
+
+QString acceleration(const StepSpeed& mode, int accelerationTime, const AxisScale& scale) {
+    const double acceleration = mode.acceleration(accelerationTime);
+    const QString native = StepWords::tr("%1 steps/s²").arg(readout(acceleration));
+    if (scale.native())
+        return native;
+    return u"%1 (%2 %3)"_s.arg(native, readout(scale.acceleration(acceleration)), accelerationUnitOf(scale));
+}
+
+QString ramp(const StepSpeed& mode, int accelerationTime, const AxisScale& scale) {
+    return StepWords::tr("Ramp of %1: acceleration time %2.")
+        .arg(acceleration(mode, accelerationTime, scale), QString::number(accelerationTime));
+}
+
+QString forecast(const StepForecast& forecast, const AxisScale& scale) {
+    if (forecast.peak == 0.0)
+        return StepWords::tr("The motor is there already.");
+    const QString seconds = readout(forecast.seconds, 3);
+    const QString peak = stepsPerSecond(forecast.peak, scale);
+    return forecast.triangular
+               ? StepWords::tr("Takes %1 s. Too short for that speed: reaches %2.").arg(seconds, peak)
+               : StepWords::tr("Takes %1 s, fastest %2.").arg(seconds, peak);
+}
+
+}  // namespace nmc::texts
