@@ -48,11 +48,13 @@ QString chainLengthKey(const QString& port) {
 
 }  // namespace
 
-Composition::Composition(QSettings& settings, PortController::Places places, QObject* parent)
+Composition::Composition(QSettings& settings, PortController::Places places, const QString& unsavedFolder,
+                         QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_window(settings),
       m_ports(std::move(places)),
+      m_machine(settings, m_window, m_store, unsavedFolder),
       m_motionMarker(settings) {
     wireWindow();
     wireStore();
@@ -79,6 +81,7 @@ void Composition::show(const Start& start) {
     if (!m_motionMarker.left().empty())
         m_window.showMessage(texts::endedWhileMoving(m_motionMarker.left()));
     checkSettings();
+    m_machine.start();
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
@@ -119,7 +122,8 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::axisEdited, this, &Composition::editAxis);
+    connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
+    connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
@@ -195,17 +199,13 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return;
     }
     m_worker.submit({bus::OperationId(++m_lastOperation), std::move(*steps)});
-}
-
-void Composition::editAxis(ModuleIndex module, const AxisSettings& settings) {
-    if (m_machine.axes.size() <= module.value())
-        m_machine.axes.resize(module.value() + std::size_t{1});
-    m_machine.axes[module.value()] = settings;
-    m_window.showMachine(m_machine);
+    m_machine.noteSent(index, intent);
 }
 
 void Composition::act(const QString& key, const QString& action) {
-    if (action == texts::action::kRetry && m_target)
+    if (m_machine.act(action)) {
+        // done
+    } else if (action == texts::action::kRetry && m_target)
         connectTo(m_target->port, m_target->baud);
     else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) &&
              m_worker.isOpen())
