@@ -31,13 +31,13 @@ QString MachineFile::title() const {
 MachineMenu::MachineMenu(QWidget* window)
     : QObject(window),
       m_window(window),
-      m_new(newAction(u"newMachineAction"_s, tr("&New machine"), QKeySequence::New,
+      m_new(newAction(u"newMachineAction"_s, tr("&New machine"), Qt::CTRL | Qt::Key_N,
                       tr("Forgets names, units and settings of all axes; nothing is sent."))),
-      m_open(newAction(u"openMachineAction"_s, tr("&Open machine…"), QKeySequence::Open,
+      m_open(newAction(u"openMachineAction"_s, tr("&Open machine…"), Qt::CTRL | Qt::Key_O,
                        tr("Shows what a machine file would change; nothing is sent before you apply it."))),
-      m_save(newAction(u"saveMachineAction"_s, tr("&Save machine"), QKeySequence::Save,
+      m_save(newAction(u"saveMachineAction"_s, tr("&Save machine"), Qt::CTRL | Qt::Key_S,
                        tr("Writes names, units, gains, limits, homing and groups into the machine's file."))),
-      m_saveAs(newAction(u"saveMachineAsAction"_s, tr("Save machine &as…"), QKeySequence::SaveAs,
+      m_saveAs(newAction(u"saveMachineAsAction"_s, tr("Save machine &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
                          tr("Writes the machine into a file of another name."))),
       m_recent(new QMenu(tr("Open re&cent"), window)) {
     look::name(m_recent, u"recentMachinesMenu"_s, tr("Open recent"));
