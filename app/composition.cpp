@@ -55,11 +55,13 @@ QString chainLengthKey(const QString& port) {
 
 }  // namespace
 
-Composition::Composition(QSettings& settings, PortController::Places places, QObject* parent)
+Composition::Composition(QSettings& settings, PortController::Places places, const QString& unsavedFolder,
+                         QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_window(settings),
       m_ports(std::move(places)),
+      m_machine(settings, m_window, m_store, unsavedFolder),
       m_motionMarker(settings) {
     wireWindow();
     wireStore();
@@ -86,6 +88,7 @@ void Composition::show(const Start& start) {
     if (!m_motionMarker.left().empty())
         m_window.showMessage(texts::endedWhileMoving(m_motionMarker.left()));
     checkSettings();
+    m_machine.start();
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
@@ -129,9 +132,10 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::axisEdited, this, &Composition::editAxis);
     connect(&m_window, &MainWindow::holdRequested, this,
             [this](const bus::HoldToMove& hold) { m_procedures.cancel(hold.module); });
+    connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
+    connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
@@ -222,6 +226,7 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return;
     }
     submit(std::move(*steps));
+    m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
 }
@@ -237,22 +242,17 @@ void Composition::showProcedure(const ProcedureReport& report) {
     const ModuleState* module = m_store.module(report.module);
     if (!report.over() || module == nullptr)
         return;
-    const AxisUnit unit = m_machine.axis(report.module).unit;
+    const AxisUnit unit = m_machine.machine().axis(report.module).unit;
     const AxisScale scale = module->isServo() ? AxisScale::servo(unit, module->gains ? module->gains->sr : 1)
                                               : AxisScale::step(unit);
     if (const auto message = texts::procedureEnded(report, scale))
         m_window.showMessage(*message);
 }
 
-void Composition::editAxis(ModuleIndex module, const AxisSettings& settings) {
-    if (m_machine.axes.size() <= module.value())
-        m_machine.axes.resize(module.value() + std::size_t{1});
-    m_machine.axes[module.value()] = settings;
-    m_window.showMachine(m_machine);
-}
-
 void Composition::act(const QString& key, const QString& action) {
-    if (action == texts::action::kRetry && m_target)
+    if (m_machine.act(action))
+        ;  // done
+    else if (action == texts::action::kRetry && m_target)
         connectTo(m_target->port, m_target->baud);
     else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) &&
              m_worker.isOpen()) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/commandline.h"
+#include "app/machinecontroller.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
 #include "app/procedurecontroller.h"
@@ -25,7 +26,9 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    explicit Composition(QSettings& settings, PortController::Places places = {}, QObject* parent = nullptr);
+    /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
+    explicit Composition(QSettings& settings, PortController::Places places = {},
+                         const QString& unsavedFolder = {}, QObject* parent = nullptr);
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
@@ -57,7 +60,6 @@ private:
     void carryOut(ModuleIndex module, const Intent& intent);
     bus::OperationId submit(std::vector<bus::Step> steps);
     void showProcedure(const ProcedureReport& report);
-    void editAxis(ModuleIndex module, const AxisSettings& settings);
     void act(const QString& key, const QString& action);
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
@@ -89,10 +91,10 @@ private:
     ProcedureController m_procedures{
         m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
+    MachineController m_machine;
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
-    Machine m_machine;                     ///< what the user has told of it
     std::optional<Target> m_target;        ///< what is connected, or was last
     std::optional<Target> m_openNext;      ///< to be opened when the present connection has closed
     std::optional<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it

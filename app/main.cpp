@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTextStream>
 
 #include "app/commandline.h"
@@ -58,7 +59,8 @@ int main(int argc, char** argv) {
     nmc::installTranslations(translations, QLocale::system());
     QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));
     QSettings settings;
-    nmc::Composition composition(settings);
+    nmc::Composition composition(settings, {},
+                                 QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
     const nmc::UnixSignals signalsOfTheSystem(composition.worker());
     QObject::connect(&signalsOfTheSystem, &nmc::UnixSignals::terminationAsked, &composition,
                      &nmc::Composition::stopAndQuit);

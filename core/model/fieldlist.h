@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The fields of a part of a machine as a list, by model/machinelayout.h. For machinecompare.cpp only.
+// The fields of a part of a machine as a list, by model/machinelayout.h. For machinecompare.cpp and tests
+// only.
 
 #include <string>
 #include <vector>

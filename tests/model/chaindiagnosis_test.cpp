@@ -25,8 +25,10 @@ LinkState linkWith(const std::vector<ModuleIdentity>& found) {
     link.phase = LinkPhase::Connected;
     for (const ModuleIdentity& identity : found) {
         const auto index = static_cast<std::uint8_t>(link.modules.size());
-        link.modules.emplace_back().info = {
-            ModuleIndex(index), BusAddress(static_cast<std::uint8_t>(index + 1)), identity, {}};
+        bus::ModuleInfo& info = link.modules.emplace_back().info;
+        info.index = ModuleIndex(index);
+        info.address = BusAddress(static_cast<std::uint8_t>(index + 1));
+        info.identity = identity;
     }
     return link;
 }

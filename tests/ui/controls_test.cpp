@@ -109,9 +109,10 @@ protected:
                                                << owners.value(key).toStdString();
             owners.insert(key, owner);
         };
-        for (const QMenu* menu : window->findChildren<QMenu*>())
-            if (qobject_cast<QMenu*>(menu->parentWidget()) == nullptr)
-                check(menu->title(), menu->title());
+        // A menu within a menu is only listened to there.
+        for (const QMenu* menu :
+             find(u"menuBar"_s)->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+            check(menu->title(), menu->title());
         for (const QAbstractButton* control : window->findChildren<QAbstractButton*>())
             if (control->window() == window.get() && listens(control, tab))
                 check(control->text(), control->objectName());

@@ -9,7 +9,10 @@
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
 #include "link/linktypes.h"
+#include "link/machineio.h"
 #include "model/axisscale.h"
+#include "model/fileproblem.h"
+#include "model/machinecompare.h"
 #include "model/modulestate.h"
 #include "model/procedure.h"
 #include "widgets/common/words.h"
@@ -49,6 +52,8 @@ inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< t
 inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
+inline const QString kRestoreWork = QStringLiteral("restoreWork");
+inline const QString kDiscardWork = QStringLiteral("discardWork");
 }  // namespace action
 
 // ---- the port and the link ----
@@ -130,6 +135,34 @@ inline const QString kUnderstood = QStringLiteral("understood");
 [[nodiscard]] QString packetsSaved(const QString& path, quint64 exchanges);
 [[nodiscard]] QString packetsNotSaved(const QString& path, const QString& reason);
 
+// ---- the machine file ----
+/// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."
+[[nodiscard]] QString fileProblem(const QString& file, const FileProblem& problem);
+[[nodiscard]] Message machineNotOpened(const QString& file, const FileProblem& problem);
+[[nodiscard]] Message machineNotOpened(const FileError& error);
+[[nodiscard]] Message machineNotSaved(const FileError& error);
+/// What was to be written would not be read again.
+[[nodiscard]] Message machineNotSaved(const QString& file, const FileProblem& problem);
+/// What was applied of a file, and to how many modules something was sent.
+[[nodiscard]] Message machineOpened(const QString& file, int parts, int sent);
+/// The file says what is there already.
+[[nodiscard]] Message machineSame(const QString& file);
+/// Another session has left work; `machine` is its name or its file's, may be empty.
+[[nodiscard]] Message unsavedWorkLeft(const QString& machine);
+[[nodiscard]] Message unsavedWorkDamaged(const FileProblem& problem);
+[[nodiscard]] Message unsavedWorkNotKept(const FileError& error);
+/// The question before unsaved work gives way to something else.
+[[nodiscard]] QString notSaved(const QString& machine);
+[[nodiscard]] QString machinePart(MachinePart part);
+[[nodiscard]] QString machineField(const QString& key);
+/// What stands in the file, or what there is now; `unknown` for what is neither.
+[[nodiscard]] QString machineValue(const FieldDifference& field, const std::optional<FieldValue>& value,
+                                   const AxisScale& scale, const QString& unknown);
+/// What applying it does, or why it cannot be applied.
+[[nodiscard]] QString machineApplying(const Difference& difference);
+/// Why nothing can be sent while motors move.
+[[nodiscard]] QString notSentWhileMoving(int movingMotors);
+
 // ---- the command line ----
 [[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);
 [[nodiscard]] QString badBaud(const QString& text);
@@ -151,6 +184,8 @@ namespace key {
 [[nodiscard]] QString restarted(ModuleIndex module);
 [[nodiscard]] QString stop();
 [[nodiscard]] QString safety();
+[[nodiscard]] QString machineFile();
+[[nodiscard]] QString unsavedWork();
 }  // namespace key
 
 }  // namespace texts

@@ -15,6 +15,7 @@
 
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
+#include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/closedialog.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
@@ -44,7 +45,8 @@ const QString kSimulatorOpen = u"simulator/open"_s;
 const QString kSafetyRead = u"safety/understood"_s;
 }  // namespace
 
-MainWindow::MainWindow(QSettings& settings, QWidget* parent) : QMainWindow(parent), m_settings(settings) {
+MainWindow::MainWindow(QSettings& settings, QWidget* parent)
+    : QMainWindow(parent), m_settings(settings), m_machineMenu(new MachineMenu(this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
@@ -169,6 +171,7 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
     connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
+    connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
 
     connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
@@ -220,9 +223,14 @@ void MainWindow::showSession() {
     const QString port = texts::portName(QString::fromStdString(m_link.port));
     const bool open = m_link.phase != LinkPhase::Disconnected;
     const bool simulated = open && m_link.simulated;
-    setWindowTitle(simulated ? tr("NMC Panel - Simulator")
-                   : open    ? tr("NMC Panel - %1").arg(port)
-                             : tr("NMC Panel"));
+    const QString title = simulated ? tr("NMC Panel - Simulator")
+                          : open    ? tr("NMC Panel - %1").arg(port)
+                                    : tr("NMC Panel");
+    const QString machine = m_machineMenu->titlePart();
+    // The mark has no place in a title without a machine.
+    setWindowModified(false);
+    setWindowTitle(machine.isEmpty() ? title : title + u" - "_s + machine);
+    setWindowModified(m_machineMenu->file().modified);
     QPalette inverted;
     inverted.setColor(QPalette::Window, palette().color(QPalette::Active, QPalette::WindowText));
     inverted.setColor(QPalette::WindowText, palette().color(QPalette::Active, QPalette::Window));
@@ -408,6 +416,11 @@ void MainWindow::askBeforeRestart() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     const int moving = movingMotors();
+    if (!m_mayClose && moving == 0 && m_machineMenu->file().modified) {
+        event->ignore();
+        m_machineMenu->askBeforeClose([this] { finishClose(); });
+        return;
+    }
     if (m_mayClose || moving == 0) {
         m_panel->endHold();
         saveLayout();

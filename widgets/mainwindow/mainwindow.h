@@ -26,6 +26,7 @@ class Banner;
 class ChainView;
 class ConnectionBar;
 class LinkBar;
+class MachineMenu;
 class MessageList;
 class ModulePanel;
 class PacketMonitor;
@@ -70,6 +71,8 @@ public:
     /// How often a held button says so; 100 ms.
     void setHoldInterval(int milliseconds);
 
+    /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
+    [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     /// Empty while there is no module.
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
@@ -138,6 +141,7 @@ private:
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
     std::optional<TimePoint> m_now;
+    MachineMenu* m_machineMenu;
     ConnectionBar* m_bar = nullptr;
     QLabel* m_ribbon = nullptr;
     Banner* m_banner = nullptr;

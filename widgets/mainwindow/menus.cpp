@@ -10,6 +10,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
+#include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {
@@ -59,6 +60,8 @@ QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
 void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& docks) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
+    window.machineMenu().addTo(*file);
+    file->addSeparator();
     QObject::connect(add(file, Menus::tr("&Restart the network: positions and gains are lost…"),
                          u"restartNetworkAction"_s),
                      &QAction::triggered, &window, &MainWindow::askBeforeRestart);

@@ -95,7 +95,7 @@ void PacketMonitor::buildControls() {
                        Qt::CTRL | Qt::SHIFT | Qt::Key_C);
     m_save = newButton(u"packetSave"_s, tr("Save as…"),
                        tr("Saves everything recorded as a text, or as a log that can be replayed (%1)."),
-                       Qt::CTRL | Qt::Key_S);
+                       Qt::CTRL | Qt::Key_E);
     for (auto& [key, box] : {std::pair{Qt::Key_M, m_module}, std::pair{Qt::Key_T, m_kind}})
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, box,
                 [box = box] { box->setFocus(Qt::ShortcutFocusReason); });

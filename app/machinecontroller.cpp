@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/machinecontroller.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "link/machineio.h"
+#include "widgets/common/texts.h"
+#include "widgets/machine/machinemenu.h"
+
+namespace nmc {
+
+namespace {
+
+/// Between a change and its being kept.
+constexpr int kKeepAfterMs = 3'000;
+constexpr qsizetype kRecentFiles = 8;
+const QString kRecent = QStringLiteral("machine/recent");
+
+QString folderOr(const QString& folder, const QSettings& settings) {
+    return folder.isEmpty() ? QFileInfo(settings.fileName()).absoluteDir().filePath(QStringLiteral("unsaved"))
+                            : folder;
+}
+
+}  // namespace
+
+MachineController::MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
+                                     const QString& unsavedFolder, QObject* parent)
+    : QObject(parent),
+      m_settings(settings),
+      m_window(window),
+      m_store(store),
+      m_unsaved(folderOr(unsavedFolder, settings)) {
+    m_keepTimer.setSingleShot(true);
+    m_keepTimer.setInterval(kKeepAfterMs);
+    connect(&m_keepTimer, &QTimer::timeout, this, &MachineController::keepUnsaved);
+    wire();
+}
+
+MachineController::~MachineController() {
+    keepUnsaved();
+}
+
+void MachineController::wire() {
+    MachineMenu& menu = m_window.machineMenu();
+    connect(&menu, &MachineMenu::newRequested, this, &MachineController::beginNew);
+    connect(&menu, &MachineMenu::openRequested, this, &MachineController::open);
+    connect(&menu, &MachineMenu::saveRequested, this, [this] { save(m_path); });
+    connect(&menu, &MachineMenu::saveAsRequested, this, &MachineController::save);
+    connect(&menu, &MachineMenu::applyRequested, this, &MachineController::apply);
+    connect(&menu, &MachineMenu::differencesDropped, this, [this] { m_pending.reset(); });
+    connect(&m_store, &BusStore::linkChanged, this, &MachineController::followLink);
+}
+
+void MachineController::start() {
+    showFile();
+    if (!m_unsaved.left())
+        return;
+    const auto work = parseMachine(m_unsaved.left()->content);
+    if (!work) {
+        m_window.showMessage(texts::unsavedWorkDamaged(work.error()));
+        return;
+    }
+    const MachineFile left{m_unsaved.left()->file, QString::fromStdString(work->machine.name), true, {}};
+    m_window.showMessage(texts::unsavedWorkLeft(left.title()));
+}
+
+void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
+    if (m_machine.axes.size() <= module.value())
+        m_machine.axes.resize(module.value() + std::size_t{1});
+    AxisSettings& axis = m_machine.axes[module.value()];
+    axis = settings;
+    if (const ModuleState* state = m_store.module(module))
+        axis.expected = state->info.identity;
+    changed();
+}
+
+void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
+    AxisSettings axis = m_machine.axis(module);
+    if (const auto* apply = std::get_if<intent::ApplyGains>(&intent))
+        axis.gains = apply->gains;
+    else if (const auto* control = std::get_if<intent::ControlIo>(&intent))
+        axis.io = control->io;
+    if (axis != m_machine.axis(module))
+        edit(module, axis);
+}
+
+bool MachineController::act(const QString& action) {
+    if (action == texts::action::kDiscardWork)
+        m_unsaved.dropLeft();
+    else if (action == texts::action::kRestoreWork)
+        restore();
+    else
+        return false;
+    return true;
+}
+
+void MachineController::beginNew() {
+    m_machine = {};
+    m_saved = Machine{};
+    m_unknown = {};
+    m_path.clear();
+    changed();
+}
+
+void MachineController::open(const QString& path) {
+    const auto text = readFile(path, kMaxMachineFile);
+    if (!text) {
+        m_window.showMessage(texts::machineNotOpened(text.error()));
+        return;
+    }
+    auto content = parseMachine(*text);
+    if (!content) {
+        m_window.showMessage(texts::machineNotOpened(path, content.error()));
+        return;
+    }
+    m_window.endMessage(texts::key::machineFile());
+    m_pending = Pending{path, std::move(*content), false, {}};
+    showPending();
+}
+
+void MachineController::restore() {
+    if (!m_unsaved.left())
+        return;
+    auto content = parseMachine(m_unsaved.left()->content);
+    if (!content)
+        return;
+    const Pending work{m_unsaved.left()->file, std::move(*content), true, {}};
+    if (m_machine == Machine{} && modules().empty()) {
+        take(work, work.content.machine, true);
+        return;
+    }
+    m_pending = work;
+    showPending();
+}
+
+void MachineController::showPending() {
+    m_pending->chain = chain();
+    std::vector<Difference> differences = compare(m_pending->content.machine, m_machine, modules());
+    if (differences.empty()) {
+        const Pending same = *std::exchange(m_pending, std::nullopt);
+        m_window.machineMenu().closeDifferences();
+        take(same, applied(same.content.machine, m_machine, modules(), {}), true);
+        m_window.showMessage(texts::machineSame(same.path));
+        return;
+    }
+    m_window.machineMenu().showDifferences(m_pending->path, std::move(differences));
+    followLink();
+}
+
+void MachineController::apply(const std::vector<PartId>& chosen) {
+    if (!m_pending)
+        return;
+    const std::vector<ModuleState> present = modules();
+    const Machine& file = m_pending->content.machine;
+    const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
+    if (!intents.empty() && m_store.movingMotors() > 0)
+        return;  // the button says so; it is a matter of one frame
+    const std::vector<Difference> differences = compare(file, m_machine, present);
+    const bool whole = std::none_of(differences.begin(), differences.end(), [](const Difference& row) {
+        return row.applying == Applying::OtherHardware;
+    });
+    Machine machine = applied(file, m_machine, present, chosen);
+    const Pending from = *std::exchange(m_pending, std::nullopt);
+    m_window.machineMenu().closeDifferences();
+    take(from, std::move(machine), whole);
+    for (const ModuleIntent& send : intents)
+        emit intentRequested(send.module, send.intent);
+    m_window.showMessage(
+        texts::machineOpened(from.path, static_cast<int>(chosen.size()), static_cast<int>(intents.size())));
+}
+
+/// A file that could not be applied whole is not overwritten by what is here instead: it is not "the file".
+void MachineController::take(const Pending& from, Machine machine, bool whole) {
+    m_machine = std::move(machine);
+    m_unknown = from.content.unknown;
+    m_path = whole ? from.path : QString();
+    m_saved = whole && !from.restored ? std::optional(from.content.machine) : std::nullopt;
+    if (!from.restored)
+        remember(from.path);
+    changed();
+    if (!from.restored)
+        return;
+    keepUnsaved();
+    if (!m_keepFailed)
+        m_unsaved.dropLeft();
+}
+
+void MachineController::save(const QString& path) {
+    Machine machine = withChain(m_machine, modules(), m_store.link().baud);
+    if (machine.name.empty())
+        machine.name = QFileInfo(path).completeBaseName().toStdString();
+    const std::string text = writeMachine(machine, m_unknown);
+    auto written = parseMachine(text);
+    if (!written) {
+        // It would not be read again, so it must not replace a file that is.
+        m_window.showMessage(texts::machineNotSaved(path, written.error()));
+        return;
+    }
+    if (const auto saved = writeFile(path, text); !saved) {
+        m_window.showMessage(texts::machineNotSaved(saved.error()));
+        return;
+    }
+    m_window.endMessage(texts::key::machineFile());
+    m_machine = std::move(written->machine);
+    m_unknown = std::move(written->unknown);
+    m_saved = m_machine;
+    m_path = path;
+    remember(path);
+    changed();
+    keepUnsaved();
+}
+
+void MachineController::followLink() {
+    if (!m_pending)
+        return;
+    // Another chain makes another comparison; what was ticked was ticked for the one before.
+    if (m_pending->chain != chain())
+        showPending();
+    else if (DifferencesDialog* dialog = m_window.machineMenu().differences())
+        dialog->showMoving(m_store.movingMotors());
+}
+
+void MachineController::keepUnsaved() {
+    m_keepTimer.stop();
+    if (!modified()) {
+        m_unsaved.forget();
+        return;
+    }
+    const auto kept = m_unsaved.keep(m_path, writeMachine(m_machine, m_unknown));
+    if (!kept && !m_keepFailed)
+        m_window.showMessage(texts::unsavedWorkNotKept(kept.error()));
+    m_keepFailed = !kept;
+}
+
+void MachineController::changed() {
+    if (!m_keepTimer.isActive())
+        m_keepTimer.start();
+    m_window.showMachine(m_machine);
+    showFile();
+}
+
+void MachineController::showFile() {
+    m_window.machineMenu().showFile({m_path, QString::fromStdString(m_machine.name), modified(),
+                                     m_settings.value(kRecent).toStringList()});
+}
+
+void MachineController::remember(const QString& path) {
+    QStringList recent = m_settings.value(kRecent).toStringList();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    recent.removeAll(absolute);
+    recent.prepend(absolute);
+    m_settings.setValue(kRecent, recent.mid(0, kRecentFiles));
+}
+
+std::vector<ModuleState> MachineController::modules() const {
+    return m_store.link().phase == LinkPhase::Connected ? m_store.link().modules : std::vector<ModuleState>{};
+}
+
+std::vector<ModuleIdentity> MachineController::chain() const {
+    std::vector<ModuleIdentity> identities;
+    if (m_store.link().phase == LinkPhase::Connected)
+        for (const ModuleState& module : m_store.link().modules)
+            identities.push_back(module.info.identity);
+    return identities;
+}
+
+}  // namespace nmc

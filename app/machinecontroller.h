@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QTimer>
+#include <optional>
+
+#include "link/busstore.h"
+#include "link/unsavedwork.h"
+#include "model/intent.h"
+#include "model/machinefile.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+/// The machine that the user has told the panel about, and its file. Opening a file shows what it would
+/// change; only what the user then chooses is taken, and sent. Unsaved work is kept every few seconds, and
+/// offered again at the next start. GUI thread.
+class MachineController : public QObject {
+    Q_OBJECT
+
+public:
+    /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
+    MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
+                      const QString& unsavedFolder, QObject* parent = nullptr);
+    ~MachineController() override;
+
+    [[nodiscard]] const Machine& machine() const { return m_machine; }
+
+    /// Shows the machine, and offers what an earlier session has left.
+    void start();
+    /// The user has changed an axis in its panel.
+    void edit(ModuleIndex module, const AxisSettings& settings);
+    /// Something was sent that belongs to the machine: it cannot be read back, so it is remembered.
+    void noteSent(ModuleIndex module, const Intent& intent);
+    /// The button of a message; false: it is not one of these.
+    bool act(const QString& action);
+
+    void open(const QString& path);
+
+signals:
+    /// The user has ticked it and pressed Apply.
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+
+private:
+    /// A file that was read, and waits for the user's choice.
+    struct Pending {
+        QString path;
+        ParsedMachine content;
+        bool restored = false;  ///< unsaved work, which no file has
+        std::vector<ModuleIdentity> chain;
+    };
+
+    void wire();
+    void beginNew();
+    void save(const QString& path);
+    void showPending();
+    void apply(const std::vector<PartId>& chosen);
+    void restore();
+    void take(const Pending& from, Machine machine, bool whole);
+    void followLink();
+    void keepUnsaved();
+    void changed();
+    void showFile();
+    void remember(const QString& path);
+    [[nodiscard]] bool modified() const { return m_saved != m_machine; }
+    /// Only those that can be spoken to.
+    [[nodiscard]] std::vector<ModuleState> modules() const;
+    [[nodiscard]] std::vector<ModuleIdentity> chain() const;
+
+    QSettings& m_settings;
+    MainWindow& m_window;
+    const BusStore& m_store;
+    UnsavedWork m_unsaved;
+    Machine m_machine;
+    std::optional<Machine> m_saved{Machine{}};  ///< as the file has it; empty: no file has it
+    UnknownKeys m_unknown;
+    QString m_path;
+    std::optional<Pending> m_pending;
+    QTimer m_keepTimer;
+    bool m_keepFailed = false;  ///< and was told
+};
+
+}  // namespace nmc

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The File menu's machine part, the table of differences, and what is asked before unsaved work gives way.
+#include <QAction>
+#include <QFileDialog>
+#include <QMenu>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "model/fieldlist.h"
+#include "widgets/machine/machinemenu.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing::ElementsAre;
+
+class MachineWindow : public WindowTest {
+protected:
+    MachineMenu& menu() { return window->machineMenu(); }
+    void trigger(const QString& action) {
+        auto* found = window->findChild<QAction*>(action);
+        ASSERT_NE(found, nullptr) << action.toStdString();
+        found->trigger();
+    }
+    QTreeWidget* table() { return find<QTreeWidget>(u"differencesTable"_s); }
+    static Difference difference(MachinePart part, Applying applying, bool wanted = true) {
+        Difference row{{ModuleIndex(0), part}, {{"Kp", Quantity::Plain, 200.0, 150.0}}};
+        row.fields.push_back({"Kd", Quantity::Plain, 2'000.0, std::nullopt});
+        row.applying = applying;
+        row.wanted = wanted;
+        return row;
+    }
+    /// A name, gains that are sent, limit pins that are not ticked, and a module that is not there.
+    void showSome() {
+        menu().showDifferences(u"/home/anna/mill.json"_s,
+                               {difference(MachinePart::AxisName, Applying::ChangesPanel),
+                                difference(MachinePart::Gains, Applying::Sends),
+                                difference(MachinePart::Io, Applying::Sends, false),
+                                difference(MachinePart::Hardware, Applying::OtherHardware)});
+    }
+};
+
+TEST_F(MachineWindow, TheTitleNamesTheMachineAndMarksWhatIsNotSaved) {
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel"_s);
+    menu().showFile({u"/home/anna/mill.json"_s, u"Mill 2000"_s, false, {}});
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel - mill[*]"_s);
+    EXPECT_FALSE(window->isWindowModified());
+    menu().showFile({u"/home/anna/mill.json"_s, u"Mill 2000"_s, true, {}});
+    EXPECT_TRUE(window->isWindowModified());
+    menu().showFile({{}, u"Mill 2000"_s, true, {}});
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel - Mill 2000[*]"_s);
+    menu().showFile({{}, {}, true, {}});
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel - new machine[*]"_s);
+    menu().showFile({});
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel"_s);
+}
+
+TEST_F(MachineWindow, TheStandardKeysOpenSaveAndBeginAnew) {
+    const std::pair<QString, QKeySequence> keys[] = {
+        {u"newMachineAction"_s, Qt::CTRL | Qt::Key_N},
+        {u"openMachineAction"_s, Qt::CTRL | Qt::Key_O},
+        {u"saveMachineAction"_s, Qt::CTRL | Qt::Key_S},
+        {u"saveMachineAsAction"_s, Qt::CTRL | Qt::SHIFT | Qt::Key_S}};
+    for (const auto& [name, key] : keys)
+        EXPECT_EQ(window->findChild<QAction*>(name)->shortcut(), key) << name.toStdString();
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
+    const QSignalSpy saved(&menu(), &MachineMenu::saveRequested);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(saved.count(), 1);
+}
+
+TEST_F(MachineWindow, RecentFilesAreInTheMenuAndEachOpensItsFile) {
+    auto* recent = find<QMenu>(u"recentMachinesMenu"_s);
+    EXPECT_FALSE(recent->isEnabled()) << "there are none";
+    menu().showFile({{}, {}, false, {u"/home/anna/mill.json"_s, u"/mnt/a & b.json"_s}});
+    EXPECT_TRUE(recent->isEnabled());
+    ASSERT_EQ(recent->actions().size(), 2);
+    EXPECT_EQ(recent->actions()[0]->text(), u"&1  mill.json"_s);
+    EXPECT_EQ(recent->actions()[1]->text(), u"&2  a && b.json"_s);
+    EXPECT_EQ(recent->actions()[1]->toolTip(), u"/mnt/a & b.json"_s);
+    QSignalSpy opened(&menu(), &MachineMenu::openRequested);
+    recent->actions()[1]->trigger();
+    ASSERT_EQ(opened.count(), 1);
+    EXPECT_EQ(opened[0][0].toString(), u"/mnt/a & b.json"_s);
+}
+
+TEST_F(MachineWindow, AMachineWithoutAFileAsksForOneWhenItIsSaved) {
+    const QSignalSpy saved(&menu(), &MachineMenu::saveRequested);
+    trigger(u"saveMachineAction"_s);
+    EXPECT_EQ(saved.count(), 0);
+    auto* dialog = find<QFileDialog>(u"saveMachineDialog"_s);
+    EXPECT_FALSE(dialog->isModal()) << "STOP ALL stays within reach";
+    QSignalSpy savedAs(&menu(), &MachineMenu::saveAsRequested);
+    emit dialog->fileSelected(u"/home/anna/new.json"_s);
+    ASSERT_EQ(savedAs.count(), 1);
+    EXPECT_EQ(savedAs[0][0].toString(), u"/home/anna/new.json"_s);
+}
+
+// ---- the table ----
+
+TEST_F(MachineWindow, TheTableShowsFileAndPresentAndWhatApplyingDoes) {
+    showSome();
+    ASSERT_EQ(table()->topLevelItemCount(), 4);
+    const QTreeWidgetItem* gains = table()->topLevelItem(1);
+    EXPECT_EQ(gains->text(0), u"Module 1: Gains"_s);
+    EXPECT_EQ(gains->text(3), u"Is sent to the module."_s);
+    EXPECT_EQ(gains->checkState(0), Qt::Checked);
+    EXPECT_EQ(gains->child(0)->text(0), u"Kp"_s);
+    EXPECT_EQ(gains->child(0)->text(1), u"200"_s);
+    EXPECT_EQ(gains->child(0)->text(2), u"150"_s);
+    EXPECT_EQ(gains->child(1)->text(2), u"unknown"_s);
+    EXPECT_EQ(table()->topLevelItem(2)->checkState(0), Qt::Unchecked);
+    EXPECT_FALSE(table()->topLevelItem(3)->data(0, Qt::CheckStateRole).isValid()) << "cannot be ticked";
+    EXPECT_FALSE(find<QDialog>(u"differencesDialog"_s)->isModal()) << "STOP ALL stays within reach";
+}
+
+TEST_F(MachineWindow, ApplyTellsWhatIsTicked) {
+    std::vector<PartId> chosen;
+    QObject::connect(&menu(), &MachineMenu::applyRequested, &menu(),
+                     [&chosen](const std::vector<PartId>& ids) { chosen = ids; });
+    showSome();
+    table()->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+    EXPECT_EQ(text(u"differencesSummary"_s), u"1 of 4 settings chosen; 1 of them are sent to modules."_s);
+    click(u"applyDifferencesButton"_s);
+    EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
+    click(u"tickAllButton"_s);
+    click(u"applyDifferencesButton"_s);
+    EXPECT_EQ(chosen.size(), 3U) << "never what cannot be applied";
+    click(u"tickNoneButton"_s);
+    click(u"applyDifferencesButton"_s);
+    EXPECT_TRUE(chosen.empty());
+}
+
+TEST_F(MachineWindow, WhileAMotorMovesNothingCanBeSentButNamesCanBeTaken) {
+    showSome();
+    menu().differences()->showMoving(1);
+    EXPECT_FALSE(button(u"applyDifferencesButton"_s)->isEnabled());
+    EXPECT_THAT(button(u"applyDifferencesButton"_s)->toolTip().toStdString(),
+                testing::HasSubstr("1 motor is moving"));
+    table()->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
+    EXPECT_TRUE(button(u"applyDifferencesButton"_s)->isEnabled());
+    table()->topLevelItem(1)->setCheckState(0, Qt::Checked);
+    menu().differences()->showMoving(0);
+    EXPECT_TRUE(button(u"applyDifferencesButton"_s)->isEnabled());
+}
+
+TEST_F(MachineWindow, EscStopsTheMotorsAndDropsTheFile) {
+    showServo();
+    const QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    const QSignalSpy applied(&menu(), &MachineMenu::applyRequested);
+    const QSignalSpy dropped(&menu(), &MachineMenu::differencesDropped);
+    showSome();
+    QTest::keyClick(table(), Qt::Key_Escape);
+    EXPECT_EQ(stops.count(), 1);
+    EXPECT_EQ(applied.count(), 0);
+    EXPECT_EQ(dropped.count(), 1);
+}
+
+TEST_F(MachineWindow, EnterDoesNotApply) {
+    showSome();
+    const QSignalSpy applied(&menu(), &MachineMenu::applyRequested);
+    for (QWidget* widget : {static_cast<QWidget*>(table()), static_cast<QWidget*>(menu().differences())})
+        QTest::keyClick(widget, Qt::Key_Return);
+    EXPECT_EQ(applied.count(), 0);
+}
+
+TEST_F(MachineWindow, TheKeyboardAloneTicksAndApplies) {
+    std::vector<PartId> chosen;
+    QObject::connect(&menu(), &MachineMenu::applyRequested, &menu(),
+                     [&chosen](const std::vector<PartId>& ids) { chosen = ids; });
+    showSome();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(menu().differences()));
+    menu().differences()->activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return QApplication::activeWindow() == menu().differences(); }));
+    table()->setFocus();
+    table()->setCurrentItem(table()->topLevelItem(0));
+    QTest::keyClick(table(), Qt::Key_Space);
+    QTest::keyClick(menu().differences(), Qt::Key_A, Qt::AltModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&chosen] { return !chosen.empty(); })) << "a key's click shows for a moment";
+    EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
+}
+
+TEST_F(MachineWindow, EveryFieldOfAMachineHasAWord) {
+    AxisSettings axis;
+    axis.homing.emplace();
+    axis.io.emplace();
+    axis.parameters.emplace();
+    std::vector<layout::ListedField> fields;
+    const auto append = [&fields](const std::vector<layout::ListedField>& more) {
+        fields.insert(fields.end(), more.begin(), more.end());
+    };
+    axis.unit.ownSymbol = "n";
+    append(layout::listed(axis.unit));
+    append(layout::listed(axis.motion));
+    append(layout::listed(axis.homing));
+    append(layout::listed(axis.analog));
+    append(layout::listed(axis.io));
+    append(layout::listed(axis.parameters));
+    ASSERT_GT(fields.size(), 35U);
+    for (const layout::ListedField& field : fields) {
+        const QString key = QString::fromStdString(field.key);
+        EXPECT_NE(texts::machineField(key), key) << field.key;
+    }
+    EXPECT_EQ(texts::machineField(u"group129"_s), u"Group 81"_s);
+}
+
+// ---- unsaved work ----
+
+TEST_F(MachineWindow, UnsavedChangesAreAskedAboutOnceBeforeTheWindowCloses) {
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
+    window->close();
+    window->close();
+    EXPECT_EQ(window->findChildren<QDialog*>(u"unsavedDialog"_s).size(), 1);
+    EXPECT_EQ(text(u"unsavedText"_s), u"The changes to \"mill\" are not saved."_s);
+    click(u"stayUnsavedButton"_s);
+    EXPECT_TRUE(window->isVisible());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    window->close();
+    click(u"goOnUnsavedButton"_s);
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
+    window->close();
+    click(u"saveFirstButton"_s);
+    EXPECT_TRUE(window->isVisible()) << "nobody has saved it";
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QObject::connect(&menu(), &MachineMenu::saveRequested, &menu(), [this] {
+        menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
+    });
+    window->close();
+    click(u"saveFirstButton"_s);
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(MachineWindow, NewAndOpenAskFirstAndNameTheLoss) {
+    const QSignalSpy begun(&menu(), &MachineMenu::newRequested);
+    menu().showFile({{}, {}, true, {}});
+    trigger(u"newMachineAction"_s);
+    EXPECT_EQ(begun.count(), 0);
+    EXPECT_THAT(button(u"goOnUnsavedButton"_s)->text().toStdString(), testing::HasSubstr("lost"));
+    click(u"goOnUnsavedButton"_s);
+    EXPECT_EQ(begun.count(), 1);
+}
+
+TEST_F(MachineWindow, EscInTheQuestionStaysAndStops) {
+    showServo();
+    const QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    menu().showFile({{}, {}, true, {}});
+    window->close();
+    QTest::keyClick(find(u"unsavedDialog"_s), Qt::Key_Escape);
+    EXPECT_TRUE(window->isVisible());
+    EXPECT_EQ(stops.count(), 1);
+}
+
+}  // namespace
+}  // namespace nmc

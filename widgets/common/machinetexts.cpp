@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of machine files.
+#include <QDir>
+#include <QFileInfo>
+#include <QHash>
+
+#include "widgets/common/textparts.h"
+#include "widgets/common/unitwords.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Kind = FileProblem::Kind;
+
+/// Plain, as it would be typed into the file.
+QString plain(double number) {
+    return QString::number(number, 'g', 12);
+}
+
+QString wanted(FileProblem::Wanted wanted) {
+    switch (wanted) {
+        case FileProblem::Wanted::WholeNumber:
+            return Texts::tr("a whole number");
+        case FileProblem::Wanted::Number:
+            return Texts::tr("a number");
+        case FileProblem::Wanted::Text:
+            return Texts::tr("a text in quotation marks");
+        case FileProblem::Wanted::YesOrNo:
+            return Texts::tr("true or false");
+        case FileProblem::Wanted::Object:
+            return Texts::tr("an object in { }");
+        case FileProblem::Wanted::List:
+            return Texts::tr("a list in [ ]");
+    }
+    return {};
+}
+
+/// What is wrong in a line; it follows a colon and ends with a full stop.
+QString wrongInLine(const FileProblem& problem) {
+    const QString field = QString::fromStdString(problem.field);
+    const QString found = QString::fromStdString(problem.found);
+    switch (problem.kind) {
+        case Kind::Empty:
+        case Kind::TooLarge:
+        case Kind::OtherFormat:
+        case Kind::NewerVersion:
+            return {};
+        case Kind::Truncated:
+            return Texts::tr("the file ends here, in the middle.");
+        case Kind::NotUtf8:
+            return Texts::tr("this text is not in UTF-8.");
+        case Kind::NotJson:
+            return Texts::tr("this is not JSON.");
+        case Kind::NotANumber:
+            return Texts::tr("%1 is not a number.").arg(found);
+        case Kind::NumberTooBig:
+            return Texts::tr("this number is too big.");
+        case Kind::TooDeep:
+            return Texts::tr("more than %1 levels of brackets.").arg(plain(problem.max));
+        case Kind::TooManyValues:
+            return Texts::tr("more than %1 values.").arg(plain(problem.max));
+        case Kind::DuplicateKey:
+            return Texts::tr("%1 is there twice.").arg(field);
+        case Kind::Missing:
+            return Texts::tr("%1 is missing.").arg(field);
+        case Kind::WrongType:
+            return Texts::tr("%1 is not %2.").arg(field, wanted(problem.wanted));
+        case Kind::OutOfRange:
+            return (problem.ofModule ? Texts::tr("%1 is %2; the module takes %3 to %4.")
+                                     : Texts::tr("%1 is %2; it can be %3 to %4."))
+                .arg(field, found, plain(problem.min), plain(problem.max));
+        case Kind::UnknownWord:
+            return Texts::tr("%1 is \"%2\", a word that is not known.").arg(field, found);
+        case Kind::UnprintableText:
+            return Texts::tr("%1 has a character that cannot be printed.").arg(field);
+        case Kind::TooMany:
+            return Texts::tr("%1 has more than %2 entries.").arg(field, plain(problem.max));
+        case Kind::OtherChip:
+            return Texts::tr("%1 has a unit that the module of this axis does not count in.").arg(field);
+        case Kind::ModuleTwice:
+            return Texts::tr("module %1 is in a group already.").arg(found);
+        case Kind::AddressTwice:
+            return Texts::tr("another group has address %1, too.").arg(found);
+        case Kind::LeaderNotInGroup:
+            return Texts::tr("the leader is not one of the group's modules.");
+    }
+    return {};
+}
+
+/// "Check"; after what went wrong with a path.
+QString trouble(const FileError& error) {
+    const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
+    switch (error.trouble) {
+        case FileTrouble::NotThere:
+            return Texts::tr("It is not there any more. Was it moved, or is its disk not connected?");
+        case FileTrouble::NoFolder:
+            return Texts::tr("The folder %1 is not there. Choose another one.").arg(folder);
+        case FileTrouble::NotAFile:
+            return Texts::tr("This is a folder or a device. Choose a file.");
+        case FileTrouble::NoPermission:
+            return Texts::tr(
+                       "Your user account may not do that in %1. Choose another folder, or change the "
+                       "permissions.")
+                .arg(folder);
+        case FileTrouble::ReadOnly:
+            return Texts::tr("The disk of %1 can only be read. Choose another folder.").arg(folder);
+        case FileTrouble::NoSpace:
+            return Texts::tr("There is no room left on the disk of %1. Make room, or choose another folder.")
+                .arg(folder);
+        case FileTrouble::TooLarge:
+            return Texts::tr("It is larger than any machine file. Is it the right file?");
+        case FileTrouble::Other:
+            return Texts::tr("The system says why under Details.");
+    }
+    return {};
+}
+
+QString fileName(const QString& path) {
+    return QFileInfo(path).fileName();
+}
+
+Message problemMessage(const QString& headline, const QString& body, const QString& details = {}) {
+    return {.key = key::machineFile(),
+            .severity = Severity::Attention,
+            .headline = headline,
+            .body = body,
+            .details = details};
+}
+
+/// A word of the file that is not the user's own.
+QString choiceWord(const std::string& word) {
+    static const QHash<std::string, const char*> words{
+        {"native", QT_TRANSLATE_NOOP("Texts", "counts (steps)")},
+        {"turns", QT_TRANSLATE_NOOP("Texts", "turns")},
+        {"degrees", QT_TRANSLATE_NOOP("Texts", "degrees")},
+        {"millimetres", QT_TRANSLATE_NOOP("Texts", "millimetres")},
+        {"own", QT_TRANSLATE_NOOP("Texts", "own unit")},
+        {"abruptly", QT_TRANSLATE_NOOP("Texts", "abruptly")},
+        {"smoothly", QT_TRANSLATE_NOOP("Texts", "smoothly")},
+        {"motor off", QT_TRANSLATE_NOOP("Texts", "motor off")}};
+    const auto found = words.constFind(word);
+    return found != words.cend() ? Texts::tr(*found) : QString::fromStdString(word);
+}
+
+QString machineOrFile(const QString& machine) {
+    return machine.isEmpty() ? Texts::tr("a machine without a name") : u'"' + machine + u'"';
+}
+
+}  // namespace
+
+QString key::machineFile() {
+    return u"machineFile"_s;
+}
+QString key::unsavedWork() {
+    return u"unsavedWork"_s;
+}
+
+QString fileProblem(const QString& file, const FileProblem& problem) {
+    if (problem.kind == Kind::Empty)
+        return Texts::tr("\"%1\" is empty.").arg(file);
+    if (problem.kind == Kind::TooLarge)
+        return Texts::tr("\"%1\" is larger than %2 bytes.")
+            .arg(file, grouped(static_cast<qint64>(problem.max)));
+    if (problem.kind == Kind::OtherFormat)
+        return Texts::tr("\"%1\" is not a machine file of NMC Panel.").arg(file);
+    if (problem.kind == Kind::NewerVersion)
+        return Texts::tr(
+                   "\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows "
+                   "formats up to %3.")
+            .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+    return Texts::tr("\"%1\" line %2: %3").arg(file).arg(problem.line).arg(wrongInLine(problem));
+}
+
+Message machineNotOpened(const QString& file, const FileProblem& problem) {
+    return problemMessage(fileProblem(fileName(file), problem), Texts::tr("Nothing was loaded."));
+}
+
+Message machineNotOpened(const FileError& error) {
+    return problemMessage(Texts::tr("\"%1\" was not opened.").arg(fileName(error.path)), trouble(error),
+                          error.detail);
+}
+
+Message machineNotSaved(const FileError& error) {
+    return problemMessage(
+        Texts::tr("\"%1\" was not saved. What it held before is still there.").arg(fileName(error.path)),
+        trouble(error), error.detail);
+}
+
+Message machineNotSaved(const QString& file, const FileProblem& problem) {
+    return problemMessage(
+        Texts::tr("\"%1\" was not saved: this machine could not be opened again.").arg(fileName(file)),
+        fileProblem(fileName(file), problem));
+}
+
+Message machineOpened(const QString& file, int parts, int sent) {
+    Message message{
+        .key = key::machineFile() + u".opened"_s,
+        .headline =
+            Texts::tr("\"%1\" is open: %2 settings were taken from it.").arg(fileName(file)).arg(parts)};
+    message.body = sent == 0 ? Texts::tr("Nothing was sent to a module.")
+                             : Texts::tr("%1 commands were sent, as chosen. No motor was moved.").arg(sent);
+    return message;
+}
+
+Message machineSame(const QString& file) {
+    return {.key = key::machineFile() + u".opened"_s,
+            .headline = Texts::tr("\"%1\" is open. It says what is there already.").arg(fileName(file)),
+            .body = Texts::tr("Nothing was sent to a module.")};
+}
+
+Message unsavedWorkLeft(const QString& machine) {
+    return {.key = key::unsavedWork(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Unsaved work on %1 is there.").arg(machineOrFile(machine)),
+            .body = Texts::tr("An earlier session ended before it was saved. Restoring it sends nothing."),
+            .actions = {{action::kRestoreWork, Texts::tr("Restore")},
+                        {action::kDiscardWork, Texts::tr("Discard: the work is lost")}}};
+}
+
+Message unsavedWorkDamaged(const FileProblem& problem) {
+    return {.key = key::unsavedWork(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Unsaved work of an earlier session cannot be read."),
+            .body = fileProblem(Texts::tr("unsaved work"), problem),
+            .actions = {{action::kDiscardWork, Texts::tr("Discard: the work is lost")}}};
+}
+
+Message unsavedWorkNotKept(const FileError& error) {
+    return problemMessage(Texts::tr("Changes to the machine are not kept until you save them yourself."),
+                          Texts::tr("%1 cannot be written.").arg(QDir::toNativeSeparators(error.path)),
+                          error.detail);
+}
+
+QString notSaved(const QString& machine) {
+    return Texts::tr("The changes to %1 are not saved.").arg(machineOrFile(machine));
+}
+
+QString machinePart(MachinePart part) {
+    switch (part) {
+        case MachinePart::MachineName:
+            return Texts::tr("Machine");
+        case MachinePart::Rate:
+            return Texts::tr("Rate");
+        case MachinePart::Groups:
+            return Texts::tr("Groups");
+        case MachinePart::Hardware:
+            return Texts::tr("Module");
+        case MachinePart::AxisName:
+            return Texts::tr("Name");
+        case MachinePart::Unit:
+            return Texts::tr("Unit");
+        case MachinePart::Motion:
+            return Texts::tr("Motion");
+        case MachinePart::Homing:
+            return Texts::tr("Homing");
+        case MachinePart::Analog:
+            return Texts::tr("A/D scale");
+        case MachinePart::PinNames:
+            return Texts::tr("Names of inputs and outputs");
+        case MachinePart::AccelerationTime:
+            return Texts::tr("Acceleration time");
+        case MachinePart::Gains:
+            return Texts::tr("Gains");
+        case MachinePart::Io:
+            return Texts::tr("Limit pins");
+        case MachinePart::Parameters:
+            return Texts::tr("Parameters");
+    }
+    return {};
+}
+
+QString machineField(const QString& key) {
+    static const QHash<QString, const char*> words{
+        {u"name"_s, QT_TRANSLATE_NOOP("Texts", "Name")},
+        {u"rate_bd"_s, QT_TRANSLATE_NOOP("Texts", "Rate, Bd")},
+        {u"hardware"_s, QT_TRANSLATE_NOOP("Texts", "Type and version")},
+        {u"kind"_s, QT_TRANSLATE_NOOP("Texts", "Unit")},
+        {u"counts_per_unit"_s, QT_TRANSLATE_NOOP("Texts", "Counts (steps) per unit")},
+        {u"symbol"_s, QT_TRANSLATE_NOOP("Texts", "Symbol")},
+        {u"velocity"_s, QT_TRANSLATE_NOOP("Texts", "Velocity")},
+        {u"acceleration"_s, QT_TRANSLATE_NOOP("Texts", "Acceleration")},
+        {u"run_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Run velocity")},
+        {u"hold_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move velocity")},
+        {u"hold_cap"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move cap")},
+        {u"step"_s, QT_TRANSLATE_NOOP("Texts", "Step")},
+        {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit 1")},
+        {u"on_limit2"_s, QT_TRANSLATE_NOOP("Texts", "On limit 2")},
+        {u"on_index"_s, QT_TRANSLATE_NOOP("Texts", "On index")},
+        {u"on_position_error"_s, QT_TRANSLATE_NOOP("Texts", "On position error")},
+        {u"on_current_limit"_s, QT_TRANSLATE_NOOP("Texts", "On current limit")},
+        {u"on_home_switch"_s, QT_TRANSLATE_NOOP("Texts", "On home switch")},
+        {u"then_index"_s, QT_TRANSLATE_NOOP("Texts", "Then the index")},
+        {u"reverse"_s, QT_TRANSLATE_NOOP("Texts", "Reverse")},
+        {u"index_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Index velocity")},
+        {u"stop"_s, QT_TRANSLATE_NOOP("Texts", "Stop")},
+        {u"travel_limit"_s, QT_TRANSLATE_NOOP("Texts", "Travel limit")},
+        {u"time_limit_s"_s, QT_TRANSLATE_NOOP("Texts", "Time limit")},
+        {u"go_to_home"_s, QT_TRANSLATE_NOOP("Texts", "Go to home")},
+        {u"make_zero"_s, QT_TRANSLATE_NOOP("Texts", "Make it zero")},
+        {u"per_count"_s, QT_TRANSLATE_NOOP("Texts", "Per A/D count")},
+        {u"at_zero"_s, QT_TRANSLATE_NOOP("Texts", "At zero")},
+        {u"unit"_s, QT_TRANSLATE_NOOP("Texts", "A/D unit")},
+        {u"acceleration_time"_s, QT_TRANSLATE_NOOP("Texts", "Acceleration time")},
+        {u"EL_counts"_s, QT_TRANSLATE_NOOP("Texts", "EL, counts")},
+        {u"limit1_is_input"_s, QT_TRANSLATE_NOOP("Texts", "Limit 1 is an input")},
+        {u"limit2_is_input"_s, QT_TRANSLATE_NOOP("Texts", "Limit 2 is an input")},
+        {u"limit1_output"_s, QT_TRANSLATE_NOOP("Texts", "Limit 1 as an output")},
+        {u"limit2_output"_s, QT_TRANSLATE_NOOP("Texts", "Limit 2 as an output")},
+        {u"speed_mode"_s, QT_TRANSLATE_NOOP("Texts", "Speed mode")},
+        {u"minimum_profile_speed"_s, QT_TRANSLATE_NOOP("Texts", "Minimum profile speed")},
+        {u"run_current"_s, QT_TRANSLATE_NOOP("Texts", "Run current")},
+        {u"hold_current"_s, QT_TRANSLATE_NOOP("Texts", "Hold current")},
+        {u"thermal_limit"_s, QT_TRANSLATE_NOOP("Texts", "Thermal limit")},
+        {u"ignore_limits"_s, QT_TRANSLATE_NOOP("Texts", "Ignore limits")},
+        {u"ignore_estop"_s, QT_TRANSLATE_NOOP("Texts", "Ignore E-stop input")},
+        {u"motor_off_on_limit_or_estop"_s, QT_TRANSLATE_NOOP("Texts", "Motor off on limit or E-stop input")}};
+    if (const auto found = words.constFind(key); found != words.cend())
+        return Texts::tr(*found);
+    if (key.startsWith(u"group"_s))
+        return Texts::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
+    if (key.startsWith(u"output"_s))
+        return Texts::tr("Output %1").arg(key.mid(6));
+    if (key.startsWith(u"input"_s))
+        return Texts::tr("Input %1").arg(key.mid(5));
+    return key;  // Kp, Kd and the others are called so everywhere
+}
+
+QString machineValue(const FieldDifference& field, const std::optional<FieldValue>& value,
+                     const AxisScale& scale, const QString& unknown) {
+    if (!value)
+        return unknown;
+    if (const auto* flag = std::get_if<bool>(&*value))
+        return *flag ? Texts::tr("yes") : Texts::tr("no");
+    if (const auto* text = std::get_if<std::string>(&*value))
+        return field.key == "kind" || field.key == "stop" ? choiceWord(*text) : QString::fromStdString(*text);
+    const double number = std::get<double>(*value);
+    switch (field.quantity) {
+        case Quantity::Plain:
+            return readout(number, 6);
+        case Quantity::Distance:
+            return position(scale, number);
+        case Quantity::Velocity:
+            return readout(scale.velocity(number)) + u' ' + velocityUnitOf(scale);
+        case Quantity::Acceleration:
+            return readout(scale.acceleration(number)) + u' ' + accelerationUnitOf(scale);
+        case Quantity::Seconds:
+            return Texts::tr("%1 s").arg(readout(number));
+    }
+    return {};
+}
+
+QString machineApplying(const Difference& difference) {
+    switch (difference.applying) {
+        case Applying::ChangesPanel:
+            return Texts::tr("Changes the panel only; nothing is sent.");
+        case Applying::Sends:
+            return Texts::tr("Is sent to the module.");
+        case Applying::KeepsUnsent:
+            return difference.refusal
+                       ? Texts::tr("Waits in the fields, not sent: %1").arg(refusal(*difference.refusal))
+                       : Texts::tr("Waits in the fields, not sent.");
+        case Applying::NotInFile:
+            return Texts::tr("Not in the file: it stays as it is.");
+        case Applying::OtherHardware:
+            return Texts::tr("The file is for another module, so it cannot be applied here.");
+        case Applying::NotThere:
+            return Texts::tr("This module did not answer; its settings are kept for when it does.");
+    }
+    return {};
+}
+
+QString notSentWhileMoving(int movingMotors) {
+    return movingMotors == 1
+               ? Texts::tr("1 motor is moving: stop it before anything is sent.")
+               : Texts::tr("%1 motors are moving: stop them before anything is sent.").arg(movingMotors);
+}
+
+}  // namespace nmc::texts

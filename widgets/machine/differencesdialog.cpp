@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/machine/differencesdialog.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+enum Column : std::uint8_t { kWhat, kFile, kNow, kApplying, kColumns };
+
+QIcon attention(const QWidget& widget) {
+    const int side = widget.fontMetrics().height();
+    const double ratio = widget.devicePixelRatioF();
+    QPixmap pixmap(QSize(side, side) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSeverity(painter, QRectF(0, 0, side, side), Severity::Attention, widget.palette());
+    return pixmap;
+}
+
+/// Nothing of it is known here yet: its fields need not be looked at one by one.
+bool allNew(const Difference& difference) {
+    return std::none_of(difference.fields.begin(), difference.fields.end(),
+                        [](const FieldDifference& field) { return field.now.has_value(); });
+}
+
+QString whatOf(const PartId& id) {
+    return id.module ? u"%1: %2"_s.arg(texts::moduleName(*id.module), texts::machinePart(id.part))
+                     : texts::machinePart(id.part);
+}
+
+}  // namespace
+
+DifferencesDialog::DifferencesDialog(QWidget* parent)
+    : QDialog(parent),
+      m_text(new QLabel(this)),
+      m_table(new QTreeWidget(this)),
+      m_summary(new QLabel(this)),
+      m_all(new QPushButton(tr("&Tick all"), this)),
+      m_none(new QPushButton(tr("Tick &none"), this)),
+      m_apply(new QPushButton(tr("&Apply"), this)),
+      m_cancel(new QPushButton(tr("&Cancel"), this)) {
+    look::name(this, u"differencesDialog"_s, tr("What the machine file would change"));
+    setWindowTitle(tr("Open machine"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setModal(false);
+    build();
+    connect(m_table, &QTreeWidget::itemChanged, this, &DifferencesDialog::summarise);
+    connect(m_all, &QPushButton::clicked, this, [this] { tickAll(true); });
+    connect(m_none, &QPushButton::clicked, this, [this] { tickAll(false); });
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_apply, &QPushButton::clicked, this, [this] { emit applyRequested(chosen()); });
+}
+
+void DifferencesDialog::build() {
+    m_text->setObjectName(u"differencesText"_s);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_summary->setObjectName(u"differencesSummary"_s);
+    m_summary->setWordWrap(true);
+    look::name(m_table, u"differencesTable"_s, tr("Differences between the file and what is here"));
+    m_table->header()->setObjectName(u"differencesHeader"_s);
+    m_table->setColumnCount(kColumns);
+    m_table->setHeaderLabels({tr("Setting"), tr("In the file"), tr("Here, or last sent"), tr("Applying it")});
+    m_table->setAllColumnsShowFocus(true);
+    m_table->setAlternatingRowColors(true);
+    m_table->setUniformRowHeights(true);
+    look::name(m_all, u"tickAllButton"_s, tr("Tick all"));
+    m_all->setToolTip(tr("Ticks everything that can be applied, also what is sent to modules that are on."));
+    look::name(m_none, u"tickNoneButton"_s, tr("Tick none"));
+    m_none->setToolTip(tr("Takes all ticks away."));
+    look::name(m_apply, u"applyDifferencesButton"_s, tr("Apply"));
+    look::name(m_cancel, u"cancelDifferencesButton"_s, tr("Cancel"));
+    m_cancel->setToolTip(tr("Leaves everything as it is."));
+    // What is sent is sent by a click on the button itself, not by an Enter that was meant for something
+    // else.
+    for (QPushButton* button : {m_all, m_none, m_apply, m_cancel})
+        button->setAutoDefault(false);
+
+    const int unit = look::gridUnit(this);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit / 2);
+    buttons->addWidget(m_all);
+    buttons->addWidget(m_none);
+    buttons->addStretch(1);
+    buttons->addWidget(m_apply);
+    buttons->addWidget(m_cancel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, unit, unit, unit);
+    layout->setSpacing(unit);
+    layout->addWidget(m_text);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_summary);
+    layout->addLayout(buttons);
+    const int em = fontMetrics().height();
+    resize(em * 66, em * 36);
+}
+
+void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
+    m_text->setText(tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you "
+                       "apply it; no motor is moved by it.")
+                        .arg(file));
+    {
+        const QSignalBlocker blocker(m_table);
+        m_table->clear();
+        m_differences = std::move(differences);
+        for (const Difference& difference : m_differences)
+            addRow(difference);
+    }
+    for (const int column : {kWhat, kFile, kNow, kApplying})
+        m_table->resizeColumnToContents(column);
+    summarise();
+}
+
+void DifferencesDialog::addRow(const Difference& difference) {
+    auto* row = new QTreeWidgetItem(m_table);
+    row->setText(kWhat, whatOf(difference.id));
+    row->setText(kApplying, texts::machineApplying(difference));
+    row->setToolTip(kApplying, row->text(kApplying));
+    const bool sent = difference.applying == Applying::Sends || difference.applying == Applying::KeepsUnsent;
+    const QString unknown = sent ? tr("unknown") : u"–"_s;
+    const auto fill = [&](QTreeWidgetItem& item, const FieldDifference& field) {
+        item.setText(kFile, texts::machineValue(field, field.file, difference.scale, u"–"_s));
+        item.setText(kNow, texts::machineValue(field, field.now, difference.scale, unknown));
+    };
+    if (difference.possible())
+        row->setCheckState(kWhat, difference.wanted ? Qt::Checked : Qt::Unchecked);
+    else
+        row->setIcon(kWhat, attention(*this));
+    if (difference.fields.size() == 1) {
+        fill(*row, difference.fields.front());
+        return;
+    }
+    for (const FieldDifference& field : difference.fields) {
+        auto* line = new QTreeWidgetItem(row);
+        line->setText(kWhat, texts::machineField(QString::fromStdString(field.key)));
+        fill(*line, field);
+    }
+    row->setText(kFile, tr("%1 values").arg(difference.fields.size()));
+    if (allNew(difference))
+        row->setText(kNow, unknown);
+    else
+        row->setExpanded(true);
+}
+
+bool DifferencesDialog::ticked(int row) const {
+    return m_differences[static_cast<std::size_t>(row)].possible() &&
+           m_table->topLevelItem(row)->checkState(kWhat) == Qt::Checked;
+}
+
+std::vector<PartId> DifferencesDialog::chosen() const {
+    std::vector<PartId> ids;
+    for (int row = 0; row < m_table->topLevelItemCount(); ++row)
+        if (ticked(row))
+            ids.push_back(m_differences[static_cast<std::size_t>(row)].id);
+    return ids;
+}
+
+int DifferencesDialog::sendings() const {
+    int count = 0;
+    for (int row = 0; row < m_table->topLevelItemCount(); ++row)
+        if (ticked(row) && m_differences[static_cast<std::size_t>(row)].applying == Applying::Sends)
+            ++count;
+    return count;
+}
+
+void DifferencesDialog::tickAll(bool ticked) {
+    {
+        const QSignalBlocker blocker(m_table);
+        for (int row = 0; row < m_table->topLevelItemCount(); ++row)
+            if (m_differences[static_cast<std::size_t>(row)].possible())
+                m_table->topLevelItem(row)->setCheckState(kWhat, ticked ? Qt::Checked : Qt::Unchecked);
+    }
+    m_table->viewport()->update();
+    summarise();
+}
+
+void DifferencesDialog::showMoving(int motors) {
+    if (motors == m_moving)
+        return;
+    m_moving = motors;
+    summarise();
+}
+
+void DifferencesDialog::summarise() {
+    const int sent = sendings();
+    const QString reason = sent > 0 && m_moving > 0 ? texts::notSentWhileMoving(m_moving) : QString();
+    const int parts = static_cast<int>(chosen().size());
+    const QString summary = tr("%1 of %2 settings chosen; %3 of them are sent to modules.")
+                                .arg(parts)
+                                .arg(m_table->topLevelItemCount())
+                                .arg(sent);
+    look::setText(m_summary, reason.isEmpty() ? summary : summary + u' ' + reason);
+    look::setPossible(m_apply, reason, tr("Takes over what is ticked, and sends what is said to be sent."));
+}
+
+}  // namespace nmc

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "model/machinecompare.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace nmc {
+
+/// What opening a machine file would change: one row for each part, with a tick box, its fields below it.
+/// Nothing is changed or sent before Apply. Not modal; Esc drops the file, and stops the motors as
+/// everywhere.
+class DifferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit DifferencesDialog(QWidget* parent);
+
+    /// Replaces what was shown, ticks included. Emits nothing.
+    void showDifferences(const QString& file, std::vector<Difference> differences);
+    /// While motors move nothing can be sent.
+    void showMoving(int motors);
+
+signals:
+    void applyRequested(const std::vector<nmc::PartId>& chosen);
+
+private:
+    void build();
+    void addRow(const Difference& difference);
+    void tickAll(bool ticked);
+    void summarise();
+    [[nodiscard]] std::vector<PartId> chosen() const;
+    [[nodiscard]] int sendings() const;
+    [[nodiscard]] bool ticked(int row) const;
+
+    QLabel* m_text;
+    QTreeWidget* m_table;
+    QLabel* m_summary;
+    QPushButton* m_all;
+    QPushButton* m_none;
+    QPushButton* m_apply;
+    QPushButton* m_cancel;
+    std::vector<Difference> m_differences;  ///< row by row
+    int m_moving = 0;
+};
+
+}  // namespace nmc

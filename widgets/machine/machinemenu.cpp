@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/machine/machinemenu.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+
+#include "model/machinefile.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/machine/unsaveddialog.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kSuffix = QString::fromLatin1(kMachineFileSuffix);
+
+void doNothing() {}
+
+}  // namespace
+
+QString MachineFile::title() const {
+    return path.isEmpty() ? name : QFileInfo(path).completeBaseName();
+}
+
+MachineMenu::MachineMenu(QWidget* window)
+    : QObject(window),
+      m_window(window),
+      m_new(newAction(u"newMachineAction"_s, tr("&New machine"), Qt::CTRL | Qt::Key_N,
+                      tr("Forgets names, units and settings of all axes; nothing is sent."))),
+      m_open(newAction(u"openMachineAction"_s, tr("&Open machine…"), Qt::CTRL | Qt::Key_O,
+                       tr("Shows what a machine file would change; nothing is sent before you apply it."))),
+      m_save(newAction(u"saveMachineAction"_s, tr("&Save machine"), Qt::CTRL | Qt::Key_S,
+                       tr("Writes names, units, gains, limits, homing and groups into the machine's file."))),
+      m_saveAs(newAction(u"saveMachineAsAction"_s, tr("Save machine &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+                         tr("Writes the machine into a file of another name."))),
+      m_recent(new QMenu(tr("Open re&cent"), window)) {
+    look::name(m_recent, u"recentMachinesMenu"_s, tr("Open recent"));
+    m_recent->setToolTipsVisible(true);
+    connect(m_new, &QAction::triggered, this, [this] { askFirst([this] { emit newRequested(); }); });
+    connect(m_open, &QAction::triggered, this, [this] { askFirst([this] { chooseToOpen(); }); });
+    connect(m_save, &QAction::triggered, this, [this] { save(doNothing); });
+    connect(m_saveAs, &QAction::triggered, this, [this] { chooseToSave(doNothing); });
+    fillRecent();
+}
+
+QAction* MachineMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
+                                const QString& tip) {
+    auto* action = new QAction(text, m_window);
+    action->setObjectName(objectName);
+    action->setShortcut(shortcut);
+    action->setToolTip(tip);
+    return action;
+}
+
+void MachineMenu::addTo(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    menu.addAction(m_new);
+    menu.addAction(m_open);
+    menu.addMenu(m_recent);
+    menu.addAction(m_save);
+    menu.addAction(m_saveAs);
+}
+
+void MachineMenu::showFile(const MachineFile& file) {
+    const bool otherRecent = file.recent != m_file.recent;
+    m_file = file;
+    if (otherRecent)
+        fillRecent();
+    emit shown();
+}
+
+void MachineMenu::fillRecent() {
+    m_recent->clear();
+    int number = 1;
+    for (const QString& path : m_file.recent) {
+        // An ampersand in a name is no mnemonic.
+        QAction* action = m_recent->addAction(
+            u"&%1  %2"_s.arg(QString::number(number), QFileInfo(path).fileName().replace(u"&"_s, u"&&"_s)));
+        action->setObjectName(u"recentMachine%1Action"_s.arg(number++));
+        action->setToolTip(QDir::toNativeSeparators(path));
+        connect(action, &QAction::triggered, this,
+                [this, path] { askFirst([this, path] { emit openRequested(path); }); });
+    }
+    m_recent->setEnabled(!m_file.recent.isEmpty());
+}
+
+QString MachineMenu::titlePart() const {
+    const QString title = m_file.title();
+    if (title.isEmpty() && !m_file.modified)
+        return {};
+    return (title.isEmpty() ? tr("new machine") : title) + u"[*]"_s;
+}
+
+void MachineMenu::showDifferences(const QString& file, std::vector<Difference> differences) {
+    if (m_differences == nullptr) {
+        m_differences = new DifferencesDialog(m_window);
+        connect(m_differences, &DifferencesDialog::applyRequested, this, &MachineMenu::applyRequested);
+        connect(m_differences, &QDialog::rejected, this, [this] {
+            m_differences = nullptr;
+            emit differencesDropped();
+        });
+    }
+    m_differences->showDifferences(QFileInfo(file).fileName(), std::move(differences));
+    m_differences->show();
+    m_differences->activateWindow();
+}
+
+void MachineMenu::closeDifferences() {
+    if (m_differences != nullptr)
+        m_differences->accept();
+    m_differences = nullptr;
+}
+
+void MachineMenu::askBeforeClose(const Go& close) {
+    if (m_window->findChild<UnsavedDialog*>() != nullptr)
+        return;
+    auto* dialog = new UnsavedDialog(UnsavedDialog::Before::Closing, m_file.title(), m_window);
+    connect(dialog, &UnsavedDialog::saveChosen, this, [this, close] { save(close); });
+    connect(dialog, &UnsavedDialog::goOnChosen, this, close);
+    dialog->open();
+}
+
+void MachineMenu::askFirst(const Go& go) {
+    if (!m_file.modified) {
+        go();
+        return;
+    }
+    if (m_window->findChild<UnsavedDialog*>() != nullptr)
+        return;
+    auto* dialog = new UnsavedDialog(UnsavedDialog::Before::Replacing, m_file.title(), m_window);
+    connect(dialog, &UnsavedDialog::saveChosen, this, [this, go] { save(go); });
+    connect(dialog, &UnsavedDialog::goOnChosen, this, go);
+    dialog->open();
+}
+
+void MachineMenu::save(const Go& then) {
+    if (m_file.path.isEmpty()) {
+        chooseToSave(then);
+        return;
+    }
+    emit saveRequested();
+    if (!m_file.modified)
+        then();
+}
+
+QFileDialog* MachineMenu::newFileDialog(const QString& objectName, const QString& title) {
+    if (auto* open = m_window->findChild<QFileDialog*>(objectName)) {
+        open->activateWindow();
+        return nullptr;
+    }
+    auto* dialog = new QFileDialog(m_window, title);
+    look::name(dialog, objectName, title);
+    // The system's own dialog keeps Esc to itself, which must stop the motors here, too.
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
+    dialog->setNameFilters({tr("Machine files (*.%1)").arg(kSuffix), tr("All files (*)")});
+    const QString last = m_file.path.isEmpty() ? m_file.recent.value(0) : m_file.path;
+    dialog->setDirectory(last.isEmpty() ? QDir::homePath() : QFileInfo(last).absolutePath());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // Not modal: the panel stays usable, and STOP ALL with it.
+    dialog->setModal(false);
+    return dialog;
+}
+
+void MachineMenu::chooseToOpen() {
+    QFileDialog* dialog = newFileDialog(u"openMachineDialog"_s, tr("Open machine"));
+    if (dialog == nullptr)
+        return;
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MachineMenu::openRequested);
+    dialog->show();
+}
+
+void MachineMenu::chooseToSave(const Go& then) {
+    QFileDialog* dialog = newFileDialog(u"saveMachineDialog"_s, tr("Save machine"));
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(kSuffix);
+    const QString title = m_file.title();
+    dialog->selectFile(title.isEmpty() ? tr("machine") : title);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& path) {
+        emit saveAsRequested(path);
+        if (!m_file.modified)
+            then();
+    });
+    dialog->show();
+}
+
+}  // namespace nmc
