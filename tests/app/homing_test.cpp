@@ -197,6 +197,7 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     panel.ask(intent::Home{});
     EXPECT_EQ(panel.count(u"Not possible for module 1 now"_s), 1) << "not in a queue either";
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning() && !testing_support::moves(sim); }));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     emit panel.window().stopAllRequested();

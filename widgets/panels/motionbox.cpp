@@ -27,7 +27,7 @@ enum GoalKind { Absolute, Relative };
 constexpr double kMostCounts = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
-MotionBox::MotionBox(QWidget* parent) : QGroupBox(tr("Motion"), parent) {
+MotionBox::MotionBox(QWidget* parent) : QGroupBox(parent) {
     look::name(this, u"motionBox"_s, tr("Motion"));
     build();
     connectControls();
@@ -161,6 +161,11 @@ bool MotionBox::relative() const {
 std::optional<CountsPerTickSquared> MotionBox::acceleration() const {
     const auto value = m_acceleration->native();
     return value ? std::optional(CountsPerTickSquared(servodefaults::toFixed(*value))) : std::nullopt;
+}
+
+std::optional<CountsPerTick> MotionBox::velocity() const {
+    const auto value = m_velocity->native();
+    return value ? std::optional(CountsPerTick(servodefaults::toFixed(*value))) : std::nullopt;
 }
 
 /// What the user types is kept with the axis; what is no value stays in its field.

@@ -31,7 +31,8 @@ public:
     void forgetGoals();
     /// Empty while the field has no value.
     [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
-    [[nodiscard]] const QuantityField& accelerationField() const { return *m_acceleration; }
+    /// Of a move to a position.
+    [[nodiscard]] std::optional<CountsPerTick> velocity() const;
 
 signals:
     void intentRequested(const nmc::Intent& intent);

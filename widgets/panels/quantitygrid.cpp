@@ -12,9 +12,11 @@ namespace nmc::quantitygrid {
 QGridLayout* newGrid(QWidget* parent) {
     const int unit = look::gridUnit(parent);
     auto* grid = new QGridLayout(parent);
-    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
     grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
+    grid->setVerticalSpacing(unit / 3);
+    // Wide enough for the titles, so that the fields of boxes below each other stand in line.
+    grid->setColumnMinimumWidth(0, unit * 10);
     grid->setColumnStretch(kButtonColumn - 1, 1);
     return grid;
 }

@@ -16,6 +16,7 @@
 #include "widgets/panels/motionbox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
+#include "widgets/panels/stepbybox.h"
 
 namespace nmc {
 
@@ -26,6 +27,7 @@ ServoPanel::ServoPanel(QWidget* parent)
       m_head(new PanelHead(PanelHead::Drive::Servo, this)),
       m_motion(new MotionBox(this)),
       m_jog(new JogBox(this)),
+      m_step(new StepByBox(this)),
       m_pages(new QTabWidget(this)),
       m_gains(new GainsBox(this)),
       m_io(new IoBox(this)),
@@ -50,6 +52,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     left->setSpacing(unit / 2);
     left->addWidget(m_motion);
     left->addWidget(m_jog);
+    left->addWidget(m_step);
     left->addStretch(1);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(unit * 3 / 2);
@@ -66,6 +69,8 @@ ServoPanel::ServoPanel(QWidget* parent)
 void ServoPanel::connectBoxes() {
     connect(m_head, &PanelHead::intentRequested, this, &ServoPanel::pass);
     connect(m_motion, &MotionBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_step, &StepByBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_step, &StepByBox::settingsEdited, this, &ServoPanel::passSettings);
     connect(m_io, &IoBox::intentRequested, this, &ServoPanel::pass);
     connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
@@ -84,6 +89,7 @@ void ServoPanel::connectBoxes() {
 void ServoPanel::setBusy(bool busy) {
     m_head->setBusy(busy);
     m_motion->setBusy(busy);
+    m_step->setBusy(busy);
     m_gains->setBusy(busy);
     m_io->setBusy(busy);
     m_pwm->setBusy(busy);
@@ -95,6 +101,7 @@ void ServoPanel::showBoxes(const PanelView& view) {
     m_head->showModule(view);
     m_motion->showModule(view);
     m_jog->showModule(view, m_motion->acceleration());
+    m_step->showModule(view, {m_motion->velocity(), m_motion->acceleration()});
     m_gains->showModule(view);
     m_io->showModule(view);
     m_homing->showModule(view);

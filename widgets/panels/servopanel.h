@@ -16,6 +16,7 @@ class JogBox;
 class MotionBox;
 class PanelHead;
 class PwmBox;
+class StepByBox;
 
 /// Everything one PIC-SERVO can be asked for. Motion and jog are always in sight; the rest shares the pages
 /// beside them.
@@ -39,6 +40,7 @@ private:
     PanelHead* m_head;
     MotionBox* m_motion;
     JogBox* m_jog;
+    StepByBox* m_step;
     QTabWidget* m_pages;
     GainsBox* m_gains;
     IoBox* m_io;
