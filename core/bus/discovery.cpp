@@ -12,7 +12,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
 /// How often an address is given before its module is taken for the end of the chain.
@@ -89,7 +88,7 @@ Discovery::Next Discovery::lookedUp() {
     if (m_look.rate()) {
         m_attached = true;
         for (const BusAddress address : m_look.addresses())
-            m_modules.push_back({indexOf(m_modules.size()), address, {}});
+            m_modules.push_back({indexOf(m_modules.size()), address, {}, {}});
         enter(Phase::Identify, ConnectStage::Identifying);
     } else {
         enter(Phase::Set, ConnectStage::Addressing);
@@ -242,7 +241,7 @@ void Discovery::onIdentity(const ReplyEnd& end) {
 }
 
 void Discovery::found() {
-    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}});
+    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}, GroupPlace{}});
     m_setAttempts = 0;
     enter(Phase::Set, ConnectStage::Addressing);
     if (m_modules.size() == kMaxModules)

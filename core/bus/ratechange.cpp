@@ -33,8 +33,7 @@ RateChange::Next RateChange::next() {
         case Phase::Return:
             enter(Phase::Settle);
             ++m_returns;
-            // From the old rate when this is the second time, or nobody heard the change at first.
-            return goBack(m_returns == 1 && !m_lookedBack ? m_to : m_from);
+            return goBack();
         case Phase::Verify:
         case Phase::Recheck:
         case Phase::Settle:
@@ -78,15 +77,19 @@ void RateChange::onAll() {
     }
 }
 
-Line::Script RateChange::goBack(std::uint32_t hostRate) const {
-    Line::Script script;
-    const auto add = [&](const Line::Script& more) { script.insert(script.end(), more.begin(), more.end()); };
-    if (hostRate != m_to)
-        add(Line::toRate(m_to));
-    add(tellAll(m_from));
-    // To those that stayed it was noise.
-    add(Line::toRate(m_from));
+Line::Script RateChange::goBack() const {
+    // Even where the port is there already: a module may have heard half of something.
+    Line::Script script = Line::toRate(m_to);
+    for (const Line::Script& more : {tellAll(m_from), Line::toRate(m_from)})
+        script.insert(script.end(), more.begin(), more.end());
     return script;
+}
+
+void RateChange::interrupt() {
+    m_ended = {};
+    m_ended.interrupted = true;
+    m_returns = 1;
+    enter(Phase::Settle);
 }
 
 /// Nobody answers: there is no leader.

@@ -36,6 +36,7 @@ public:
     /// It is over. Indices of `chain`.
     struct Ended {
         bool reached = false;
+        bool interrupted = false;
         std::vector<std::size_t> deaf;  ///< did not answer at the new rate
         std::vector<std::size_t> lost;  ///< nor at the old one, after all were told to go back
     };
@@ -47,7 +48,9 @@ public:
     [[nodiscard]] std::uint32_t from() const { return m_from; }
     [[nodiscard]] std::uint32_t to() const { return m_to; }
     /// Takes back to the old rate whoever is at the new one; the port may be at either, and ends at the old.
-    [[nodiscard]] Line::Script goBack(std::uint32_t hostRate) const;
+    [[nodiscard]] Line::Script goBack() const;
+    /// Somebody else has gone back meanwhile: all that is left is to see whether everybody is there.
+    void interrupt();
 
 private:
     enum class Phase : std::uint8_t {
