@@ -328,6 +328,19 @@ void Composition::told(const bus::MotionSuspect& suspect) {
     m_window.showMessage(texts::motionSuspect(suspect));
 }
 
+void Composition::told(const bus::GroupFinished& finished) {
+    if (finished.outcome != bus::Outcome::Done)
+        m_window.showMessage(texts::groupFailed(finished));
+}
+
+void Composition::told(const bus::RateChanged& changed) {
+    m_window.showMessage(texts::rateChanged(changed));
+}
+
+void Composition::told(const bus::RateChangeFailed& failed) {
+    m_window.showMessage(texts::rateNotChanged(failed));
+}
+
 void Composition::told(const PortClosed& closed) {
     m_window.showPackets(m_worker.takeRecords());
     m_frameTimer.stop();

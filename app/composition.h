@@ -72,6 +72,9 @@ private:
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);
     void told(const bus::MotionSuspect& suspect);
+    void told(const bus::GroupFinished& finished);
+    void told(const bus::RateChanged& changed);
+    void told(const bus::RateChangeFailed& failed);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
