@@ -8,9 +8,11 @@
 #include "link/clock.h"
 #include "link/serialtransport.h"
 #include "link/simulatortransport.h"
+#include "model/chaindiagnosis.h"
 #include "model/procedures.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
+#include "widgets/chain/chainmenu.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -46,11 +48,6 @@ bool isStop(const Intent& intent) {
     return std::holds_alternative<intent::StopSmoothly>(intent) ||
            std::holds_alternative<intent::StopAbruptly>(intent) ||
            std::holds_alternative<intent::MotorOff>(intent);
-}
-
-/// Where the settings remember how long the chain at a port was.
-QString chainLengthKey(const QString& port) {
-    return QStringLiteral("chainLength/") + QString(port).replace(QLatin1Char('/'), QLatin1Char('_'));
 }
 
 }  // namespace
@@ -134,6 +131,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, this,
             [this](const bus::HoldToMove& hold) { m_procedures.cancel(hold.module); });
+    wireChain();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
@@ -146,6 +144,19 @@ void Composition::wireWindow() {
     // The end of the session: at once, while the program may still run, and without a question.
     connect(
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
+}
+
+void Composition::wireChain() {
+    ChainMenu& chain = m_window.chainMenu();
+    connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
+    connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
+    connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
+    connect(&chain, &ChainMenu::groupChangeRequested, this, [this](const bus::GroupChange& change) {
+        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
+    });
+    connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
+        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), command});
+    });
 }
 
 void Composition::wireStore() {
@@ -254,13 +265,8 @@ void Composition::act(const QString& key, const QString& action) {
         ;  // done
     else if (action == texts::action::kRetry && m_target)
         connectTo(m_target->port, m_target->baud);
-    else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) &&
-             m_worker.isOpen()) {
-        if (m_procedures.anyRunning())
-            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
-        m_worker.connectAgain();
-    } else if ((action == texts::action::kScanAgain || action == texts::action::kReconnect) && m_target)
-        connectTo(m_target->port, m_target->baud);
+    else if (action == texts::action::kScanAgain || action == texts::action::kReconnect)
+        return scanAgain();
     else if (action == texts::action::kConnectOffered && m_ports.offered()) {
         const PortController::Offer offer = *m_ports.offered();
         m_window.choosePort(offer.port, offer.baud);
@@ -272,9 +278,33 @@ void Composition::act(const QString& key, const QString& action) {
         connectTo(kSimulatorPort, kPowerUpBaud);
     } else if (action == texts::action::kClearAndStayOff) {
         clearTrip(key);
-    } else if (action == texts::action::kWorkWith && m_target)
-        m_settings.setValue(chainLengthKey(m_target->port), static_cast<int>(m_store.link().modules.size()));
+    } else if (action == texts::action::kWorkWith) {
+        acceptChain();
+    }
     m_window.endMessage(key);
+}
+
+QString Composition::chainLengthKey() const {
+    return QStringLiteral("chainLength/") +
+           QString(m_target->port).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
+void Composition::scanAgain() {
+    if (m_worker.isOpen()) {
+        if (m_procedures.anyRunning())
+            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
+        m_worker.connectAgain();
+    } else if (m_target) {
+        connectTo(m_target->port, m_target->baud);
+    }
+    m_window.endMessage(texts::key::port());
+}
+
+void Composition::acceptChain() {
+    if (m_target)
+        m_settings.setValue(chainLengthKey(), static_cast<int>(m_store.link().modules.size()));
+    m_machine.acceptChain();
+    m_window.endMessage(texts::key::port());
 }
 
 void Composition::clearTrip(const QString& key) {
@@ -298,140 +328,10 @@ void Composition::showFrame() {
         m_window.showHistory(*history, monotonicNow());
 }
 
-void Composition::tell(const StoreEvent& event) {
-    // What became of a procedure's operation is for the procedure to say.
-    if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
-        return;
-    std::visit([this](const auto& news) { told(news); }, event);
-}
-
-void Composition::told(const bus::ChainFound& found) {
-    m_window.endMessage(texts::key::link());
-    const int modules = static_cast<int>(found.modules.size());
-    const QString key = chainLengthKey(m_target->port);
-    const int expected = m_settings.value(key, modules).toInt();
-    if (modules < expected)
-        m_window.showMessage(texts::fewerThanExpected(modules, expected));
-    else
-        m_settings.setValue(key, modules);
-    m_watched.reset();
-    m_window.showMessage(texts::connected(found, m_target->port));
-    m_window.endMessage(texts::key::badLink());
-    if (found.unaddressed)
-        m_window.showMessage(texts::unaddressed());
-    else
-        m_window.endMessage(texts::key::unaddressed());
-}
-
-void Composition::told(const bus::ConnectFailed& failed) {
-    m_window.showMessage(texts::connectFailed(failed, m_target->port));
-}
-
-void Composition::told(const bus::OperationFinished& finished) {
-    if (finished.outcome != bus::Outcome::Done)
-        m_window.showMessage(texts::operationFailed(finished));
-}
-
-void Composition::told(const bus::StopFinished& finished) {
-    m_window.showStopResult(finished);
-}
-
-void Composition::told(const bus::ModuleSilence& silence) {
-    if (!silence.silent) {
-        m_window.endMessage(texts::key::silent(silence.module));
-        m_window.endMessage(texts::key::link());
-        return;
-    }
-    const ModuleState* module = m_store.module(silence.module);
-    if (module == nullptr)
-        return;
-    const double seconds = toSeconds(monotonicNow() - module->latestTime);
-    m_window.showMessage(texts::moduleSilent(silence.module, seconds, module->moving()));
-}
-
-void Composition::told(const bus::CommandRefused& refused) {
-    m_window.showMessage(texts::refused(refused));
-}
-
-void Composition::told(const bus::LinkLost&) {
-    // One text for one cause: the modules' own silences are part of it.
-    for (const ModuleState& module : m_store.link().modules)
-        m_window.endMessage(texts::key::silent(module.info.index));
-    m_window.showMessage(texts::linkLost(m_target->port, m_store.movingMotors()));
-}
-
-void Composition::told(const bus::HoldExpired& expired) {
-    m_window.showMessage(texts::holdExpired(expired.module));
-}
-
-void Composition::told(const bus::HealthChanged& changed) {
-    if (changed.health == bus::LinkHealth::Good)
-        m_window.endMessage(texts::key::badLink());
-    else
-        m_window.showMessage(texts::badLink(changed));
-}
-
-void Composition::told(const bus::ModuleRestarted& restarted) {
-    m_window.endMessage(texts::key::silent(restarted.module));
-    m_window.showMessage(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())));
-}
-
-void Composition::told(const bus::MotionSuspect& suspect) {
-    m_window.showMessage(texts::motionSuspect(suspect));
-}
-
-void Composition::told(const PortClosed& closed) {
-    m_window.showPackets(m_worker.takeRecords());
-    m_frameTimer.stop();
-    m_figuresTimer.stop();
-    m_window.showFigures({});
-    if (closed.error) {
-        PortError error = *closed.error;
-        error.port = m_target->port;
-        m_window.showMessage(texts::portProblem(error));
-        m_ports.closed(error);
-    } else
-        m_window.showMessage(texts::disconnected(m_target->port));
-    if (m_quitWhenClosed)
-        quit();
-    else if (m_openNext)
-        openNow(*std::exchange(m_openNext, std::nullopt));
-}
-
-void Composition::told(const SimulatorAnswered& answer) {
-    m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
-}
-
-void Composition::told(const PanelFroze& froze) {
-    // The store still has what moved before.
-    if (froze.stopped || m_store.movingMotors() > 0)
-        m_window.showMessage(texts::panelFroze(toSeconds(froze.length), froze.stopped));
-}
-
-void Composition::told(const MachineSlept& slept) {
-    m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
-}
-
 void Composition::checkSettings() {
     m_settings.sync();
     if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
         m_window.showMessage(texts::settingsNotSaved(m_settings.fileName()));
-}
-
-void Composition::told(const ServoWentOff& off) {
-    const ModuleState* gone = m_store.module(off.module);
-    if (gone != nullptr && gone->isStepper()) {
-        m_window.showMessage(texts::amplifierWentOff(off.module, off.activity));
-        return;
-    }
-    if (off.activity == Activity::PowerLost) {
-        m_window.showMessage(texts::powerLost(off.module));
-        return;
-    }
-    const ModuleState* module = m_store.module(off.module);
-    const auto limit =
-        module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
-    m_window.showMessage(texts::tripped(off.module, limit));
 }
 
 }  // namespace nmc

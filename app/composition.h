@@ -51,6 +51,7 @@ private:
 
     void quit();
     void wireWindow();
+    void wireChain();
     void wireStore();
     void connectTo(const QString& port, quint32 baud);
     /// The same without asking whether that is still the adapter it was.
@@ -61,6 +62,11 @@ private:
     bus::OperationId submit(std::vector<bus::Step> steps);
     void showProcedure(const ProcedureReport& report);
     void act(const QString& key, const QString& action);
+    /// Where the settings remember how long the chain at this port was.
+    [[nodiscard]] QString chainLengthKey() const;
+    void scanAgain();
+    /// The modules that are there are the expected ones from now on.
+    void acceptChain();
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
     void showFrame();
@@ -77,6 +83,9 @@ private:
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);
     void told(const bus::MotionSuspect& suspect);
+    void told(const bus::GroupFinished& finished);
+    void told(const bus::RateChanged& changed);
+    void told(const bus::RateChangeFailed& failed);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);

@@ -85,6 +85,15 @@ void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
         edit(module, axis);
 }
 
+void MachineController::acceptChain() {
+    const std::vector<ModuleIdentity> there = chain();
+    if (m_machine.axes.size() < there.size())
+        m_machine.axes.resize(there.size());
+    for (std::size_t i = 0; i < m_machine.axes.size(); ++i)
+        m_machine.axes[i].expected = i < there.size() ? std::optional(there[i]) : std::nullopt;
+    changed();
+}
+
 bool MachineController::act(const QString& action) {
     if (action == texts::action::kDiscardWork)
         m_unsaved.dropLeft();

@@ -47,6 +47,7 @@ struct Belief::Sent {
             b.m_stepLoad.reset();
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
+    void operator()(const SetAddress&) const { b.m_info.group.reset(); }
     template <typename Other>
     void operator()(const Other&) const {}
 };
@@ -81,6 +82,9 @@ struct Belief::Executed {
         b.m_homingStops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
     }
     void operator()(const DefineStatus& define) const { b.m_items = define.items; }
+    void operator()(const SetAddress& set) const {
+        b.m_info.group = GroupPlace{set.group.value(), set.leader};
+    }
     template <typename Other>
     void operator()(const Other&) const {}
 };
@@ -91,6 +95,17 @@ void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
 
 void Belief::onExecuted(const ModuleCommand& command) {
     std::visit([&](const auto& chip) { std::visit(Executed{*this}, chip); }, command);
+}
+
+void Belief::onNotExecuted(const Belief& before) {
+    m_mayEnable = before.m_mayEnable;
+    m_pwmMayRun = before.m_pwmMayRun;
+    m_velocityGoal = before.m_velocityGoal;
+    m_stepReverse = before.m_stepReverse;
+    m_stepGoal = before.m_stepGoal;
+    m_stepLoad = before.m_stepLoad;
+    m_loaded = before.m_loaded;
+    m_starting = before.m_starting;
 }
 
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {
@@ -127,6 +142,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
 
 void Belief::setRestarted() {
     m_restarted = true;
+    m_info.group = GroupPlace{};
     m_on = m_mayEnable = m_pwmMayRun = m_velocityGoal = m_homingStops = m_parametersSet = false;
     m_stepLoad.reset();
     m_loaded.reset();

@@ -28,7 +28,17 @@ public:
     void forgetItems() { m_items.reset(); }
     /// Found as another host left it: what it was told is not known. It may run in velocity mode at any
     /// speed, until a stop is answered or its servo is seen off.
-    void attach() { m_velocityGoal = m_parametersSet = true; }
+    void attach() {
+        m_velocityGoal = m_parametersSet = true;
+        m_info.group.reset();
+    }
+    /// A load was asked for and refused: an older one that waits must not start in its place.
+    void forgetLoad() {
+        m_loaded.reset();
+        m_stepLoad.reset();
+    }
+    /// The command that was sent last was certainly not carried out, as a look has shown.
+    void onNotExecuted(const Belief& before);
     /// It restarted by itself, is off, and has no address any more: nothing is sent to it.
     void setRestarted();
     [[nodiscard]] bool restarted() const { return m_restarted; }

@@ -19,10 +19,24 @@ OperationFinished rejected(const Operation& operation, Outcome outcome) {
 }
 
 bool CommandLane::submit(Operation operation) {
+    return push({operation.id, std::move(operation.steps), std::nullopt});
+}
+
+bool CommandLane::submit(GroupOperation operation) {
+    return push({operation.id, {}, operation});
+}
+
+bool CommandLane::push(Waiting waiting) {
     if (m_waiting.size() == kCapacity)
         return false;
-    m_waiting.push_back(std::move(operation));
+    m_waiting.push_back(std::move(waiting));
     return true;
+}
+
+const GroupOperation* CommandLane::group() const {
+    if (m_waiting.empty() || !m_waiting.front().group)
+        return nullptr;
+    return &*m_waiting.front().group;
 }
 
 void CommandLane::beginStep(TimePoint now) {
@@ -30,7 +44,7 @@ void CommandLane::beginStep(TimePoint now) {
         m_began = now;
 }
 
-std::optional<OperationFinished> CommandLane::accepted() {
+std::optional<Event> CommandLane::accepted() {
     if (m_step + 1 == m_waiting.front().steps.size())
         return finish(Outcome::Done);
     ++m_step;
@@ -38,25 +52,52 @@ std::optional<OperationFinished> CommandLane::accepted() {
     return std::nullopt;
 }
 
-OperationFinished CommandLane::failed(Outcome outcome) {
+Event CommandLane::failed(Outcome outcome) {
     return finish(outcome);
 }
 
-std::vector<OperationFinished> CommandLane::cancelAll() {
-    std::vector<OperationFinished> events;
+std::vector<Event> CommandLane::cancelAll() {
+    std::vector<Event> events;
     while (!empty())
         events.push_back(finish(Outcome::Cancelled));
     return events;
 }
 
-OperationFinished CommandLane::finish(Outcome outcome) {
+Event CommandLane::finish(Outcome outcome) {
+    if (group() != nullptr)
+        return finishGroup(outcome, membersOfChange(outcome));
     const Step& last = step();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
+    next();
+    return event;
+}
+
+GroupFinished CommandLane::finishGroup(Outcome outcome, std::vector<GroupMember> members) {
+    const GroupOperation& operation = *group();
+    GroupFinished event{operation.id, outcome, operation.what, std::move(members), false};
+    next();
+    return event;
+}
+
+/// Of a change, whose steps went to one module after the other.
+std::vector<GroupMember> CommandLane::membersOfChange(Outcome outcome) const {
+    const std::vector<Step>& steps = m_waiting.front().steps;
+    std::vector<GroupMember> members;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const bool before = i < m_step || outcome == Outcome::Done;
+        const bool open = i == m_step && (outcome == Outcome::NoAnswer || outcome == Outcome::Cancelled);
+        members.push_back({steps[i].module, before ? MemberOutcome::Done
+                                            : open ? MemberOutcome::NoAnswer
+                                                   : MemberOutcome::NotDone});
+    }
+    return members;
+}
+
+void CommandLane::next() {
     m_waiting.pop_front();
     m_step = 0;
     m_begun = false;
-    return event;
 }
 
 }  // namespace nmc::bus

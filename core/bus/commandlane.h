@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "bus/types.h"
@@ -17,7 +19,13 @@ public:
 
     /// False when the lane is full; the operation was not taken.
     [[nodiscard]] bool submit(Operation operation);
+    [[nodiscard]] bool submit(GroupOperation operation);
     [[nodiscard]] bool empty() const { return m_waiting.empty(); }
+
+    /// The operation to carry out now, when it is one of groups. It has no steps before plan() gives it some.
+    [[nodiscard]] const GroupOperation* group() const;
+    [[nodiscard]] bool planned() const { return !m_waiting.front().steps.empty(); }
+    void plan(std::vector<Step> steps) { m_waiting.front().steps = std::move(steps); }
 
     /// The step to carry out now, and when it became that. The lane must not be empty.
     [[nodiscard]] const Step& step() const { return m_waiting.front().steps[m_step]; }
@@ -26,16 +34,26 @@ public:
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
 
     /// The step was accepted: on to the next. The event of the end when it was the last.
-    [[nodiscard]] std::optional<OperationFinished> accepted();
+    [[nodiscard]] std::optional<Event> accepted();
     /// The step ended the operation.
-    [[nodiscard]] OperationFinished failed(Outcome outcome);
+    [[nodiscard]] Event failed(Outcome outcome);
+    /// The operation of groups has ended.
+    [[nodiscard]] GroupFinished finishGroup(Outcome outcome, std::vector<GroupMember> members = {});
     /// Everything that waits or runs.
-    [[nodiscard]] std::vector<OperationFinished> cancelAll();
+    [[nodiscard]] std::vector<Event> cancelAll();
 
 private:
-    OperationFinished finish(Outcome outcome);
+    struct Waiting {
+        OperationId id;
+        std::vector<Step> steps;
+        std::optional<GroupOperation> group;
+    };
+    [[nodiscard]] bool push(Waiting waiting);
+    Event finish(Outcome outcome);
+    [[nodiscard]] std::vector<GroupMember> membersOfChange(Outcome outcome) const;
+    void next();
 
-    std::deque<Operation> m_waiting;
+    std::deque<Waiting> m_waiting;
     std::size_t m_step = 0;
     bool m_begun = false;
     TimePoint m_began;

@@ -12,7 +12,6 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr BusAddress kEverybody{0xFF};
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
 /// How often an address is given before its module is taken for the end of the chain.
@@ -58,15 +57,7 @@ Discovery::Next Discovery::next() {
         case Phase::Identify:
             return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
         case Phase::ChangeRate:
-            enter(Phase::Verify);
-            return rateScript();
-        case Phase::Verify:
-            return askModule(Nop{}.encode(), StatusItems{}, 1);
-        case Phase::GoBack:
-            enter(Phase::Recheck);
-            return Line::toRate(kPowerUpBaud);
-        case Phase::Recheck:
-            return askModule(Nop{}.encode(), StatusItems{}, 1);
+            return changeRate();
         case Phase::Define:
             return askModule(DefineStatus{kStandingItems}.encode(), kStandingItems, 2);
         case Phase::Confirm:
@@ -97,7 +88,7 @@ Discovery::Next Discovery::lookedUp() {
     if (m_look.rate()) {
         m_attached = true;
         for (const BusAddress address : m_look.addresses())
-            m_modules.push_back({indexOf(m_modules.size()), address, {}});
+            m_modules.push_back({indexOf(m_modules.size()), address, {}, {}});
         enter(Phase::Identify, ConnectStage::Identifying);
     } else {
         enter(Phase::Set, ConnectStage::Addressing);
@@ -117,18 +108,8 @@ void Discovery::onReply(const ReplyEnd& end) {
             return onProbe(end);
         case Phase::Identify:
             return onIdentity(end);
-        case Phase::Verify:
-            return onVerified(end);
-        case Phase::Recheck:
-            // It is where it was: the change was lost on its way. Once more, but only once.
-            if (!accepted)
-                return fail(ConnectFailure::RateChange, m_deaf);
-            ++m_at;
-            if (m_at < m_modules.size())
-                return;
-            m_deaf.clear();
-            m_at = 0;
-            return enter(Phase::ChangeRate);
+        case Phase::ChangeRate:
+            return m_rateChange->onReply(end);
         case Phase::Define:
             if (!accepted)
                 return failAnswer(end);
@@ -142,8 +123,6 @@ void Discovery::onReply(const ReplyEnd& end) {
             m_heard.push_back({indexOf(m_at), end});
             return nextModule(Phase::Done);
         case Phase::Restart:
-        case Phase::ChangeRate:
-        case Phase::GoBack:
         case Phase::Done:
         case Phase::Failed:
             return;
@@ -175,10 +154,29 @@ Line::Script Discovery::restartScript() const {
     return script;
 }
 
-Line::Script Discovery::rateScript() const {
-    const auto row = findBaud(m_config.baud);  // the engine has checked that there is one
-    const Line::Packet change{toPacket({kEverybody, SetBaud{row ? row->brd : kPowerUpBrd}.encode()})};
-    return {change, Line::Lag{kTurnaround}, SetHostBaud{m_config.baud}, DiscardInput{}};
+Discovery::Next Discovery::changeRate() {
+    if (!m_rateChange) {
+        std::vector<RateChange::Target> chain;
+        for (const ModuleInfo& module : m_modules)
+            chain.push_back({module.address, {module.identity.type, StatusItems{}}});
+        m_rateChange.emplace(std::move(chain), std::vector{kEverybody}, kPowerUpBaud, m_config.baud,
+                             RateChange::WayBack::None);
+    }
+    auto next = m_rateChange->next();
+    if (auto* script = std::get_if<Line::Script>(&next))
+        return std::move(*script);
+    if (const auto* ask = std::get_if<RateChange::Ask>(&next))
+        return Ask{ask->request, ask->silentRepeats};
+    const auto& ended = std::get<RateChange::Ended>(next);
+    if (ended.reached) {
+        enterModules(Phase::Define);
+        return this->next();
+    }
+    std::vector<ModuleIndex> deaf;
+    for (const std::size_t module : ended.deaf)
+        deaf.push_back(indexOf(module));
+    fail(ConnectFailure::RateChange, std::move(deaf));
+    return m_failure;
 }
 
 Discovery::Ask Discovery::setAddress() const {
@@ -242,23 +240,8 @@ void Discovery::onIdentity(const ReplyEnd& end) {
     nextModule(Phase::ChangeRate);
 }
 
-void Discovery::onVerified(const ReplyEnd& end) {
-    // A module that flags an error has heard something at this rate, but not well enough.
-    if (end.result != ReplyResult::Accepted)
-        m_deaf.push_back(indexOf(m_at));
-    ++m_at;
-    if (m_at < m_modules.size())
-        return;
-    if (m_deaf.empty())
-        return enterModules(Phase::Define);
-    m_at = 0;
-    if (m_deaf.size() == m_modules.size() && !std::exchange(m_wentBack, true))
-        return enter(Phase::GoBack);
-    fail(ConnectFailure::RateChange, m_deaf);
-}
-
 void Discovery::found() {
-    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}});
+    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}, GroupPlace{}});
     m_setAttempts = 0;
     enter(Phase::Set, ConnectStage::Addressing);
     if (m_modules.size() == kMaxModules)

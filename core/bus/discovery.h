@@ -10,6 +10,7 @@
 #include "bus/engine.h"
 #include "bus/exchange.h"
 #include "bus/line.h"
+#include "bus/ratechange.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -68,9 +69,6 @@ private:
         Probe,
         Identify,
         ChangeRate,
-        Verify,
-        GoBack,   ///< nobody heard the change of rate: once more from the old rate
-        Recheck,  ///< is the chain there at the old rate?
         Define,
         Confirm,
         Done,
@@ -80,11 +78,10 @@ private:
     [[nodiscard]] Next look();
     [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
-    [[nodiscard]] Line::Script rateScript() const;
+    [[nodiscard]] Next changeRate();
     [[nodiscard]] Ask setAddress() const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
-    void onVerified(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);
     void onAddress(const ReplyEnd& end);
     void onProbe(const ReplyEnd& end);
@@ -104,13 +101,12 @@ private:
     Phase m_phase;
     bool m_reset = false;
     bool m_attached = false;
-    bool m_wentBack = false;
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
     std::size_t m_at = 0;        ///< module that is being asked
     unsigned m_setAttempts = 0;  ///< at the present address
     bool m_heardNoise = false;
-    std::vector<ModuleIndex> m_deaf;
+    std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;
 };

@@ -22,6 +22,12 @@ void Engine::restart(TimePoint now) {
 void Engine::submit(Operation operation, TimePoint now) {
     d->submit(std::move(operation), now);
 }
+void Engine::submit(GroupOperation operation, TimePoint now) {
+    d->submit(operation, now);
+}
+void Engine::changeRate(std::uint32_t baud, TimePoint now) {
+    d->changeRate(baud, now);
+}
 void Engine::hold(const HoldToMove& hold, TimePoint now) {
     d->hold(hold, now);
 }
@@ -93,6 +99,9 @@ void Engine::Private::begin(Discovery::Start start, TimePoint now) {
     m_look = Look::None;
     m_lostBursts = 0;
     m_verification.reset();
+    m_rateChange.reset();
+    m_abandoned.reset();
+    m_goingBack = false;
     m_guards.clear();
     m_blindStops.clear();
     m_holdFailures = 0;
@@ -157,6 +166,7 @@ void Engine::Private::stopAll(TimePoint now) {
     m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;
     interrupt(now);
     m_suspect = suspect;
+    abandonRateChange();
     proceed(now);
 }
 
@@ -164,6 +174,7 @@ void Engine::Private::distrust(TimePoint now) {
     if (m_phase != Phase::Running || m_modules.empty())
         return;
     interrupt(now);
+    abandonRateChange();
     m_suspect = true;
     for (Module& module : m_modules)
         module.trust.interrupt();
@@ -239,9 +250,10 @@ void Engine::Private::hurryHoldStop(TimePoint now) {
 }
 
 void Engine::Private::cancelOperations() {
-    for (OperationFinished& event : m_commands.cancelAll())
+    for (Event& event : m_commands.cancelAll())
         events.emplace_back(std::move(event));
     m_verification.reset();
+    m_groupRun.reset();
     if (m_again && m_again->lane != Lane::Discovery)
         m_again.reset();
 }

@@ -49,6 +49,14 @@ public:
     /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
     void submit(Operation operation, TimePoint now);
 
+    /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
+    /// came of it is what each member shows; only if all groups are known.
+    void submit(GroupOperation operation, TimePoint now);
+
+    /// Takes the chain to another rate of kBaudRows; positions, gains and loads stay. Refused while anything
+    /// moves; when a module does not follow, all go back. Ends in RateChanged or RateChangeFailed.
+    void changeRate(std::uint32_t baud, TimePoint now);
+
     /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
     /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold().
     void hold(const HoldToMove& hold, TimePoint now);

@@ -23,7 +23,8 @@ void Engine::Private::proceed(TimePoint now) {
 /// While the reply before may still turn out to have surplus bytes, only an ordinary exchange may begin.
 bool Engine::Private::mayPipeline() const {
     return m_phase == Phase::Running && !m_stop && !m_suspect && !m_hurried && !m_doubt && !m_again &&
-           m_look == Look::None && m_guards.empty() && !m_hold.stop();
+           m_look == Look::None && m_guards.empty() && !m_hold.stop() && m_commands.group() == nullptr &&
+           !m_rateChange && !m_abandoned;
 }
 
 /// The lanes in their order. False when there is nothing to do.
@@ -31,7 +32,9 @@ bool Engine::Private::dispatch(TimePoint now) {
     m_resyncing = false;  // one that was under way is over
     if (m_phase == Phase::Off)
         return false;
-    if (strayed() && stopDue(now)) {
+    if (dispatchWayBack(now))
+        return true;
+    if (strayed() && !m_rateChange && stopDue(now)) {
         goBack(now);
         return true;
     }
@@ -61,6 +64,10 @@ bool Engine::Private::dispatch(TimePoint now) {
     }
     if (m_again) {
         begin(*std::exchange(m_again, std::nullopt), now);
+        return true;
+    }
+    if (m_rateChange) {
+        dispatchRateChange(now);
         return true;
     }
     return dispatchHold(now) || dispatchOperation(now) || dispatchPoll(now);
@@ -176,10 +183,15 @@ bool Engine::Private::dispatchOperation(TimePoint now) {
         return false;
     if (m_verification)
         return dispatchVerification(now);
+    if (m_commands.group() != nullptr && dispatchGroup(now))
+        return true;
     m_commands.beginStep(now);
     const Step& step = m_commands.step();
     const bool known = step.module.value() < m_modules.size();
-    Verdict verdict = known ? judge(belief(step.module), step.command) : Verdict::Never;
+    const bool change = m_commands.group() != nullptr;  // judged when it was planned
+    Verdict verdict = !known   ? Verdict::Never
+                      : change ? Verdict::Allowed
+                               : judge(belief(step.module), step.command);
     // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
     if (verdict == Verdict::InMotion && belief(step.module).looksSince(m_commands.stepBegan()) < 2)
         verdict = Verdict::NeedsStatus;
@@ -269,6 +281,9 @@ Engine::Private::Work Engine::Private::commandWork(Lane lane, const Step& step) 
     work.silentRepeats = rule.silentRepeats;
     work.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
     work.refusedAttempts = rule.refusedAttempts;
+    // To its own address again, and the challenge before has shown that it is there (link.md 2.3).
+    if (lane == Lane::Operation && payload.code == CommandCode::SetAddress)
+        work.silentRepeats = 2;
     if (lane == Lane::Stop || lane == Lane::Guard || lane == Lane::HoldStop || lane == Lane::Hold) {
         // These lanes are asked anew instead: what is wanted may have changed by the next time.
         work.silentRepeats = 0;
@@ -297,18 +312,23 @@ ReplyLayout Engine::Private::layoutOf(const Belief& module, const Payload& paylo
 
 void Engine::Private::begin(Work work, TimePoint now) {
     if (work.module && work.command) {
-        Module& module = at(*work.module);
         const TimePoint latched = line.latchTime(work.request.payload.data.size() + 4, now);
-        work.before = module.belief;
-        module.belief.onSent(*work.command, latched);
-        module.plausibility.onSent(*work.command, latched);
-        module.watch.onSent(*work.command);
-        if (mayStartMotion(work.request.payload))
-            module.trust.expectMotion();
+        work.before = belief(*work.module);
+        tell(*work.module, *work.command, latched);
     }
     line.begin(work.request, now);
     work.sent = now;
     m_works.push_back(std::move(work));
+}
+
+/// The command goes out: all that watch the module must reckon with it.
+void Engine::Private::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
+    Module& module = at(index);
+    module.belief.onSent(command, latched);
+    module.plausibility.onSent(command, latched);
+    module.watch.onSent(command);
+    if (mayStartMotion(payloadOf(command)))
+        module.trust.expectMotion();
 }
 
 }  // namespace nmc::bus

@@ -133,6 +133,9 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
         module.trust.interrupt();
         if (work.before)
             module.belief = *work.before;
+        // What waits is not what was asked for.
+        if (work.request.payload.code == CommandCode::LoadTrajectory)
+            module.belief.forgetLoad();
         return;
     }
     // The status first: a command's own answer does not tell what the command brought about.
@@ -143,8 +146,12 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
         module.belief.onExecuted(*work.command);
     if (work.lane == Lane::Stop)
         tellBlindStop(*work.module);
+    if (work.lane == Lane::GroupLook)
+        noteGroupLook(*work.module, end);
     if (reported(work))
         events.emplace_back(CommandExecuted{*work.module, end.latched, *work.command});
+    if (work.request.payload.code == CommandCode::SetAddress)
+        events.emplace_back(GroupChanged{*work.module, module.belief.info().group});
     if (trusted)
         publish(*work.module, end, *trusted);
 }
@@ -183,12 +190,15 @@ bool Engine::Private::reported(const Work& work) {
         case Lane::HoldStop:
         case Lane::Hold:
         case Lane::Operation:
+        case Lane::Group:
             return true;
         case Lane::Stop:
             return work.request.payload.code == CommandCode::StopMotor;
         case Lane::Discovery:
         case Lane::HoldCheck:
         case Lane::Check:
+        case Lane::GroupLook:
+        case Lane::Rate:
         case Lane::Challenge:
         case Lane::Restarted:
         case Lane::Poll:
@@ -219,6 +229,18 @@ void Engine::Private::deliver(const Work& work, const ReplyEnd& end, TimePoint n
             return;
         case Lane::Operation:
             return deliverOperation(work, end);
+        case Lane::Group:
+            if (m_groupRun)
+                m_groupRun->onLeader(*work.module, end.result);
+            return;
+        case Lane::GroupLook:
+            if (m_groupRun && end.result != ReplyResult::Accepted)
+                m_groupRun->onSilence(*work.module);
+            return;
+        case Lane::Rate:
+            if (m_rateChange)
+                m_rateChange->onReply(end);
+            return;
         case Lane::Challenge:
         case Lane::Restarted:
         case Lane::Poll:
@@ -249,7 +271,17 @@ void Engine::Private::failOperation(const ReplyEnd& end) {
     if (m_commands.empty())
         return;
     const bool refused = end.result == ReplyResult::Refused;
+    tellGroupUnknown();
     events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
+}
+
+/// A change of groups was not answered.
+void Engine::Private::tellGroupUnknown() {
+    if (m_commands.group() == nullptr || !m_commands.planned())
+        return;
+    const ModuleIndex module = m_commands.step().module;
+    if (!belief(module).info().group)
+        events.emplace_back(GroupChanged{module, std::nullopt});
 }
 
 void Engine::Private::deliverHold(const Work& work, const ReplyEnd& end) {
@@ -295,7 +327,6 @@ void Engine::Private::deliverGuard(const ReplyEnd& end) {
 void Engine::Private::chainFound(ChainFound found, TimePoint now) {
     m_phase = Phase::Running;
     m_baud = found.baud;
-    m_groupsKnown = !found.attached;
     line.statistics() = {};  // the silence at the end of the chain was no error
     for (const ModuleInfo& info : found.modules) {
         m_modules.emplace_back(info);

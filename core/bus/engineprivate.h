@@ -12,12 +12,15 @@
 #include "bus/commandlane.h"
 #include "bus/discovery.h"
 #include "bus/engine.h"
+#include "bus/gate.h"
+#include "bus/grouprun.h"
 #include "bus/health.h"
 #include "bus/holdlane.h"
 #include "bus/line.h"
 #include "bus/motionwatch.h"
 #include "bus/plausibility.h"
 #include "bus/pollschedule.h"
+#include "bus/ratechange.h"
 #include "bus/silence.h"
 #include "bus/stoprun.h"
 #include "bus/trust.h"
@@ -34,6 +37,8 @@ public:
     // engine.cpp: from outside
     void begin(Discovery::Start start, TimePoint now);
     void submit(Operation operation, TimePoint now);
+    void submit(const GroupOperation& operation, TimePoint now);  // enginegroup.cpp
+    void changeRate(std::uint32_t baud, TimePoint now);           // enginerate.cpp
     void hold(const HoldToMove& hold, TimePoint now);
     void release(TimePoint now);
     void stopAll(TimePoint now);
@@ -68,7 +73,10 @@ private:
         HoldCheck,
         Hold,
         Operation,
+        Group,      ///< to a group that has a leader
+        GroupLook,  ///< what became of it at a member?
         Check,
+        Rate,
         Challenge,
         Restarted,  ///< is there a module without an address?
         Poll
@@ -111,6 +119,10 @@ private:
         bool witness = false;     ///< that is the question under way
     };
     enum class Look : std::uint8_t { None, GoSlow, Ask, Back };
+    struct GroupVerdict {
+        Verdict verdict;
+        std::optional<ModuleIndex> module;  ///< that it hangs on
+    };
 
     // enginedispatch.cpp: what is next
     void proceed(TimePoint now);
@@ -131,6 +143,7 @@ private:
     [[nodiscard]] Work statusWork(Lane lane, ModuleIndex module, std::optional<StatusItems> items) const;
     [[nodiscard]] ReplyLayout layoutOf(const Belief& belief, const Payload& payload) const;
     void begin(Work work, TimePoint now);
+    void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
     // engineoutcome.cpp: what came of it
     void takeEnds(TimePoint now);
@@ -146,6 +159,7 @@ private:
     void deliver(const Work& work, const ReplyEnd& end, TimePoint now);
     void deliverOperation(const Work& work, const ReplyEnd& end);
     void failOperation(const ReplyEnd& end);
+    void tellGroupUnknown();
     void deliverHold(const Work& work, const ReplyEnd& end);
     void deliverHoldStop(const ReplyEnd& end);
     void deliverGuard(const ReplyEnd& end);
@@ -173,6 +187,26 @@ private:
     void giveUp(TimePoint now);
     void dispatchLostBurst(TimePoint now);
     [[nodiscard]] bool lostBurstDue(TimePoint now) const;
+
+    // enginegroup.cpp: groups and their commands
+    [[nodiscard]] bool dispatchGroup(TimePoint now);
+    [[nodiscard]] std::optional<ModuleIndex> planChange(const GroupChange& change);
+    [[nodiscard]] bool reachable(ModuleIndex module) const;
+    [[nodiscard]] GroupVerdict judgeGroup(const GroupCommand& command) const;
+    void tryGroupCommand(const GroupCommand& command, TimePoint now);
+    void sendToGroup(const GroupCommand& command, TimePoint now);
+    void lookAtMembers(TimePoint now);
+    void noteGroupLook(ModuleIndex module, const ReplyEnd& end);
+    void finishGroupCommand();
+    void stopMembers(const std::vector<GroupMember>& members);
+
+    // enginerate.cpp: another rate for a chain that runs
+    [[nodiscard]] std::optional<RateChangeFailed::Reason> rateObstacle(
+        std::uint32_t baud, std::vector<ModuleIndex>& modules) const;
+    void dispatchRateChange(TimePoint now);
+    void finishRateChange(const RateChange::Ended& ended);
+    void abandonRateChange();
+    [[nodiscard]] bool dispatchWayBack(TimePoint now);
 
     // enginestop.cpp: stop all
     void interrupt(TimePoint now);
@@ -217,13 +251,16 @@ private:
 
     std::optional<Discovery> m_discovery;
     std::uint32_t m_baud = kPowerUpBaud;
-    bool m_groupsKnown = false;  ///< every module is in group FF, which has no leader
     std::vector<Module> m_modules;
     PollSchedule m_schedule;
     std::vector<ModuleIndex> m_watched;
     CommandLane m_commands;
     std::optional<Verification> m_verification;
-    unsigned m_attempts = 0;  ///< of the present step, after looks
+    unsigned m_attempts = 0;                 ///< of the present step, after looks
+    std::optional<GroupRun> m_groupRun;      ///< a command to a group is out
+    std::optional<RateChange> m_rateChange;  ///< under way
+    std::optional<RateChange> m_abandoned;   ///< all go back to the old rate
+    bool m_goingBack = false;                ///< they are being told to
     HoldLane m_hold;
     std::deque<Step> m_guards;  ///< stops that are owed
     unsigned m_guardFailures = 0;

@@ -70,9 +70,10 @@ void Engine::Private::recordUnanswered() {
         entry.sent = entry.ended = sent.sent;
         const bool nulls =
             std::all_of(sent.bytes.begin(), sent.bytes.end(), [](std::uint8_t b) { return b == 0; });
-        entry.purpose = m_phase == Phase::Discovering ? Purpose::Connect
-                        : nulls                       ? Purpose::Flush
-                                                      : Purpose::Stop;
+        entry.purpose = m_phase == Phase::Discovering || m_rateChange ? Purpose::Connect
+                        : nulls                                       ? Purpose::Flush
+                        : m_groupRun                                  ? Purpose::Operation
+                                                                      : Purpose::Stop;
         entry.baud = line.baud();
         entry.command = std::move(sent.bytes);
         entry.end = ExchangeEnd::NotAsked;
@@ -94,6 +95,7 @@ void Engine::Private::recordAbandoned(TimePoint now) {
 Purpose Engine::Private::purposeOf(Lane lane) {
     switch (lane) {
         case Lane::Discovery:
+        case Lane::Rate:
             return Purpose::Connect;
         case Lane::Stop:
         case Lane::Guard:
@@ -103,8 +105,10 @@ Purpose Engine::Private::purposeOf(Lane lane) {
         case Lane::Hold:
             return Purpose::Hold;
         case Lane::Operation:
+        case Lane::Group:
             return Purpose::Operation;
         case Lane::Check:
+        case Lane::GroupLook:
             return Purpose::Check;
         case Lane::Challenge:
         case Lane::Restarted:

@@ -234,6 +234,7 @@ void Engine::Private::deliverLook(const ReplyEnd& end, TimePoint now) {
     m_schedule.retire(module);
     const bool quiet = m_baud != kPowerUpBaud;
     events.emplace_back(ModuleRestarted{module, quiet});
+    events.emplace_back(GroupChanged{module, restarted->belief.info().group});
     // What the others hear at their rate is noise to it, and might one day be a command: no more of it.
     if (quiet)
         giveUp(now);

@@ -12,7 +12,7 @@ void Engine::Private::interrupt(TimePoint now) {
     recordAbandoned(now);
     line.abandon();
     m_works.clear();
-    m_resyncing = false;
+    m_resyncing = m_goingBack = false;
 }
 
 /// Stops without waiting for answers: an answer may still be coming in, and could be taken for that of the
@@ -38,13 +38,15 @@ Line::Script Engine::Private::stopScript(const std::vector<Step>& stops) const {
         return script;
     const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
     // Only where the groups are known: those that another host left behind may have a leader, or be others.
-    const bool all = m_groupsKnown && stops.size() > 1 && stops.size() == m_modules.size() &&
-                     std::all_of(stops.begin(), stops.end(), same);
+    const auto everybody = [&](const Step& s) { return belief(s.module).info().group == GroupPlace{}; };
+    const bool all = stops.size() > 1 && stops.size() == m_modules.size() &&
+                     std::all_of(stops.begin(), stops.end(), same) &&
+                     std::all_of(stops.begin(), stops.end(), everybody);
     for (const Step& step : stops) {
         const Payload payload = payloadOf(step.command);
         if (all) {
             // Every module is a member of group FF, which has no leader: nobody answers.
-            script.insert(script.end(), {Line::Packet{toPacket({BusAddress(0xFF), payload})}, Line::Gap{}});
+            script.insert(script.end(), {Line::Packet{toPacket({kEverybody, payload})}, Line::Gap{}});
             break;
         }
         const std::size_t reply = layoutOf(belief(step.module), payload).length();
@@ -61,10 +63,7 @@ void Engine::Private::noteBlindStops() {
     const std::vector<TimePoint>& latches = line.scriptLatches();
     for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
-        Module& module = at(steps[i].module);
-        module.belief.onSent(steps[i].command, latched);
-        module.plausibility.onSent(steps[i].command, latched);
-        module.watch.onSent(steps[i].command);
+        tell(steps[i].module, steps[i].command, latched);
         m_stop->onBlindSent(steps[i].module, m_blindStopsHeard ? std::optional(latched) : std::nullopt);
     }
 }

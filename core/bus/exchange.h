@@ -29,6 +29,9 @@ inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
 /// status (PIC-STEP: inputs). Every second poll asks for all there are.
 inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems::Analog |
                                             StatusItems::Velocity | StatusItems::Aux};
+/// Every module that no host has put into another group (DS-V 4.1).
+inline constexpr BusAddress kEverybody{0xFF};
+
 inline constexpr StatusItems kAllItems{StatusItems::All};
 inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 

@@ -33,6 +33,37 @@ struct Operation {
     std::vector<Step> steps;
 };
 
+/// The group that a module listens to besides its own address (DS-V 4.1). The leader answers for all.
+struct GroupPlace {
+    std::uint8_t group = 0xFF;  ///< 0x80..0xFF; FF is everybody's after a reset, and never has a leader here
+    bool leader = false;
+    bool operator==(const GroupPlace&) const = default;
+};
+
+/// Puts a module into a group; its address stays. Another leader of that group becomes an ordinary member
+/// first.
+struct GroupChange {
+    ModuleIndex module;
+    GroupPlace place;
+    bool operator==(const GroupChange&) const = default;
+};
+
+/// One command to all members of a group, carried out in the same tick.
+struct GroupCommand {
+    enum class Action : std::uint8_t {
+        StartMotion,  ///< withheld unless each member has confirmed its load
+        SaveAsHome
+    };
+    std::uint8_t group = 0xFF;
+    Action action = Action::StartMotion;
+    bool operator==(const GroupCommand&) const = default;
+};
+
+struct GroupOperation {
+    OperationId id;
+    std::variant<GroupChange, GroupCommand> what;
+};
+
 enum class Outcome : std::uint8_t {
     Done,
     Refused,    ///< the module answered with the communication-error bit, every time
@@ -46,6 +77,8 @@ struct ModuleInfo {
     ModuleIndex index;
     BusAddress address;
     ModuleIdentity identity;
+    /// Nothing: it was left there by another host, or a change was not answered.
+    std::optional<GroupPlace> group{};
     bool operator==(const ModuleInfo&) const = default;
 };
 
@@ -130,6 +163,58 @@ struct OperationFinished {
     std::uint8_t commandByte = 0;  ///< of that step
 };
 
+enum class MemberOutcome : std::uint8_t {
+    Done,
+    NotDone,   ///< certainly not: it stands where it stood, or refused
+    Unknown,   ///< it answers, and that does not tell
+    NoAnswer,  ///< it may have been carried out
+    Withheld,  ///< because of this module nothing was sent
+};
+
+struct GroupMember {
+    ModuleIndex module;
+    MemberOutcome outcome;
+    bool operator==(const GroupMember&) const = default;
+};
+
+/// The end of a GroupOperation, exactly one for each. Done: for all members. NoAnswer: see `members`.
+struct GroupFinished {
+    OperationId id;
+    Outcome outcome;
+    std::variant<GroupChange, GroupCommand> what;
+    std::vector<GroupMember> members;
+    bool stopped = false;  ///< only some started, so all of them have been told to stop
+};
+
+/// Where a module belongs has changed, or is not known any more.
+struct GroupChanged {
+    ModuleIndex module;
+    std::optional<GroupPlace> place;
+};
+
+/// The whole chain is at another rate, and each module has answered there. Nothing else has changed.
+struct RateChanged {
+    std::uint32_t baud = 0;
+};
+
+/// The chain is at the rate it was at, but for modules that are lost.
+struct RateChangeFailed {
+    enum class Reason : std::uint8_t {
+        NoSuchRate,
+        NotNow,         ///< something moves, or is about to; not connected
+        Missing,        ///< `modules` do not answer, and would be left behind
+        GroupsUnknown,  ///< `modules` may be in groups that are not known here, and would not hear it
+        Leader,         ///< `modules` lead a group: their answers would come at once and at the new rate
+        NotHeard,       ///< `modules` did not answer at the new rate
+        Interrupted,    ///< by a stop
+    };
+    Reason reason = Reason::NotNow;
+    std::uint32_t wanted = 0;
+    std::uint32_t baud = 0;  ///< as before
+    std::vector<ModuleIndex> modules;
+    std::vector<ModuleIndex> lost;  ///< do not answer at the old rate either
+};
+
 /// A stop of all motors has run its course.
 struct StopFinished {
     std::vector<ModuleIndex> stopped;    ///< confirmed twice
@@ -190,9 +275,10 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
-                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
-                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect>;
+using Event =
+    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
+                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
+                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -145,6 +145,16 @@ void BusStore::take(const bus::Event& event) {
         emit happened(*restarted);
     } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
         emit happened(*suspect);
+    } else if (const auto* group = std::get_if<bus::GroupFinished>(&event)) {
+        emit happened(*group);
+    } else if (const auto* changed = std::get_if<bus::GroupChanged>(&event)) {
+        if (known(changed->module))
+            m_link.modules[changed->module.value()].info.group = changed->place;
+    } else if (const auto* rate = std::get_if<bus::RateChanged>(&event)) {
+        m_link.baud = rate->baud;
+        emit happened(*rate);
+    } else if (const auto* kept = std::get_if<bus::RateChangeFailed>(&event)) {
+        emit happened(*kept);
     }
 }
 

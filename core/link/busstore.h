@@ -24,8 +24,9 @@ struct ServoWentOff {
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
-                 bus::ModuleRestarted, bus::MotionSuspect, PortClosed, ServoWentOff, SimulatorAnswered,
-                 PanelFroze, MachineSlept>;
+                 bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
+                 bus::RateChangeFailed, PortClosed, ServoWentOff, SimulatorAnswered, PanelFroze,
+                 MachineSlept>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.

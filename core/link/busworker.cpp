@@ -95,6 +95,14 @@ void BusWorker::submit(bus::Operation operation) {
     ask(std::move(operation));
 }
 
+void BusWorker::submit(bus::GroupOperation operation) {
+    ask(operation);
+}
+
+void BusWorker::changeRate(std::uint32_t baud) {
+    ask(ChangeRate{baud});
+}
+
 void BusWorker::hold(const bus::HoldToMove& hold) {
     ask(hold);
 }
@@ -202,6 +210,10 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
     for (Request& request : m_requests.takeAll()) {
         if (auto* operation = std::get_if<bus::Operation>(&request))
             engine.submit(std::move(*operation), now);
+        else if (const auto* group = std::get_if<bus::GroupOperation>(&request))
+            engine.submit(*group, now);
+        else if (const auto* rate = std::get_if<ChangeRate>(&request))
+            engine.changeRate(rate->baud, now);
         else if (const auto* hold = std::get_if<bus::HoldToMove>(&request))
             engine.hold(*hold, now);
         else if (std::holds_alternative<Release>(request))

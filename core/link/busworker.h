@@ -82,6 +82,10 @@ public:
     /// Modules that somebody looks at are polled more often (Engine::watch).
     void watch(std::vector<ModuleIndex> modules);
     void submit(bus::Operation operation);
+    /// bus::GroupFinished follows.
+    void submit(bus::GroupOperation operation);
+    /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
+    void changeRate(std::uint32_t baud);
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll();
@@ -110,14 +114,17 @@ private:
     struct Release {};
     struct ConnectAgain {};
     struct Restart {};
+    struct ChangeRate {
+        std::uint32_t baud;
+    };
     struct Watch {
         std::vector<ModuleIndex> modules;
     };
     struct ControlLine {
         std::string text;
     };
-    using Request =
-        std::variant<bus::Operation, bus::HoldToMove, Release, ConnectAgain, Restart, Watch, ControlLine>;
+    using Request = std::variant<bus::Operation, bus::GroupOperation, bus::HoldToMove, Release, ConnectAgain,
+                                 Restart, ChangeRate, Watch, ControlLine>;
 
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
     void converse(Transport& transport, bus::Engine& engine);

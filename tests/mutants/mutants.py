@@ -177,8 +177,8 @@ STOPPING = (
     )),
     Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
         Edit("core/bus/enginestop.cpp",
-             "const bool all = m_groupsKnown && stops.size() > 1",
-             "const bool all = stops.size() > 1"),
+             "std::all_of(stops.begin(), stops.end(), everybody);",
+             "true;"),
     )),
     Mutant("hold-without-an-end", "README: hold to move ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "    if (!m_wanted || now < m_until)\n", "    if (true)\n"),
@@ -227,6 +227,44 @@ LOSING = (
     )),
 )
 
+GROUPS = (
+    Mutant("old-leader-stays", "faults.md F-44: never two leaders of a group", (
+        Edit("core/bus/enginegroup.cpp", "        steps.push_back(stepTo(info.index, {info.group->group, false}));\n", ""),
+    )),
+    Mutant("group-start-blindly-repeated", "link.md 2.3: no second start on a doubt", (
+        Edit("core/bus/enginegroup.cpp", "    work.silentRepeats = 0;\n", "    work.silentRepeats = 2;\n"),
+    )),
+    Mutant("leader-speaks-for-all", "faults.md M-27: only a look tells what the other members did", (
+        Edit("core/bus/grouprun.cpp", "        at(leader).outcome = MemberOutcome::Done;\n",
+             "        for (Member& member : m_members)\n            member.outcome = MemberOutcome::Done;\n"),
+    )),
+    Mutant("half-a-group-goes-on", "faults.md M-27: a group that started in part is stopped", (
+        Edit("core/bus/enginegroup.cpp", "        stopMembers(members);\n", "        ;\n"),
+    )),
+    Mutant("command-to-an-unknown-group", "a module whose group is not known may be a member", (
+        Edit("core/bus/enginegroup.cpp", "        if (!info.group || (everybody",
+             "        if (!info.group)\n            continue;\n        if ((everybody"),
+    )),
+    Mutant("refused-load-leaves-the-old-one", "faults.md M-26: what waits is not what was asked for", (
+        Edit("core/bus/engineoutcome.cpp", "            module.belief.forgetLoad();\n", "            ;\n"),
+    )),
+    Mutant("rate-changed-for-group-ff-only", "protocol.md 1: a module is in exactly one group", (
+        Edit("core/bus/enginerate.cpp", "        groups.emplace_back(module.belief.info().group->group);\n", ""),
+    )),
+    Mutant("no-way-back-from-a-rate", "faults.md F-24: those that followed are brought back", (
+        Edit("core/bus/enginerate.cpp", "RateChange::WayBack::Wanted", "RateChange::WayBack::None"),
+    )),
+    Mutant("stop-waits-for-the-rate", "faults.md N7: a stop is never queued", (
+        Edit("core/bus/enginerate.cpp", "    if (!m_rateChange)\n        return;\n    m_abandoned", "    return;\n    m_abandoned"),
+    )),
+    Mutant("stop-at-one-rate-only", "in the midst of a change nobody knows who is at which rate", (
+        Edit("core/bus/enginerate.cpp", "    if (m_stop) {\n        m_blindStops", "    if (false) {\n        m_blindStops"),
+    )),
+    Mutant("rate-changed-with-a-leader", "faults.md F-26: its answer would come at the new rate", (
+        Edit("core/bus/enginerate.cpp", "return b.info().group->leader; })", "return false && b.info().group->leader; })"),
+    )),
+)
+
 PORT = (
     Mutant("port-kept-open-after-a-hangup", "faults.md F-27: told once, closed at once; Qt alone would spin", (
         Edit("core/link/serialtransport.cpp",
@@ -234,4 +272,4 @@ PORT = (
     ), "link"),
 )
 
-MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPPING + LOSING + PORT
+MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPPING + LOSING + GROUPS + PORT

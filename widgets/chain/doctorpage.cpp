@@ -8,7 +8,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
-#include "widgets/common/chaintexts.h"
+#include "widgets/common/doctortexts.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"

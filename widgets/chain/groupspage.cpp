@@ -9,7 +9,7 @@
 #include <QSignalBlocker>
 #include <set>
 
-#include "widgets/common/chaintexts.h"
+#include "widgets/common/doctortexts.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"

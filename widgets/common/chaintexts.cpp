@@ -1,152 +1,168 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/chaintexts.h"
+// What the table of texts has to say of groups, and of the rate of a whole chain.
+#include <algorithm>
 
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
-using Finding = ChainDiagnosis::Finding;
-using Verdict = ChainPlace::Verdict;
 
 namespace {
-class Chain {
-    Q_DECLARE_TR_FUNCTIONS(Chain)
-};
 
-/// What "at" is called; the finding has one.
-QString placeOf(const ChainDiagnosis& chain) {
-    return moduleName(chain.at.value_or(ModuleIndex(0)));
+QString nameOf(quint8 group) {
+    return u"%1"_s.arg(group, 2, 16, QChar(u'0')).toUpper();
 }
+
+std::vector<ModuleIndex> those(const bus::GroupFinished& finished, bus::MemberOutcome outcome) {
+    std::vector<ModuleIndex> modules;
+    for (const bus::GroupMember& member : finished.members)
+        if (member.outcome == outcome)
+            modules.push_back(member.module);
+    return modules;
+}
+
+/// Each outcome that there was, with its modules.
+QString membersSentence(const bus::GroupFinished& finished) {
+    using enum bus::MemberOutcome;
+    QStringList parts;
+    const auto add = [&](bus::MemberOutcome outcome, const QString& text) {
+        if (const auto modules = those(finished, outcome); !modules.empty())
+            parts += text.arg(listOfModules(modules));
+    };
+    add(Done, Texts::tr("Carried out by: %1."));
+    add(NotDone, Texts::tr("Not carried out by: %1."));
+    add(Unknown, Texts::tr("Cannot be told of: %1."));
+    add(NoAnswer, Texts::tr("No answer from: %1."));
+    return parts.join(u' ');
+}
+
+Message startFailed(const bus::GroupFinished& finished, quint8 group) {
+    Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Fault};
+    const auto started = those(finished, bus::MemberOutcome::Done).size();
+    m.headline =
+        finished.stopped
+            ? Texts::tr("%1 of %2 modules of group %3 started. All of them were told to stop.")
+                  .arg(QString::number(started), QString::number(finished.members.size()), nameOf(group))
+        : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
+            ? Texts::tr("No module of group %1 started. Nothing moves because of it.").arg(nameOf(group))
+            : Texts::tr("Whether all modules of group %1 started is unknown.").arg(nameOf(group));
+    m.body = membersSentence(finished) + u' ' +
+             Texts::tr(
+                 "Usually noise on the cable. The start was sent once and is not repeated; look at the "
+                 "motors, load again, then start again.");
+    return m;
+}
+
+Message withheld(const bus::GroupFinished& finished, quint8 group) {
+    Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Attention};
+    const auto modules = those(finished, bus::MemberOutcome::Withheld);
+    if (modules.empty()) {
+        m.headline = Texts::tr("Group %1 has no members. Nothing was sent.").arg(nameOf(group));
+        m.body = Texts::tr("Put modules into the group first.");
+        return m;
+    }
+    m.headline = Texts::tr("The command to group %1 was withheld because of module %2. Nothing was sent.")
+                     .arg(nameOf(group), listOfModules(modules));
+    m.body = Texts::tr(
+        "A group starts only when every member has confirmed its load, answers, and may start; and only "
+        "when the group of every module is known. Load this module again, or give it its group again.");
+    return m;
+}
+
 }  // namespace
 
-QString chainFinding(const ChainDiagnosis& chain) {
-    switch (chain.finding) {
-        case Finding::NotConnected:
-            return Chain::tr("Not connected, so nothing is known of the chain.");
-        case Finding::Fine:
-            return Chain::tr("All is well: %1.").arg(countOfModules(static_cast<int>(chain.found)));
-        case Finding::NobodyAnswers:
-            return Chain::tr("No module answers.");
-        case Finding::BreakBehind:
-            return Chain::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
-        case Finding::FarEndMissing:
-            return Chain::tr("%1 of %2 modules answered, and the far end of the chain is not among them.")
-                .arg(chain.found)
-                .arg(chain.expected);
-        case Finding::OtherHardware:
-            return Chain::tr("%1 is another one than expected.").arg(placeOf(chain));
-        case Finding::MoreThanBefore:
-            return Chain::tr("There are more modules than expected: %1 instead of %2.")
-                .arg(chain.found)
-                .arg(chain.expected);
-        case Finding::Silent:
-            return Chain::tr("%1 does not answer any more. Its motor's state is unknown.")
-                .arg(placeOf(chain));
-        case Finding::Restarted:
-            return Chain::tr("%1 restarted: its position and gains are lost.").arg(placeOf(chain));
+Message groupFailed(const bus::GroupFinished& finished) {
+    using bus::Outcome;
+    if (const auto* change = std::get_if<bus::GroupChange>(&finished.what)) {
+        const QString number = QString::number(change->module.value() + 1);
+        Message m{.key = ofModule(u"group"_s, change->module), .severity = Severity::Attention};
+        m.headline = finished.outcome == Outcome::NoAnswer
+                         ? Texts::tr(
+                               "Module %1 did not answer the change of its group, so its group is "
+                               "unknown.")
+                               .arg(number)
+                         : Texts::tr("The group of module %1 was not changed.").arg(number);
+        m.body = Texts::tr(
+            "No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all "
+            "modules must be known for that. Try again.");
+        return m;
     }
-    return {};
+    const auto& command = std::get<bus::GroupCommand>(finished.what);
+    if (finished.outcome == Outcome::Forbidden)
+        return withheld(finished, command.group);
+    if (finished.outcome == Outcome::Cancelled)
+        return {.key = u"group%1"_s.arg(command.group),
+                .severity = Severity::Attention,
+                .headline =
+                    Texts::tr("The command to group %1 was overtaken by a stop.").arg(nameOf(command.group)),
+                .body = Texts::tr("All motors were told to stop.")};
+    if (command.action == bus::GroupCommand::Action::StartMotion)
+        return startFailed(finished, command.group);
+    return {.key = u"group%1"_s.arg(command.group),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Not every module of group %1 has certainly saved its position as home.")
+                            .arg(nameOf(command.group)),
+            .body = membersSentence(finished) + u' ' + Texts::tr("No motor moved by it.")};
 }
 
-QString chainAdvice(const ChainDiagnosis& chain) {
-    switch (chain.finding) {
-        case Finding::NotConnected:
-            return Chain::tr("Choose a port and connect.");
-        case Finding::Fine:
-            return {};
-        case Finding::NobodyAnswers:
-            return Chain::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all "
-                "modules; "
-                "the ADDR_IN jumper of the module farthest from the PC.");
-        case Finding::BreakBehind:
-            return Chain::tr(
-                       "Numbering starts at the far end, so look at the next module towards the PC after "
-                       "%1: its power first, then the plug between the two. Then scan again.")
-                .arg(placeOf(chain));
-        case Finding::FarEndMissing:
-            return Chain::tr(
-                "What answers are the modules nearest the PC, with new numbers. Look at the cable to "
-                "the module at the far end, and whether another ADDR_IN is grounded now. Their "
-                "settings belong to other places until this is mended.");
-        case Finding::OtherHardware:
-            return Chain::tr(
-                "Settings that belong to the expected one are not applied here. If it was exchanged "
-                "on purpose, take what is there as expected.");
-        case Finding::MoreThanBefore:
-            return Chain::tr(
-                       "From %1 on they are new. If they are meant to be there, take what is there as "
-                       "expected.")
-                .arg(placeOf(chain));
-        case Finding::Silent:
-            return Chain::tr(
-                "Check its power and the cable towards it; use the hardware stop if its motor moves. "
-                "It is asked again by itself, rarely.");
-        case Finding::Restarted:
-            return Chain::tr(
-                "Modules from it towards the PC may be deaf until it has its address again. When all "
-                "motors may stand still and lose their positions, restart the network.");
-    }
-    return {};
+Message rateChanged(const bus::RateChanged& changed) {
+    return {.key = u"rate"_s,
+            .headline = Texts::tr("All modules now talk at %1 Bd. Positions and gains are what they were.")
+                            .arg(rate(changed.baud))};
 }
 
-QString chainVerdict(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Fine:
-            return Chain::tr("fine");
-        case Verdict::New:
-            return Chain::tr("new");
-        case Verdict::Different:
-            return Chain::tr("another one");
-        case Verdict::Missing:
-            return Chain::tr("missing");
-        case Verdict::Silent:
-            return Chain::tr("does not answer");
-        case Verdict::Restarted:
-            return Chain::tr("restarted");
+Message rateNotChanged(const bus::RateChangeFailed& failed) {
+    using Reason = bus::RateChangeFailed::Reason;
+    Message m{.key = u"rate"_s, .severity = Severity::Attention};
+    m.headline = Texts::tr("The rate was not changed: the chain stays at %1 Bd. No motor moved by it.")
+                     .arg(rate(failed.baud));
+    const QString modules = listOfModules(failed.modules);
+    switch (failed.reason) {
+        case Reason::NoSuchRate:
+            m.body = Texts::tr("The modules cannot make %1 Bd.").arg(rate(failed.wanted));
+            break;
+        case Reason::NotNow:
+            m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
+            break;
+        case Reason::Missing:
+            m.body = Texts::tr("Module %1 does not answer and would be left behind. Connect again first.")
+                         .arg(modules);
+            break;
+        case Reason::GroupsUnknown:
+            m.body = Texts::tr(
+                         "Another program may have put module %1 into a group that is not known here. "
+                         "Give it its group again, or restart the network.")
+                         .arg(modules);
+            break;
+        case Reason::Leader:
+            m.body = Texts::tr(
+                         "Module %1 leads a group, and its answer would come at the new rate. Make it "
+                         "an ordinary member first.")
+                         .arg(modules);
+            break;
+        case Reason::NotHeard:
+            m.body = Texts::tr(
+                         "Module %1 did not answer at %2 Bd, so all went back. Try another rate, a "
+                         "shorter cable, or termination at both ends.")
+                         .arg(modules, rate(failed.wanted));
+            break;
+        case Reason::Interrupted:
+            m.body = Texts::tr("A stop came first.");
+            break;
     }
-    return {};
-}
-
-Severity severityOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Fine:
-        case Verdict::New:
-            return Severity::Normal;
-        case Verdict::Different:
-        case Verdict::Missing:
-            return Severity::Attention;
-        case Verdict::Silent:
-        case Verdict::Restarted:
-            return Severity::Fault;
+    if (!failed.lost.empty()) {
+        m.severity = Severity::Fault;
+        m.headline = Texts::tr("Module %1 was lost on the way to another rate. The others are at %2 Bd.")
+                         .arg(listOfModules(failed.lost), rate(failed.baud));
+        m.body = Texts::tr(
+                     "It may still be at %1 Bd, and its motor is as it was. Connect again; if it is not "
+                     "found, restart "
+                     "the network: positions and gains are lost.")
+                     .arg(rate(failed.wanted));
+        m.actions = {scanAgain(), restartNetwork()};
     }
-    return Severity::Normal;
-}
-
-Severity severityOf(Finding finding) {
-    switch (finding) {
-        case Finding::NotConnected:
-        case Finding::Fine:
-        case Finding::MoreThanBefore:
-            return Severity::Normal;
-        case Finding::BreakBehind:
-        case Finding::FarEndMissing:
-        case Finding::OtherHardware:
-            return Severity::Attention;
-        case Finding::NobodyAnswers:
-        case Finding::Silent:
-        case Finding::Restarted:
-            return Severity::Fault;
-    }
-    return Severity::Normal;
-}
-
-QString groupName(std::uint8_t group) {
-    constexpr std::uint8_t kEverybody = 0xFF;
-    if (group == kEverybody)
-        return Chain::tr("no group");
-    return Chain::tr("Group %1").arg(QString::number(group, 16).toUpper());
+    return m;
 }
 
 }  // namespace nmc::texts

@@ -74,6 +74,11 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] Message adapterBack(const QString& port, bool sameSerial);
 [[nodiscard]] Message differentAdapter(const QString& port);
 
+// ---- the chain as a whole ----
+[[nodiscard]] Message groupFailed(const bus::GroupFinished& finished);
+[[nodiscard]] Message rateChanged(const bus::RateChanged& changed);
+[[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
+
 // ---- one module ----
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
 [[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
@@ -46,7 +47,10 @@ const QString kSafetyRead = u"safety/understood"_s;
 }  // namespace
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
-    : QMainWindow(parent), m_settings(settings), m_machineMenu(new MachineMenu(this)) {
+    : QMainWindow(parent),
+      m_settings(settings),
+      m_machineMenu(new MachineMenu(this)),
+      m_chainMenu(new ChainMenu(this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
@@ -171,6 +175,7 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
     connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
+    connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
 
@@ -216,6 +221,7 @@ void MainWindow::showLink(const LinkState& state) {
     m_chain->showLink(state);
     m_simulator->showLink(state);
     m_monitor->showLink(state);
+    m_chainMenu->showChain(m_machine, state);
     showSelected();
 }
 

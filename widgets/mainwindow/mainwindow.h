@@ -26,6 +26,7 @@ class Banner;
 class ChainView;
 class ConnectionBar;
 class LinkBar;
+class ChainMenu;
 class MachineMenu;
 class MessageList;
 class ModulePanel;
@@ -73,6 +74,7 @@ public:
 
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
+    [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
     /// Empty while there is no module.
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
@@ -142,6 +144,7 @@ private:
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
     std::optional<TimePoint> m_now;
     MachineMenu* m_machineMenu;
+    ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;
     QLabel* m_ribbon = nullptr;
     Banner* m_banner = nullptr;

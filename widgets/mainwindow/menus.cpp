@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 
+#include "widgets/chain/chainmenu.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
@@ -62,13 +63,14 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
     file->addSeparator();
-    QObject::connect(add(file, Menus::tr("&Restart the network: positions and gains are lost…"),
-                         u"restartNetworkAction"_s),
-                     &QAction::triggered, &window, &MainWindow::askBeforeRestart);
-    file->addSeparator();
     QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
+
+    QMenu* chain = bar.addMenu(Menus::tr("Chain"));
+    look::name(chain, u"chainMenu"_s, Menus::tr("Chain"));
+    chain->setToolTipsVisible(true);
+    window.chainMenu().addTo(*chain);
 
     QMenu* view = bar.addMenu(Menus::tr("&View"));
     look::name(view, u"viewMenu"_s, Menus::tr("View"));

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the store tells, as messages for the window.
+#include "app/composition.h"
+#include "link/clock.h"
+#include "model/chaindiagnosis.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+void Composition::tell(const StoreEvent& event) {
+    // What became of a procedure's operation is for the procedure to say.
+    if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
+        return;
+    std::visit([this](const auto& news) { told(news); }, event);
+}
+
+void Composition::told(const bus::ChainFound& found) {
+    m_window.endMessage(texts::key::link());
+    const int modules = static_cast<int>(found.modules.size());
+    const QString key = chainLengthKey();
+    // The machine's own word goes before what was seen at this port.
+    const auto told = static_cast<int>(diagnose(m_machine.machine(), m_store.link()).expected);
+    const int expected = told > 0 ? told : m_settings.value(key, modules).toInt();
+    if (modules < expected) {
+        const std::string last =
+            m_machine.machine().axis(ModuleIndex(static_cast<std::uint8_t>(modules - 1))).name;
+        m_window.showMessage(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
+    } else if (told == 0)
+        m_settings.setValue(key, modules);
+    m_watched.reset();
+    m_window.showMessage(texts::connected(found, m_target->port));
+    m_window.endMessage(texts::key::badLink());
+    if (found.unaddressed)
+        m_window.showMessage(texts::unaddressed());
+    else
+        m_window.endMessage(texts::key::unaddressed());
+}
+
+void Composition::told(const bus::ConnectFailed& failed) {
+    m_window.showMessage(texts::connectFailed(failed, m_target->port));
+}
+
+void Composition::told(const bus::OperationFinished& finished) {
+    if (finished.outcome != bus::Outcome::Done)
+        m_window.showMessage(texts::operationFailed(finished));
+}
+
+void Composition::told(const bus::StopFinished& finished) {
+    m_window.showStopResult(finished);
+}
+
+void Composition::told(const bus::ModuleSilence& silence) {
+    if (!silence.silent) {
+        m_window.endMessage(texts::key::silent(silence.module));
+        m_window.endMessage(texts::key::link());
+        return;
+    }
+    const ModuleState* module = m_store.module(silence.module);
+    if (module == nullptr)
+        return;
+    const double seconds = toSeconds(monotonicNow() - module->latestTime);
+    m_window.showMessage(texts::moduleSilent(silence.module, seconds, module->moving()));
+}
+
+void Composition::told(const bus::CommandRefused& refused) {
+    m_window.showMessage(texts::refused(refused));
+}
+
+void Composition::told(const bus::LinkLost&) {
+    // One text for one cause: the modules' own silences are part of it.
+    for (const ModuleState& module : m_store.link().modules)
+        m_window.endMessage(texts::key::silent(module.info.index));
+    m_window.showMessage(texts::linkLost(m_target->port, m_store.movingMotors()));
+}
+
+void Composition::told(const bus::HoldExpired& expired) {
+    m_window.showMessage(texts::holdExpired(expired.module));
+}
+
+void Composition::told(const bus::HealthChanged& changed) {
+    if (changed.health == bus::LinkHealth::Good)
+        m_window.endMessage(texts::key::badLink());
+    else
+        m_window.showMessage(texts::badLink(changed));
+}
+
+void Composition::told(const bus::ModuleRestarted& restarted) {
+    m_window.endMessage(texts::key::silent(restarted.module));
+    m_window.showMessage(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())));
+}
+
+void Composition::told(const bus::MotionSuspect& suspect) {
+    m_window.showMessage(texts::motionSuspect(suspect));
+}
+
+void Composition::told(const bus::GroupFinished& finished) {
+    if (finished.outcome != bus::Outcome::Done)
+        m_window.showMessage(texts::groupFailed(finished));
+}
+
+void Composition::told(const bus::RateChanged& changed) {
+    m_window.showMessage(texts::rateChanged(changed));
+}
+
+void Composition::told(const bus::RateChangeFailed& failed) {
+    m_window.showMessage(texts::rateNotChanged(failed));
+}
+
+void Composition::told(const PortClosed& closed) {
+    m_window.showPackets(m_worker.takeRecords());
+    m_frameTimer.stop();
+    m_figuresTimer.stop();
+    m_window.showFigures({});
+    if (closed.error) {
+        PortError error = *closed.error;
+        error.port = m_target->port;
+        m_window.showMessage(texts::portProblem(error));
+        m_ports.closed(error);
+    } else
+        m_window.showMessage(texts::disconnected(m_target->port));
+    if (m_quitWhenClosed)
+        quit();
+    else if (m_openNext)
+        openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+void Composition::told(const SimulatorAnswered& answer) {
+    m_window.showSimulatorAnswer(QString::fromStdString(answer.line), QByteArray::fromStdString(answer.json));
+}
+
+void Composition::told(const PanelFroze& froze) {
+    // The store still has what moved before.
+    if (froze.stopped || m_store.movingMotors() > 0)
+        m_window.showMessage(texts::panelFroze(toSeconds(froze.length), froze.stopped));
+}
+
+void Composition::told(const MachineSlept& slept) {
+    m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
+}
+
+void Composition::told(const ServoWentOff& off) {
+    const ModuleState* gone = m_store.module(off.module);
+    if (gone != nullptr && gone->isStepper()) {
+        m_window.showMessage(texts::amplifierWentOff(off.module, off.activity));
+        return;
+    }
+    if (off.activity == Activity::PowerLost) {
+        m_window.showMessage(texts::powerLost(off.module));
+        return;
+    }
+    const ModuleState* module = m_store.module(off.module);
+    const auto limit =
+        module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
+    m_window.showMessage(texts::tripped(off.module, limit));
+}
+
+}  // namespace nmc

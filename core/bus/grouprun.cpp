@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "bus/grouprun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace nmc::bus {
+
+namespace {
+
+/// Looks that agree, for a claim.
+constexpr unsigned kVotes = 2;
+/// Questions in a row that it did not answer.
+constexpr unsigned kSilences = 2;
+
+[[nodiscard]] bool near(std::int32_t a, std::int32_t b) {
+    return std::abs(std::int64_t{countsBetween(a, b)}) <= GroupRun::kSame;
+}
+
+/// Where the load leads; nothing without a goal.
+[[nodiscard]] std::optional<std::int32_t> goalOf(const Belief& before) {
+    if (const auto& load = before.stepLoad())
+        return load->position ? std::optional(load->position->value()) : std::nullopt;
+    const auto& load = before.servoLoad();
+    const bool trapezoidal = load && load->servo && load->profile == servo::ProfileMode::Trapezoidal;
+    return trapezoidal && load->position ? std::optional(load->position->value()) : std::nullopt;
+}
+
+/// What a velocity mode load brings about in that time after standstill, counts; as far as it says.
+[[nodiscard]] double wayOf(const servo::LoadTrajectory& load, Duration time) {
+    if (!load.servo || load.profile != servo::ProfileMode::Velocity || !load.velocity || !load.acceleration)
+        return 0;
+    const double ticks = toSeconds(time) / toSeconds(kServoTick);
+    const double v = load.velocity->value() / 65'536.0;
+    const double a = load.acceleration->value() / 65'536.0;
+    return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, for friction
+}
+
+[[nodiscard]] bool standsStill(const Belief& belief) {
+    return belief.fresh() && !belief.moving();
+}
+
+}  // namespace
+
+ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
+    const bool starts = action == GroupCommand::Action::StartMotion;
+    if (type == ModuleType::Step)
+        return starts ? StepCommand(StartMotion{}) : StepCommand(SaveAsHome{});
+    return starts ? ServoCommand(StartMotion{}) : ServoCommand(SaveAsHome{});
+}
+
+GroupRun::GroupRun(GroupCommand command, std::vector<Belief> members, TimePoint latched)
+    : m_command(command), m_latched(latched) {
+    for (Belief& member : members) {
+        const bool stood = standsStill(member);
+        m_members.push_back({std::move(member), stood});
+    }
+}
+
+void GroupRun::onLeader(ModuleIndex leader, ReplyResult result) {
+    if (result == ReplyResult::Accepted)
+        at(leader).outcome = MemberOutcome::Done;
+    else if (result == ReplyResult::Refused)
+        at(leader).outcome = MemberOutcome::NotDone;
+}
+
+std::optional<ModuleIndex> GroupRun::next(TimePoint now) {
+    const Member* first = nullptr;
+    for (Member& member : m_members) {
+        if (!member.outcome && member.looks >= kVotes && now - m_latched >= kLimit)
+            member.outcome = MemberOutcome::Unknown;
+        if (!member.outcome && (first == nullptr || member.looks < first->looks))
+            first = &member;
+    }
+    return first != nullptr ? std::optional(first->before.info().index) : std::nullopt;
+}
+
+bool GroupRun::onLook(ModuleIndex module, const StatusReport& report, TimePoint latched) {
+    Member& member = at(module);
+    if (member.outcome)
+        return false;
+    ++member.looks;
+    member.silences = 0;
+    const auto shown = shows(member, report, latched);
+    if (!shown)
+        return false;
+    member.done = *shown == MemberOutcome::Done ? member.done + 1 : 0;
+    member.notDone = *shown == MemberOutcome::NotDone ? member.notDone + 1 : 0;
+    if (member.done == kVotes || member.notDone == kVotes || *shown == MemberOutcome::Unknown)
+        member.outcome = shown;
+    return member.outcome == MemberOutcome::Done;
+}
+
+void GroupRun::onSilence(ModuleIndex module) {
+    Member& member = at(module);
+    if (!member.outcome && ++member.silences == kSilences)
+        member.outcome = MemberOutcome::NoAnswer;
+}
+
+std::vector<GroupMember> GroupRun::members() const {
+    std::vector<GroupMember> all;
+    for (const Member& member : m_members)
+        all.push_back({member.before.info().index, member.outcome.value_or(MemberOutcome::NoAnswer)});
+    return all;
+}
+
+const Belief& GroupRun::before(ModuleIndex module) const {
+    return std::find_if(m_members.begin(), m_members.end(),
+                        [&](const Member& m) { return m.before.info().index == module; })
+        ->before;
+}
+
+bool GroupRun::partly() const {
+    const auto any = [&](auto... outcomes) {
+        return std::any_of(m_members.begin(), m_members.end(), [&](const Member& member) {
+            return ((member.outcome.value_or(MemberOutcome::NoAnswer) == outcomes) || ...);
+        });
+    };
+    return m_command.action == GroupCommand::Action::StartMotion &&
+           any(MemberOutcome::Done, MemberOutcome::Unknown, MemberOutcome::NoAnswer) &&
+           any(MemberOutcome::NotDone, MemberOutcome::NoAnswer);
+}
+
+GroupRun::Member& GroupRun::at(ModuleIndex module) {
+    return *std::find_if(m_members.begin(), m_members.end(),
+                         [&](const Member& m) { return m.before.info().index == module; });
+}
+
+/// Nothing: this look does not tell, another may.
+std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusReport& report,
+                                             TimePoint latched) const {
+    switch (m_command.action) {
+        case GroupCommand::Action::StartMotion:
+            return started(member, report, latched);
+        case GroupCommand::Action::SaveAsHome:
+            break;
+    }
+    if (!report.home || !report.position)
+        return std::nullopt;
+    if (member.stood)
+        return near(*report.home, *report.position) ? MemberOutcome::Done : MemberOutcome::NotDone;
+    // It was on its way, so the place is another one than the home before.
+    const auto& home = member.before.home();
+    return home && *home != *report.home ? MemberOutcome::Done : MemberOutcome::Unknown;
+}
+
+std::optional<MemberOutcome> GroupRun::started(const Member& member, const StatusReport& report,
+                                               TimePoint latched) const {
+    // From one velocity to another: nobody can tell the one that was not heard from a slow change.
+    if (!member.stood)
+        return member.looks >= kVotes ? std::optional(MemberOutcome::Unknown) : std::nullopt;
+    const auto& from = member.before.position();
+    if (!report.position || !from)
+        return std::nullopt;
+    const auto goal = goalOf(member.before);
+    const bool there = goal && near(*report.position, *goal);
+    if (there || !near(*report.position, *from))
+        return MemberOutcome::Done;
+    if (member.before.info().identity.type == ModuleType::Step)
+        return report.stepStatus().moving() ? MemberOutcome::Done : MemberOutcome::NotDone;
+    if (!report.servoStatus().moveDone())
+        return MemberOutcome::Done;
+    // Off by itself meanwhile: it may have begun.
+    if (report.aux && member.before.on() && !servo::AuxByte{*report.aux}.servoOn())
+        return MemberOutcome::Unknown;
+    const auto& load = member.before.servoLoad();
+    const bool wouldShow = goal || (load && wayOf(*load, latched - m_latched) >= kShows);
+    return wouldShow ? std::optional(MemberOutcome::NotDone) : std::nullopt;
+}
+
+}  // namespace nmc::bus

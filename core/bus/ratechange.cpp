@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "bus/ratechange.h"
+
+#include <utility>
+
+#include "protocol/baud.h"
+#include "protocol/commands.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// How often all are told to go back.
+constexpr unsigned kReturns = 2;
+
+}  // namespace
+
+RateChange::RateChange(std::vector<Target> chain, std::vector<BusAddress> groups, std::uint32_t from,
+                       std::uint32_t to, WayBack wayBack)
+    : m_chain(std::move(chain)), m_groups(std::move(groups)), m_from(from), m_to(to), m_wayBack(wayBack) {}
+
+RateChange::Next RateChange::next() {
+    switch (m_phase) {
+        case Phase::Change: {
+            enter(Phase::Verify);
+            Line::Script script = tellAll(m_to);
+            script.insert(script.end(), {SetHostBaud{m_to}, DiscardInput{}});
+            return script;
+        }
+        case Phase::LookBack:
+            enter(Phase::Recheck);
+            return Line::toRate(m_from);
+        case Phase::Return:
+            enter(Phase::Settle);
+            ++m_returns;
+            return goBack();
+        case Phase::Verify:
+        case Phase::Recheck:
+        case Phase::Settle:
+            return ask();
+        case Phase::Ended:
+            break;
+    }
+    return m_ended;
+}
+
+void RateChange::onReply(const ReplyEnd& end) {
+    // A module that flags an error has heard something at this rate, but not well enough.
+    if (end.result != ReplyResult::Accepted)
+        m_unheard.push_back(m_at);
+    if (++m_at == m_chain.size())
+        onAll();
+}
+
+/// The last module of this phase has been asked.
+void RateChange::onAll() {
+    switch (m_phase) {
+        case Phase::Verify:
+            m_ended.deaf = m_unheard;
+            m_ended.reached = m_unheard.empty();
+            if (m_unheard.size() == m_chain.size() && !std::exchange(m_lookedBack, true))
+                return enter(Phase::LookBack);
+            return enter(m_ended.reached || m_wayBack == WayBack::None ? Phase::Ended : Phase::Return);
+        case Phase::Recheck:
+            // They are where they were: the change was lost on its way. Once more, but only once.
+            if (m_unheard.empty())
+                return enter(Phase::Change);
+            return enter(m_wayBack == WayBack::None ? Phase::Ended : Phase::Return);
+        case Phase::Settle:
+            m_ended.lost = m_unheard;
+            return enter(m_unheard.empty() || m_returns == kReturns ? Phase::Ended : Phase::Return);
+        case Phase::Change:
+        case Phase::LookBack:
+        case Phase::Return:
+        case Phase::Ended:
+            return;
+    }
+}
+
+Line::Script RateChange::goBack() const {
+    // Even where the port is there already: a module may have heard half of something.
+    Line::Script script = Line::toRate(m_to);
+    for (const Line::Script& more : {tellAll(m_from), Line::toRate(m_from)})
+        script.insert(script.end(), more.begin(), more.end());
+    return script;
+}
+
+void RateChange::interrupt() {
+    m_ended = {};
+    m_ended.interrupted = true;
+    m_returns = 1;
+    enter(Phase::Settle);
+}
+
+/// Nobody answers: there is no leader.
+Line::Script RateChange::tellAll(std::uint32_t rate) const {
+    const auto row = findBaud(rate);
+    const Payload payload = SetBaud{row ? row->brd : kPowerUpBrd}.encode();
+    Line::Script script{Line::Gap{}};
+    for (const BusAddress group : m_groups)
+        script.insert(script.end(), {Line::Packet{toPacket({group, payload})}, Line::Gap{}});
+    // The port changes when its own buffer has run empty.
+    script.emplace_back(Line::Lag{kTurnaround});
+    return script;
+}
+
+RateChange::Ask RateChange::ask() const {
+    return {{m_chain[m_at].address, Nop{}.encode(), m_chain[m_at].reply}};
+}
+
+void RateChange::enter(Phase phase) {
+    m_phase = phase;
+    m_at = 0;
+    m_unheard.clear();
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chain/chainmenu.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "widgets/chain/chaindialog.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+ChainMenu::ChainMenu(QWidget* window)
+    : QObject(window),
+      m_window(window),
+      m_doctor(newAction(u"chainDoctorAction"_s, tr("Chain &doctor…"), Qt::Key_F6,
+                         tr("What is expected, what is there, and where the chain probably breaks."))),
+      m_groups(newAction(u"groupsAction"_s, tr("&Groups…"), Qt::Key_F7,
+                         tr("Who listens to which group; starting loaded moves at once."))),
+      m_rate(newAction(u"rateAction"_s, tr("R&ate of the chain…"), Qt::Key_F8,
+                       tr("Takes the whole chain to another rate."))),
+      m_scan(newAction(u"scanAction"_s, tr("&Scan again"), Qt::Key_F5,
+                       tr("Looks for the chain again; nothing is reset."))),
+      m_restart(newAction(u"restartNetworkAction"_s,
+                          tr("&Restart the network: positions and gains are lost…"), {},
+                          tr("Resets every module and gives addresses again. Asks first."))) {
+    connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
+    connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
+    connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
+    connect(m_scan, &QAction::triggered, this, &ChainMenu::scanRequested);
+    connect(m_restart, &QAction::triggered, this, &ChainMenu::restartRequested);
+    showChain({}, {});
+}
+
+QAction* ChainMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
+                              const QString& tip) {
+    auto* action = new QAction(text, m_window);
+    action->setObjectName(objectName);
+    action->setShortcut(shortcut);
+    action->setToolTip(tip);
+    return action;
+}
+
+void ChainMenu::addTo(QMenu& menu) {
+    menu.addActions({m_doctor, m_groups, m_rate});
+    menu.addSeparator();
+    menu.addActions({m_scan, m_restart});
+}
+
+void ChainMenu::showChain(const Machine& machine, const LinkState& link) {
+    m_machine = machine;
+    m_link = link;
+    m_scan->setEnabled(link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost);
+    m_restart->setEnabled(link.phase != LinkPhase::Disconnected);
+    if (m_dialog != nullptr && m_dialog->isVisible())
+        m_dialog->showChain(machine, link);
+}
+
+void ChainMenu::openDoctor() {
+    open(ChainDialog::Doctor);
+}
+
+void ChainMenu::open(int page) {
+    if (m_dialog == nullptr) {
+        m_dialog = new ChainDialog(m_window);
+        connect(m_dialog, &ChainDialog::scanRequested, this, &ChainMenu::scanRequested);
+        connect(m_dialog, &ChainDialog::restartRequested, this, &ChainMenu::restartRequested);
+        connect(m_dialog, &ChainDialog::acceptRequested, this, &ChainMenu::acceptRequested);
+        connect(m_dialog, &ChainDialog::groupChangeRequested, this, &ChainMenu::groupChangeRequested);
+        connect(m_dialog, &ChainDialog::groupCommandRequested, this, &ChainMenu::groupCommandRequested);
+        connect(m_dialog, &ChainDialog::rateRequested, this, &ChainMenu::rateRequested);
+    }
+    m_dialog->showChain(m_machine, m_link);
+    m_dialog->open(static_cast<ChainDialog::Page>(page));
+}
+
+}  // namespace nmc

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "bus/types.h"
+#include "model/linkstate.h"
+#include "model/machine.h"
+
+class QAction;
+class QMenu;
+
+namespace nmc {
+
+class ChainDialog;
+
+/// The menu of the chain as a whole, and the window it opens: doctor, groups, rate. Everything is asked for
+/// by signals.
+class ChainMenu : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ChainMenu(QWidget* window);
+
+    void addTo(QMenu& menu);
+    /// Emits nothing.
+    void showChain(const Machine& machine, const LinkState& link);
+    void openDoctor();
+
+signals:
+    /// Looks for the chain again; nothing is reset.
+    void scanRequested();
+    /// To be asked about first.
+    void restartRequested();
+    /// What is there now is what is expected from now on.
+    void acceptRequested();
+    void groupChangeRequested(const nmc::bus::GroupChange& change);
+    void groupCommandRequested(const nmc::bus::GroupCommand& command);
+    void rateRequested(quint32 baud);
+
+private:
+    QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
+                       const QString& tip);
+    void open(int page);
+
+    QWidget* m_window;
+    ChainDialog* m_dialog = nullptr;  ///< from its first opening on
+    QAction* m_doctor;
+    QAction* m_groups;
+    QAction* m_rate;
+    QAction* m_scan;
+    QAction* m_restart;
+    Machine m_machine;
+    LinkState m_link;
+};
+
+}  // namespace nmc
