@@ -22,10 +22,8 @@ class PanelHead : public QFrame {
 public:
     using WhyNot = std::function<std::optional<Refusal>(Request)>;
 
-    enum class Drive : std::uint8_t { Servo, Stepper };
-
-    /// The names of a stepper's controls begin with "step": stepEnableButton.
-    explicit PanelHead(Drive drive, QWidget* parent = nullptr);
+    /// The names of a stepper's controls begin with "step".
+    explicit PanelHead(QWidget* parent = nullptr, ModuleType type = ModuleType::Servo);
 
     /// `age`: how old the value is when it is too old to be trusted, s; else empty.
     void showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age);
@@ -42,7 +40,7 @@ private:
     void refresh();
     void showPosition(const ModuleState& module, std::optional<double> age);
 
-    Drive m_drive;
+    bool m_stepper;
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;
