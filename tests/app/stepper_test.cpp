@@ -230,7 +230,7 @@ TEST_F(StepperPanel, LoadsNowAndStartsLater) {
 
 TEST_F(StepperPanel, MovesOnlyWhileAButtonIsHeld) {
     enable();
-    type("stepJogCapField", QStringLiteral("600"));
+    type("stepHoldCapField", QStringLiteral("600"));
     EXPECT_TRUE(find<QLineEdit>("stepHoldVelocityField").text() == QStringLiteral("200"))
         << "low, and no lower than the minimum profile speed";
     type("stepHoldVelocityField", QStringLiteral("5000"));

@@ -15,19 +15,20 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-PanelHead::PanelHead(QWidget* parent, ModuleType type)
+PanelHead::PanelHead(Drive drive, QWidget* parent)
     : QFrame(parent),
-      m_stepper(type == ModuleType::Step),
+      m_drive(drive),
       m_glyph(new GlyphLabel(this)),
       m_name(new QLabel(this)),
       m_type(look::newMutedLabel({}, this)),
       m_state(new QLabel(this)),
       m_position(new QLabel(this)),
       m_positionUnit(look::newMutedLabel({}, this)),
-      m_enable(m_stepper ? addButton(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
-                                     tr("Enable the amplifier of this module"), intent::Enable{})
-                         : addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
-                                     tr("Enable the servo of this module"), intent::Enable{})),
+      m_enable(drive == Drive::Stepper
+                   ? addButton(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
+                               tr("Enable the amplifier of this module"), intent::Enable{})
+                   : addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
+                               tr("Enable the servo of this module"), intent::Enable{})),
       m_stopSmoothly(addButton(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
                                tr("Stop this module smoothly"), intent::StopSmoothly{})),
       m_stopAbruptly(addButton(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
@@ -85,7 +86,7 @@ PanelHead::PanelHead(QWidget* parent, ModuleType type)
 }
 
 QString PanelHead::named(const QString& name) const {
-    return m_stepper ? u"step"_s + name[0].toUpper() + name.mid(1) : name;
+    return m_drive == Drive::Servo ? name : u"step"_s + name[0].toUpper() + name.mid(1);
 }
 
 QPushButton* PanelHead::addButton(const QString& icon, const QString& text, const QString& objectName,
@@ -100,7 +101,7 @@ void PanelHead::showPosition(const ModuleState& module, std::optional<double> ag
     const bool known = module.latest.has_value() && module.latest->position.has_value();
     look::setText(m_position, known ? texts::grouped(*module.latest->position) : u"–"_s);
     m_position->setProperty("counts", known ? QVariant(*module.latest->position) : QVariant());
-    const QString countUnit = m_stepper ? texts::unitSteps() : texts::unitCounts();
+    const QString countUnit = m_drive == Drive::Stepper ? texts::unitSteps() : texts::unitCounts();
     m_position->setAccessibleName(
         known ? tr("Position %1 %2").arg(QString::number(*module.latest->position), countUnit)
               : tr("Position unknown"));
@@ -145,9 +146,9 @@ void PanelHead::refresh() {
         const std::optional<Refusal> refusal = m_whyNot(request);
         return refusal.has_value() ? texts::refusal(*refusal) : QString();
     };
-    const QString enable = !m_on       ? reason(Request::Enable)
-                           : m_stepper ? tr("The amplifier is on already.")
-                                       : tr("The servo is on already.");
+    const QString enable = !m_on                       ? reason(Request::Enable)
+                           : m_drive == Drive::Stepper ? tr("The amplifier is on already.")
+                                                       : tr("The servo is on already.");
     look::setPossible(m_enable, enable.isEmpty() && m_busy ? tr("Waiting for the module's answer.") : enable,
                       tr("Switches the amplifier on and holds the motor where it is."));
     const QString stop = reason(Request::StopMotion);
@@ -155,7 +156,7 @@ void PanelHead::refresh() {
     look::setPossible(m_stopAbruptly, stop, tr("Stops at once, then holds."));
     look::setPossible(
         m_motorOff, reason(Request::MotorOff),
-        m_stepper
+        m_drive == Drive::Stepper
             ? tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may "
                  "fall.")
             : tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));

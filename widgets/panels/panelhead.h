@@ -22,8 +22,10 @@ class PanelHead : public QFrame {
 public:
     using WhyNot = std::function<std::optional<Refusal>(Request)>;
 
-    /// The names of a stepper's controls begin with "step".
-    explicit PanelHead(QWidget* parent = nullptr, ModuleType type = ModuleType::Servo);
+    enum class Drive : std::uint8_t { Servo, Stepper };
+
+    /// The names of a stepper's controls begin with "step": stepEnableButton.
+    explicit PanelHead(Drive drive, QWidget* parent = nullptr);
 
     /// `age`: how old the value is when it is too old to be trusted, s; else empty.
     void showModule(const ModuleState& module, const WhyNot& whyNot, std::optional<double> age);
@@ -40,7 +42,7 @@ private:
     void refresh();
     void showPosition(const ModuleState& module, std::optional<double> age);
 
-    bool m_stepper;
+    Drive m_drive;
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;

@@ -27,7 +27,7 @@ bool isStop(const Intent& intent) {
 
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent),
-      m_head(new PanelHead(this)),
+      m_head(new PanelHead(PanelHead::Drive::Servo, this)),
       m_motion(new MotionBox(this)),
       m_pages(new QTabWidget(this)),
       m_gains(new GainsBox(this)),

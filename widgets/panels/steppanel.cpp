@@ -28,7 +28,7 @@ bool isStop(const Intent& intent) {
 
 StepPanel::StepPanel(QWidget* parent)
     : QWidget(parent),
-      m_head(new PanelHead(this, ModuleType::Step)),
+      m_head(new PanelHead(PanelHead::Drive::Stepper, this)),
       m_motion(new StepMotionBox(this)),
       m_pages(new QTabWidget(this)),
       m_parameters(new StepParametersBox(this)),

@@ -29,7 +29,7 @@ StepRampBox::StepRampBox(QWidget* parent)
            "motion that has a ramp, and used by a smooth stop after it."));
     m_acceleration->setObjectName(u"stepAccelerationRemark"_s);
     m_state->setObjectName(u"stepAccelerationTimeState"_s);
-    m_cap->setName(u"stepJogCapField"_s, tr("Fastest speed of hold to move"));
+    m_cap->setName(u"stepHoldCapField"_s, tr("Fastest speed of hold to move"));
     m_cap->setQuantity(tr("The fastest speed of hold to move"));
     m_cap->setSingleStep(100);
     m_cap->setMeaning(tr("Hold to move goes no faster than this. Set it so that a hand can still follow."));
