@@ -56,7 +56,39 @@ TEST_F(StepHold, MovesUntilReleased) {
     EXPECT_FALSE(truth().moving);
     EXPECT_TRUE(truth().ampEnabled);
     EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+    EXPECT_EQ(bus.engine.statistics().errors(), 0U) << "every answer was believed";
     bus.expectNoViolations();
+}
+
+TEST_F(StepHold, StopsWhenItsStartIsNotAnswered) {
+    prepare();
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x34; };
+    bus.engine.hold(pace(false), bus.now);
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.sends("AA 01 34 86", from), 1U);
+    EXPECT_FALSE(truth().moving);
+    EXPECT_EQ(bus.count<HoldExpired>(), 1U);
+}
+
+TEST_F(StepHold, NeverRestartsWhatALimitHasStopped) {
+    prepare();
+    holdFor(300ms, pace(false));
+    bus.chain.set(ModuleIndex(0), sim::Input::Limit1, 1.0, bus.now);
+    holdFor(300ms, pace(false));
+    bus.chain.set(ModuleIndex(0), sim::Input::Limit1, 0.0, bus.now);
+    holdFor(300ms, pace(false));
+    EXPECT_FALSE(truth().moving);
+    EXPECT_EQ(bus.sends("AA 01 34 86", from), 1U);
+}
+
+TEST_F(StepHold, EndsWithAStopOfAllMotors) {
+    prepare();
+    holdFor(300ms, pace(true));
+    ASSERT_TRUE(bus.stopAll());
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.sends("AA 01 34", from), 1U);
+    EXPECT_FALSE(truth().moving);
+    EXPECT_TRUE(truth().ampEnabled);
 }
 
 TEST_F(StepHold, EndsByItselfWhenTheEvidenceStopsComing) {

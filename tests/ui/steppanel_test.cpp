@@ -141,6 +141,18 @@ TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
     EXPECT_EQ(plain(u"stepRampOutcome"_s), u"Ramp of 2 500 steps/s² (12.5 mm/s²): acceleration time 40."_s);
 }
 
+// 200 of 255 at half a degree each, from -10.
+TEST_F(StepPanelTest, ReadsTheTemperatureInTheUsersScale) {
+    echoSettings();
+    show(Stepper::holding());
+    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"200 of 255, 3.92 V"_s);
+    machine.axes.resize(1);
+    machine.axes[0].analog = {0.5, -10.0, "°C"};
+    window->showMachine(machine);
+    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"200 of 255, 90 °C"_s);
+    EXPECT_EQ(text(u"stepIoAnalog"_s), u"200 of 255, 90 °C"_s);
+}
+
 TEST_F(StepPanelTest, SaysWhatBlocksADirection) {
     Stepper stepper = Stepper::holding();
     stepper.inputs = kLimit1In;

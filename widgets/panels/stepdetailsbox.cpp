@@ -180,11 +180,8 @@ void StepDetailsBox::showValues(const PanelView& view) {
         }
     }
     look::setText(m_timer, timer);
-    look::setText(
-        m_analog,
-        report.analog
-            ? tr("%1 of 255, %2 V").arg(*report.analog).arg(texts::readout(*report.analog * 5.0 / 255.0, 3))
-            : dash);
+    look::setText(m_analog,
+                  report.analog ? texts::analogReading(view.settings.analog, *report.analog) : dash);
     look::setText(m_home, report.home ? texts::position(view.scale(), *report.home) : dash);
     QString raw = dash;
     if (view.module.latest) {

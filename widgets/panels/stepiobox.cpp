@@ -12,6 +12,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/stepwords.h"
 
 namespace nmc {
 
@@ -261,10 +262,8 @@ void StepIoBox::refresh() {
             look::setText(input.effect, seen ? effectOf(i, active) : QString());
     }
     const bool analog = m_state && m_state->latest && m_state->latest->analog;
-    look::setText(m_analog, analog ? tr("%1 of 255, %2 V")
-                                         .arg(*m_state->latest->analog)
-                                         .arg(texts::readout(*m_state->latest->analog * 5.0 / 255.0, 3))
-                                   : u"–"_s);
+    look::setText(m_analog,
+                  analog ? texts::analogReading(m_settings.analog, *m_state->latest->analog) : u"–"_s);
 }
 
 }  // namespace nmc
