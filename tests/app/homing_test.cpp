@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabWidget>
+#include <QTimer>
 
 #include "model/homingplan.h"
 #include "tests/app/panel.h"
@@ -261,6 +263,28 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
     QTest::qWait(500);
     EXPECT_FALSE(testing_support::moves(sim)) << "nothing starts again";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    auto* procedures = panel.composition().findChild<ProcedureController*>();
+    panel.ask(intent::StepBy{5'000, CountsPerTick(1 << 15), CountsPerTickSquared(1'311), 1'000, 0.0, true});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    bool frozen = false;
+    QTimer::singleShot(0, [&] {
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < 2'600)
+            frozen = !testing_support::moves(sim);
+    });
+    ASSERT_TRUE(panel.waitFor([&] { return frozen; }));
+    const int there = sim.state(1)[u"position"_s].toInt();
+    EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
+    QTest::qWait(300);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), there, 4);
+    EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_TRUE(sim.violations().isEmpty());
 }
 
