@@ -107,7 +107,8 @@ void HomingForm::buildConditions(QGridLayout* grid) {
                      "only if it is to go on, to the index or to home."))
         << addBox(u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
                   tr("Home is at a hard stop: the motor runs against it until the current limit is reached. "
-                     "Starting must not reach it: take a low acceleration. Sticky bits are cleared before."));
+                     "Alone it is looked for at full speed only; together with others from the start, whose "
+                     "current must stay below it then. Sticky bits are cleared before."));
     addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
     addTitle(grid, QString(), row(conditions.mid(3)));
     addTitle(grid, QString(),
