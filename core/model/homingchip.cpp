@@ -149,15 +149,16 @@ HomingChip::Steps HomingChip::run(const Motion& motion) const {
     return steps(load, StartMotion{});
 }
 
+HomingChip::Steps HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
+    if (m_identity.type == ModuleType::Step)
+        return steps(stoppingBy(stop, stepHoming(conditions)));
+    return stopsByItself() ? steps(stoppingBy(stop, servoHoming(conditions)))
+                           : steps(servoHoming(conditions));
+}
+
 HomingChip::Steps HomingChip::search(const HomeConditions& conditions, Stop stop,
                                      const Motion& motion) const {
-    Steps all;
-    if (m_identity.type == ModuleType::Step)
-        all = steps(stoppingBy(stop, stepHoming(conditions)));
-    else if (stopsByItself())
-        all = steps(stoppingBy(stop, servoHoming(conditions)));
-    else
-        all = steps(servoHoming(conditions));
+    Steps all = watch(conditions, stop);
     const Steps motionSteps = run(motion);
     all.insert(all.end(), motionSteps.begin(), motionSteps.end());
     return all;

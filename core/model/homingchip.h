@@ -61,7 +61,9 @@ public:
 
     [[nodiscard]] Steps clearStickyBits() const;
     [[nodiscard]] Steps run(const Motion& motion) const;
-    /// Watch for home, then run.
+    /// From now on the chip looks for home.
+    [[nodiscard]] Steps watch(const HomeConditions& conditions, HomingRecipe::Stop stop) const;
+    /// The same, then run.
     [[nodiscard]] Steps search(const HomeConditions& conditions, HomingRecipe::Stop stop,
                                const Motion& motion) const;
     [[nodiscard]] Steps stop(HomingRecipe::Stop manner) const;

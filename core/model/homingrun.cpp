@@ -122,7 +122,30 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
     m_backedOff = false;
     m_from = seen.position;
     const auto stage = inIndexSearch() ? ProcedureStage::SearchingIndex : ProcedureStage::Searching;
-    return enter(stage, now, m_chip.search(conditions(), m_recipe.stop, ahead));
+    m_watching = !startsUnwatched();
+    return enter(stage, now,
+                 m_watching ? m_chip.search(conditions(), m_recipe.stop, ahead) : m_chip.run(ahead));
+}
+
+/// Starting takes current, too, and that is not home: the chip is told to look for it only at full speed. A
+/// switch could come before, and what was a change would be none; then it is told from the start.
+bool HomingRun::startsUnwatched() const {
+    HomeConditions currentAlone;
+    currentAlone.currentLimit = true;
+    return conditions() == currentAlone;
+}
+
+HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
+    if (!seen.on)
+        return fail(ProcedureFailure::WentOff);
+    if (tooFar(seen))
+        return fail(ProcedureFailure::TravelLimit);
+    if (tooLong(now))
+        return fail(ProcedureFailure::TimeLimit);
+    if (seen.moving)
+        return Wait{};
+    m_watching = true;
+    return send(m_chip.watch(conditions(), m_recipe.stop));
 }
 
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
@@ -145,6 +168,8 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
 }
 
 HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
+    if (!m_watching)
+        return getUpToSpeed(seen, now);
     if (!seen.waiting) {
         // On a chip that has stopped by itself this changes nothing; on the others it is the stop.
         m_offSince.reset();

@@ -36,6 +36,7 @@ private:
     [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next backOff(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next search(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next getUpToSpeed(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next settle(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
@@ -49,6 +50,7 @@ private:
     [[nodiscard]] bool inIndexSearch() const { return m_round == 2; }
     [[nodiscard]] HomeConditions conditions() const;
     [[nodiscard]] HomingChip::Motion motion() const;
+    [[nodiscard]] bool startsUnwatched() const;
     [[nodiscard]] bool mayGoOff() const { return m_goesOff; }
     [[nodiscard]] bool anyActive(const HomingLook& seen) const;
     [[nodiscard]] bool tooFar(const HomingLook& seen) const;
@@ -65,6 +67,7 @@ private:
     bool m_prepared = false;
     bool m_told = false;  ///< within its stage: the stop, the move, the reset
     bool m_backedOff = false;
+    bool m_watching = false;  ///< the chip has been told what to look for
     TimePoint m_toldAt;       ///< when the last operation had ended; older statuses tell nothing about it
     TimePoint m_began;        ///< of a stage's time limit
     std::int32_t m_from = 0;  ///< of a search's travel limit

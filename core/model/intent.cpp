@@ -182,6 +182,13 @@ private:
 
 }  // namespace
 
+bool isStop(const Intent& intent) {
+    return std::holds_alternative<intent::StopSmoothly>(intent) ||
+           std::holds_alternative<intent::StopAbruptly>(intent) ||
+           std::holds_alternative<intent::StopHere>(intent) ||
+           std::holds_alternative<intent::MotorOff>(intent);
+}
+
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
     if (module.isStepper())
         return planStep(intent, module);

@@ -88,6 +88,9 @@ using Intent =
                  intent::StepBy, intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
                  stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
 
+/// It stops a motor: it waits for nothing, and goes past everything.
+[[nodiscard]] bool isStop(const Intent& intent);
+
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
     NotConnected,

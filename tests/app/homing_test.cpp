@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabWidget>
+#include <QTimer>
 
+#include "model/homingplan.h"
 #include "tests/app/panel.h"
 
 namespace nmc {
@@ -98,6 +101,63 @@ TEST_F(HomingPage, TheIndexBehindTheLimit) {
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 2)
         << "it began on the index, and did not make it zero";
     EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 0, 1);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 150, 1, std::uint8_t{0}}});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->el == 150; }));
+    type("homingVelocityField", u"1.5"_s);
+    click("onLimit1Box");
+    click("onPositionErrorBox");
+    click("goToHomeBox");
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
+    const QJsonObject truth = sim.state(1);
+    EXPECT_NEAR(truth[u"home"_s].toInt(), -700, 3);
+    EXPECT_FALSE(truth[u"servo_on"_s].toBool());
+    EXPECT_EQ(panel.module().activity(), Activity::ServoOff);
+    EXPECT_EQ(panel.count(u"switched its servo off"_s), 0);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
+    NmcsimProcess sim(u"servo,servo"_s, {u"--enable-faults"_s});
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
+    // It hears and obeys, but its answers are lost.
+    EXPECT_FALSE(sim.control(u"fault module 1 drop status for=4s"_s).contains(u"error"_s));
+    ASSERT_TRUE(waitForResult(u"Failed"_s));
+    EXPECT_EQ(panel.count(u"is not homed"_s), 1) << panel.headlines().join(u'\n').toStdString();
+    EXPECT_EQ(panel.count(u"has found its home"_s), 0);
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_GT(sim.state(1)[u"position"_s].toInt(), -690);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
+    NmcsimProcess sim(u"step,servo"_s);
+    panel.composition().show({sim.terminal(), 115'200, false});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+    std::ignore = sim.control(u"set 1 home_switch_at 600"_s);
+    const step::SetParameters parameters{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
+    panel.composition().worker().submit(
+        {bus::OperationId(1'000'000),
+         {{ModuleIndex(0), StepCommand(parameters)},
+          {ModuleIndex(0), StepCommand(step::StopMotor{true, step::StopManner::AmplifierOnly})}}});
+    ASSERT_TRUE(panel.waitFor([&] { return !whyNot(Request::Home, panel.module()); }));
+    HomingRecipe recipe = firstRecipe({ModuleType::Step, 1});
+    recipe.reverse = false;
+    panel.ask(intent::Home{recipe});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"has found its home"_s) == 1; }))
+        << panel.headlines().join(u'\n').toStdString();
+    EXPECT_EQ(sim.state(1)[u"position"_s].toInt(), 0);
+    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), 600, 1);
     EXPECT_TRUE(sim.violations().isEmpty());
 }
 
@@ -204,6 +264,28 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
     QTest::qWait(500);
     EXPECT_FALSE(testing_support::moves(sim)) << "nothing starts again";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    auto* procedures = panel.composition().findChild<ProcedureController*>();
+    panel.ask(intent::StepBy{5'000, CountsPerTick(1 << 15), CountsPerTickSquared(1'311), 1'000, 0.0, true});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    bool frozen = false;
+    QTimer::singleShot(0, [&] {
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < 2'600)
+            frozen = !testing_support::moves(sim);
+    });
+    ASSERT_TRUE(panel.waitFor([&] { return frozen; }));
+    const int there = sim.state(1)[u"position"_s].toInt();
+    EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
+    QTest::qWait(300);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), there, 4);
+    EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_TRUE(sim.violations().isEmpty());
 }
 

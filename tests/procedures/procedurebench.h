@@ -60,7 +60,9 @@ public:
     }
     /// One turn of the controller; false when the procedure is over.
     bool turn() {
-        bus.runFor(std::chrono::milliseconds(16));
+        // In slices, so that switches are worked on time also when the wire is quiet.
+        for (int slice = 0; slice < 32; ++slice)
+            bus.runFor(std::chrono::microseconds(500));
         take();
         if (onTurn)
             onTurn(*procedure);
@@ -130,7 +132,12 @@ private:
             s.last = closed;
         }
     }
-    void noteSpeed() { fastest = std::max(fastest, std::abs(truth().commandVelocity)); }
+    /// With the servo off the command follows the motor.
+    void noteSpeed() {
+        const auto now = truth();
+        if (now.servoOn)
+            fastest = std::max(fastest, std::abs(now.commandVelocity));
+    }
 
     void told(const bus::ChainFound& found) {
         modules.clear();

@@ -27,7 +27,7 @@ RatePage::RatePage(QWidget* parent)
     look::name(m_change, u"changeRateButton"_s, tr("Change the rate of the whole chain"));
     m_now->setObjectName(u"chainRateLabel"_s);
     for (const BaudRow& row : kBaudRows)
-        m_rate->addItem(tr("%1 Bd").arg(texts::grouped(row.baud)), row.baud);
+        m_rate->addItem(tr("%1 Bd").arg(texts::grouped(row.nominal)), row.nominal);
     auto* remark =
         look::newMutedLabel(tr("Positions, gains and groups stay. Every module is asked at the new "
                                "rate; when one does not answer there, all go back to the old one."),

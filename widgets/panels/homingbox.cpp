@@ -76,7 +76,7 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
     auto* content = new QWidget(this);
     auto* inner = new QVBoxLayout(content);
-    inner->setContentsMargins(0, 0, unit / 2, 0);
+    inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(unit);
     inner->addWidget(m_form);
     if (type != ModuleType::Step) {
@@ -95,14 +95,14 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     scroll->setMinimumWidth(content->minimumSizeHint().width() +
                             scroll->verticalScrollBar()->sizeHint().width());
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit, unit, unit);
+    layout->setContentsMargins(unit, unit, 0, 0);
     layout->setSpacing(unit / 2);
     layout->addLayout(buttons);
     layout->addWidget(m_stages);
     layout->addWidget(m_result);
-    layout->addWidget(m_hint);
     layout->addSpacing(unit / 2);
     layout->addWidget(scroll, 1);
+    layout->addWidget(m_hint);  // it comes and goes, and nothing may move under the pointer
 
     connect(m_form, &HomingForm::edited, this, &HomingBox::keepRecipe);
     connect(m_home, &QPushButton::clicked, this,

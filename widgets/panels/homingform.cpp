@@ -26,6 +26,7 @@ constexpr double kFastestStep = 50'000.0;
 constexpr double kSlowestServo = 1.0 / 65'536.0;
 constexpr double kLongestWay = 2'147'483'647.0;
 constexpr double kLongestTime = 86'400.0;  // s: a day
+constexpr int kDigits = 8;
 }  // namespace
 
 HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_type(type) {
@@ -53,7 +54,7 @@ QWidget* HomingForm::row(const QList<QWidget*>& widgets) {
     auto* holder = new QWidget(this);
     auto* layout = new QHBoxLayout(holder);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(look::gridUnit(this) * 2);
+    layout->setSpacing(look::gridUnit(this) * 3 / 2);
     for (QWidget* widget : widgets)
         layout->addWidget(widget);
     layout->addStretch(1);
@@ -106,14 +107,14 @@ void HomingForm::buildConditions(QGridLayout* grid) {
                      "only if it is to go on, to the index or to home."))
         << addBox(u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
                   tr("Home is at a hard stop: the motor runs against it until the current limit is reached. "
-                     "Starting must not reach it: take a low acceleration. Sticky bits are cleared before."));
+                     "Alone it is looked for at full speed only; together with others from the start, whose "
+                     "current must stay below it then. Sticky bits are cleared before."));
     addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
     addTitle(grid, QString(), row(conditions.mid(3)));
-    addTitle(
-        grid, QString(),
-        addBox(u"thenIndexBox"_s, tr("then at the index, in the other direction"), &HomingRecipe::thenIndex,
-               tr("What is chosen above finds the neighbourhood; a second, slower search finds the "
-                  "index, which is more exact.")));
+    addTitle(grid, QString(),
+             addBox(u"thenIndexBox"_s, tr("then at the index, going back"), &HomingRecipe::thenIndex,
+                    tr("What is chosen above finds the neighbourhood; a second, slower search finds the "
+                       "index, which is more exact.")));
 }
 
 void HomingForm::buildMotion(QGridLayout* grid) {
@@ -144,6 +145,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     m_time->setBuddy(m_timeLimit);
     look::name(m_timeLimit, named(u"homingTimeField"_s), tr("Time limit of a search"));
     m_timeLimit->setWords(tr("Time limit"), u"s"_s);
+    m_timeLimit->setDigits(kDigits);
     m_timeLimit->setRange(0.1, kLongestTime);
     m_timeLimit->setMeaning(tr("A search that has taken so long is stopped, and has failed."));
     connect(m_timeLimit, &NumberField::edited, this, [this] {
@@ -161,6 +163,7 @@ void HomingForm::addQuantity(QGridLayout* grid, QuantityField::Kind kind, const 
     field->setName(named(name), tr("%1 of the search for home").arg(text));
     field->setQuantity(text);
     field->setMeaning(meaning);
+    field->setDigits(kDigits);
     auto* label = new QLabel(text, this);
     label->setBuddy(field);
     m_quantities.append({field, value, label});

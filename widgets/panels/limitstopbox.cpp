@@ -49,33 +49,41 @@ LimitStopBox::LimitStopBox(QWidget* parent)
     m_limit2->setChecked(true);
 
     const int unit = look::gridUnit(this);
-    auto* choices = new QHBoxLayout;
-    choices->setSpacing(unit);
-    choices->addWidget(m_limit1);
-    choices->addWidget(m_limit2);
-    choices->addSpacing(unit);
+    auto* limitRow = new QHBoxLayout;
+    limitRow->setSpacing(unit * 2);
+    limitRow->addWidget(m_limit1);
+    limitRow->addWidget(m_limit2);
+    limitRow->addStretch(1);
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
     const std::array accessible{tr("Stop abruptly at the limit"), tr("Stop smoothly at the limit"),
                                 tr("Switch the motor off at the limit")};
+    auto* mannerRow = new QHBoxLayout;
+    mannerRow->setSpacing(unit * 2);
     auto* group = new QButtonGroup(this);
     for (std::size_t i = 0; i < kManners.size(); ++i) {
         m_manners[i] = new QRadioButton(texts[i], this);
         look::name(m_manners[i], names[i], accessible[i]);
         group->addButton(m_manners[i]);
-        choices->addWidget(m_manners[i]);
+        mannerRow->addWidget(m_manners[i]);
     }
     m_manners.front()->setChecked(true);
-    choices->addStretch(1);
+    mannerRow->addStretch(1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
-    buttons->addWidget(m_state, 1);
+    buttons->addStretch(1);
     buttons->addWidget(m_disarm);
     buttons->addWidget(m_arm);
-    auto* layout = new QVBoxLayout(this);
-    layout->setSpacing(unit / 2);
-    layout->addLayout(choices);
-    layout->addLayout(buttons);
+    auto* grid = new QGridLayout(this);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    grid->addWidget(new QLabel(tr("Stop at"), this), 0, 0);
+    grid->addLayout(limitRow, 0, 1);
+    grid->addWidget(new QLabel(tr("How"), this), 1, 0);
+    grid->addLayout(mannerRow, 1, 1);
+    grid->addWidget(m_state, 2, 0, 1, 2);
+    grid->addLayout(buttons, 3, 0, 1, 2);
+    grid->setColumnStretch(1, 1);
 
     for (QAbstractButton* box : {m_limit1, m_limit2})
         connect(box, &QAbstractButton::toggled, this, &LimitStopBox::refresh);

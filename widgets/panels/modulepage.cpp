@@ -3,19 +3,8 @@
 
 namespace nmc {
 
-namespace {
-/// Stops are never held back; everything else waits for the answer to the click before.
-bool isStop(const Intent& intent) {
-    return std::holds_alternative<intent::StopSmoothly>(intent) ||
-           std::holds_alternative<intent::StopAbruptly>(intent) ||
-           std::holds_alternative<intent::StopHere>(intent) ||
-           std::holds_alternative<intent::MotorOff>(intent) ||
-           std::holds_alternative<intent::CancelProcedure>(intent);
-}
-}  // namespace
-
 void ModulePage::pass(const Intent& intent) {
-    if (!isStop(intent)) {
+    if (!isStop(intent) && !std::holds_alternative<intent::CancelProcedure>(intent)) {
         if (m_askedAt.has_value())
             return;
         m_askedAt = m_latestTime;

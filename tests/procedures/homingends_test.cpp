@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A search for home that is cancelled, or overtaken by a stop, in each of its stages.
+#include "tests/procedures/procedurebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Stop = HomingRecipe::Stop;
+using Input = sim::Input;
+
+/// Cancelled or stopped in whatever stage: nothing moves any more, the chip watches for nothing, nothing is
+/// zero.
+class EndedIn : public testing::TestWithParam<ProcedureStage> {
+protected:
+    [[nodiscard]] bool reach() {
+        bench.putSwitch(Input::Limit1, 300, true);
+        if (!bench.enable())
+            return false;
+        HomingRecipe recipe = slowRecipe();
+        recipe.onLimit1 = recipe.thenIndex = true;
+        recipe.stop = Stop::Smoothly;
+        bench.begin(intent::Home{recipe});
+        return bench.runTo(GetParam());
+    }
+    void expectEnded() {
+        bench.bus.runFor(3s);
+        bench.take();
+        EXPECT_EQ(bench.truth().commandVelocity, 0);
+        EXPECT_NEAR(bench.truth().velocity, 0, 0.05);
+        EXPECT_TRUE(bench.truth().servoOn) << "it still holds";
+        EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "no zero";
+        bench.bus.expectNoViolations();
+    }
+    ServoBench bench;
+};
+
+TEST_P(EndedIn, ByCancel) {
+    ASSERT_TRUE(reach());
+    bench.procedure->cancel();
+    const ProcedureReport report = bench.goOn(5);
+    EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
+    EXPECT_FALSE(report.failure);
+    EXPECT_FALSE(bench.module().latest->servoStatus().homeInProgress());
+    expectEnded();
+}
+
+TEST_P(EndedIn, ByStopAll) {
+    ASSERT_TRUE(reach());
+    const std::size_t before = bench.bus.sent.size();
+    bench.procedure->cancel();
+    const auto stopped = bench.bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->stopped.size(), 1U);
+    const ProcedureReport report = bench.goOn(5);
+    EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 01 05", before), 0U) << "nothing is started any more";
+    expectEnded();
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, EndedIn,
+                         testing::Values(ProcedureStage::Preparing, ProcedureStage::BackingOff,
+                                         ProcedureStage::Searching, ProcedureStage::SearchingIndex,
+                                         ProcedureStage::Stopping, ProcedureStage::Reading,
+                                         ProcedureStage::GoingHome));
+
+TEST(Homing, AStopByWhoeverCancelsItsCommandsIsLeftAsItIs) {
+    ServoBench bench;
+    ASSERT_TRUE(bench.enable());
+    HomingRecipe recipe = slowRecipe();
+    recipe.onLimit1 = true;
+    bench.begin(intent::Home{recipe});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
+    bench.procedure->onFinished(bus::Outcome::Cancelled);
+    const std::size_t before = bench.bus.sent.size();
+    const ProcedureReport report = bench.goOn(5);
+    EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 01 17", before), 0U) << "it might switch on what was switched off";
+    EXPECT_EQ(bench.bus.sends("AA 01 19 00", before), 1U);
+}
+
+}  // namespace
+}  // namespace nmc::test
