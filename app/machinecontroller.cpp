@@ -53,6 +53,7 @@ void MachineController::wire() {
 }
 
 void MachineController::start() {
+    m_window.showMachine(m_machine);
     showFile();
     if (!m_unsaved.left())
         return;

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The machine file in the whole program, against a simulator that counts what reaches the modules: opening
+// sends nothing, Apply sends what is ticked and nothing else, and no work is lost.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QTreeWidget>
+
+#include "link/machineio.h"
+#include "model/machinefile.h"
+#include "tests/app/panel.h"
+#include "widgets/machine/machinemenu.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+const servo::SetGain kGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
+
+/// A machine for servo,servo: names and gains for both, limit pins for the first.
+Machine twoServos() {
+    Machine machine;
+    machine.name = "Mill";
+    machine.baud = 115'200;
+    machine.axes.resize(2);
+    machine.axes[0].name = "X axis";
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 4};
+    machine.axes[0].gains = kGains;
+    machine.axes[0].io = servo::IoControl{false, true, true, false};
+    machine.axes[1] = machine.axes[0];
+    machine.axes[1].name = "Y axis";
+    machine.axes[1].gains->kp = 111;
+    machine.axes[1].io.reset();
+    return machine;
+}
+
+class MachineFiles : public testing::Test {
+protected:
+    MachineFiles() { file = write("mill.json", writeMachine(twoServos())); }
+
+    QString write(const char* name, const std::string& content) {
+        QString path = directory.filePath(QLatin1String(name));
+        EXPECT_TRUE(writeFile(path, content).has_value());
+        return path;
+    }
+    static Machine machineIn(const QString& path) {
+        const auto text = readFile(path, kMaxMachineFile);
+        EXPECT_TRUE(text.has_value());
+        const auto parsed = parseMachine(text.value_or(""));
+        return parsed ? parsed->machine : Machine{};
+    }
+    /// How often a module carried a command out.
+    static int executed(NmcsimProcess& sim, int module, const char* command) {
+        const QJsonArray modules = sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray();
+        return modules[module - 1]
+            .toObject()[QStringLiteral("executed")]
+            .toObject()[QLatin1String(command)]
+            .toInt();
+    }
+    /// Everything that each module was told, as text; looking at them is not telling.
+    static std::string told(NmcsimProcess& sim) {
+        std::string all;
+        for (const QJsonValue& module :
+             sim.control(QStringLiteral("stats"))[QStringLiteral("modules")].toArray()) {
+            QJsonObject commands = module.toObject()[QStringLiteral("executed")].toObject();
+            for (const char* look : {"read_status", "nop"})
+                commands.remove(QLatin1String(look));
+            all += QJsonDocument(commands).toJson(QJsonDocument::Compact).toStdString();
+        }
+        return all;
+    }
+    static MachineMenu& menu(IntentPanel& panel) { return panel.window().machineMenu(); }
+    static QTreeWidget* table(IntentPanel& panel) {
+        return panel.window().findChild<QTreeWidget*>(QStringLiteral("differencesTable"));
+    }
+    static void click(IntentPanel& panel, const char* button) {
+        auto* widget = panel.window().findChild<QAbstractButton*>(QLatin1String(button));
+        ASSERT_NE(widget, nullptr) << button;
+        ASSERT_TRUE(widget->isEnabled()) << button << ": " << widget->toolTip().toStdString();
+        widget->click();
+    }
+    static void tickOnly(IntentPanel& panel, const QStringList& rows) {
+        for (int i = 0; i < table(panel)->topLevelItemCount(); ++i) {
+            QTreeWidgetItem* row = table(panel)->topLevelItem(i);
+            if (row->data(0, Qt::CheckStateRole).isValid())
+                row->setCheckState(0, rows.contains(row->text(0)) ? Qt::Checked : Qt::Unchecked);
+        }
+    }
+    static void connectTo(IntentPanel& panel, NmcsimProcess& sim) {
+        panel.start();
+        panel.connectTo(sim.terminal());
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    }
+    static void rename(IntentPanel& panel, const char* name) {
+        AxisSettings axis;
+        axis.name = name;
+        emit panel.window().axisEdited(ModuleIndex(0), axis);
+    }
+
+    QTemporaryDir directory;
+    QString file;
+};
+
+TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    connectTo(panel, sim);
+    const std::string before = told(sim);
+    emit menu(panel).openRequested(file);
+    ASSERT_NE(table(panel), nullptr);
+    QStringList rows;
+    for (int i = 0; i < table(panel)->topLevelItemCount(); ++i)
+        rows << table(panel)->topLevelItem(i)->text(0);
+    EXPECT_EQ(rows, (QStringList{QStringLiteral("Machine"), QStringLiteral("Rate"),
+                                 QStringLiteral("Module 1: Name"), QStringLiteral("Module 1: Gains"),
+                                 QStringLiteral("Module 1: Limit pins"), QStringLiteral("Module 2: Name"),
+                                 QStringLiteral("Module 2: Gains")}));
+    QTest::qWait(300);
+    EXPECT_EQ(told(sim), before);
+    click(panel, "cancelDifferencesButton");
+    QTest::qWait(300);
+    EXPECT_EQ(told(sim), before);
+    EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - ") + sim.terminal());
+    EXPECT_FALSE(panel.module().gains.has_value());
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    connectTo(panel, sim);
+    const std::string before = told(sim);
+    emit menu(panel).openRequested(file);
+    tickOnly(panel, {QStringLiteral("Module 1: Name"), QStringLiteral("Module 2: Gains")});
+    click(panel, "applyDifferencesButton");
+    ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
+    QTest::qWait(300);
+    EXPECT_EQ(told(sim).substr(0, before.find('}')), before.substr(0, before.find('}')));
+    EXPECT_EQ(told(sim).size(), before.size() + std::string(",\"set_gain\":1").size()) << told(sim);
+    EXPECT_EQ(sim.state(2)[QStringLiteral("gains")].toObject()[QStringLiteral("kp")].toInt(), 111);
+    for (const int module : {1, 2}) {
+        EXPECT_FALSE(sim.state(module)[QStringLiteral("servo_on")].toBool());
+        EXPECT_FALSE(sim.state(module)[QStringLiteral("amp_enabled")].toBool());
+        EXPECT_EQ(sim.state(module)[QStringLiteral("position")].toInt(), 0);
+    }
+    EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"X axis\""));
+    EXPECT_EQ(texts::moduleName(ModuleIndex(1)), QStringLiteral("Module 2"));
+    EXPECT_TRUE(panel.window().isWindowModified()) << "it is not what the file says";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    connectTo(panel, sim);
+    emit menu(panel).openRequested(file);
+    click(panel, "applyDifferencesButton");
+    ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
+    ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 1, "io_control") == 1; }));
+    EXPECT_EQ(executed(sim, 1, "set_gain"), 1);
+    EXPECT_FALSE(panel.window().isWindowModified());
+    EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
+    EXPECT_EQ(panel.headlines().first(),
+              QStringLiteral("\"mill.json\" is open: 7 settings were taken from it."));
+    // Opened again, there is nothing to do.
+    ASSERT_TRUE(panel.waitFor([&] {
+        const auto& modules = panel.composition().store().link().modules;
+        return modules[1].gains && modules[0].io;
+    }));
+    emit menu(panel).openRequested(file);
+    EXPECT_EQ(panel.headlines().first(),
+              QStringLiteral("\"mill.json\" is open. It says what is there already."));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    panel.startMoving(sim);
+    // Its gains are the file's already; the limit pins are not.
+    ASSERT_EQ(kGains.kp, panel.module().gains->kp);
+    emit menu(panel).openRequested(file);
+    click(panel, "tickAllButton");
+    ASSERT_TRUE(panel.waitFor([&] {
+        return !panel.window()
+                    .findChild<QAbstractButton*>(QStringLiteral("applyDifferencesButton"))
+                    ->isEnabled();
+    }));
+    emit menu(panel).applyRequested({{ModuleIndex(0), MachinePart::Io}});
+    QTest::qWait(300);
+    EXPECT_EQ(executed(sim, 1, "io_control"), 0);
+    ASSERT_NE(table(panel), nullptr);
+    EXPECT_TRUE(moves(sim));
+    // Names can be taken meanwhile.
+    tickOnly(panel, {QStringLiteral("Module 1: Name")});
+    click(panel, "applyDifferencesButton");
+    EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"X axis\""));
+    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
+    NmcsimProcess sim(QStringLiteral("servo@3,servo"));
+    IntentPanel panel;
+    connectTo(panel, sim);
+    const std::string content = readFile(file, kMaxMachineFile).value();
+    emit menu(panel).openRequested(file);
+    ASSERT_EQ(table(panel)->topLevelItem(2)->text(0), QStringLiteral("Module 1: Module"));
+    EXPECT_EQ(table(panel)->topLevelItem(2)->text(1), QStringLiteral("PIC-SERVO v4"));
+    EXPECT_EQ(table(panel)->topLevelItem(2)->text(2), QStringLiteral("PIC-SERVO v3"));
+    click(panel, "tickAllButton");
+    click(panel, "applyDifferencesButton");
+    ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
+    EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
+    EXPECT_TRUE(menu(panel).file().path.isEmpty()) << "Save asks for a name";
+    EXPECT_EQ(readFile(file, kMaxMachineFile).value(), content);
+}
+
+TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
+    NmcsimProcess sim(QStringLiteral("servo,step"));
+    IntentPanel panel;
+    connectTo(panel, sim);
+    rename(panel, "Spindle");
+    panel.ask(intent::ApplyGains{kGains});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    EXPECT_TRUE(panel.window().isWindowModified());
+    const QString path = directory.filePath(QStringLiteral("lathe.json"));
+    emit menu(panel).saveAsRequested(path);
+    EXPECT_FALSE(panel.window().isWindowModified());
+    EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - lathe[*]")));
+    const Machine saved = machineIn(path);
+    EXPECT_EQ(saved.name, "lathe");
+    EXPECT_EQ(saved.baud, 115'200U);
+    ASSERT_EQ(saved.axes.size(), 2U);
+    EXPECT_EQ(saved.axes[0].name, "Spindle");
+    EXPECT_EQ(saved.axes[0].gains, kGains);
+    EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 4}));
+    EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Step, 1}));
+
+    IntentPanel another;
+    another.start();
+    emit menu(another).openRequested(path);
+    click(another, "applyDifferencesButton");
+    EXPECT_FALSE(another.window().isWindowModified());
+    EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Spindle\""));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(MachineFiles, UnknownKeysAreStillThereAfterSaving) {
+    std::string text = writeMachine(twoServos());
+    text.insert(1, "\n  \"serial\": \"A-17\",");
+    const QString path = write("keys.json", text);
+    IntentPanel panel;
+    panel.start();
+    emit menu(panel).openRequested(path);
+    click(panel, "applyDifferencesButton");
+    rename(panel, "Z");
+    emit menu(panel).saveRequested();
+    EXPECT_THAT(readFile(path, kMaxMachineFile).value(), testing::HasSubstr("\"serial\": \"A-17\""));
+    EXPECT_EQ(machineIn(path).axes[0].name, "Z");
+}
+
+TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
+    std::string text = writeMachine(twoServos());
+    text.replace(text.find("\"Kp\": 200"), 9, "\"Kp\": 40000");
+    const QString path = write("bad.json", text);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("40000")), '\n');
+    IntentPanel panel;
+    panel.start();
+    emit menu(panel).openRequested(path);
+    EXPECT_EQ(panel.headlines().first(),
+              QStringLiteral("\"bad.json\" line %1: Kp is 40000; the module takes 0 to 32767.").arg(line));
+    EXPECT_EQ(table(panel), nullptr);
+    EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"));
+    emit menu(panel).openRequested(directory.filePath(QStringLiteral("none.json")));
+    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"none.json\" was not opened."));
+}
+
+TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
+    IntentPanel panel;
+    panel.start();
+    rename(panel, "Z");
+    emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("none/mill.json")));
+    EXPECT_EQ(panel.count(QStringLiteral("was not saved")), 1);
+    EXPECT_TRUE(panel.window().isWindowModified());
+    EXPECT_TRUE(menu(panel).file().path.isEmpty());
+    emit menu(panel).saveAsRequested(directory.path());
+    EXPECT_TRUE(panel.window().isWindowModified());
+    emit menu(panel).saveAsRequested(file);
+    EXPECT_FALSE(panel.window().isWindowModified());
+    EXPECT_EQ(machineIn(file).axes[0].name, "Z");
+}
+
+TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        IntentPanel panel(settings);
+        panel.start();
+        for (int i = 1; i <= 9; ++i)
+            emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("m%1.json").arg(i)));
+        emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("m5.json")));
+    }
+    IntentPanel panel(settings);
+    panel.start();
+    QStringList names;
+    for (const QString& path : menu(panel).file().recent)
+        names << QFileInfo(path).completeBaseName();
+    EXPECT_EQ(names.join(QLatin1Char(' ')), QStringLiteral("m5 m9 m8 m7 m6 m4 m3 m2"));
+}
+
+// ---- unsaved work ----
+
+TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        IntentPanel panel(settings);
+        panel.start();
+        emit menu(panel).openRequested(file);
+        click(panel, "applyDifferencesButton");
+        rename(panel, "Unsaved");
+    }
+    EXPECT_EQ(machineIn(file), twoServos()) << "the file is the user's to save";
+    {
+        IntentPanel panel(settings);
+        panel.start();
+        EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved work on \"mill\" is there."));
+        EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
+        emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kRestoreWork);
+        EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
+        EXPECT_TRUE(panel.window().isWindowModified());
+        EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
+        emit menu(panel).saveRequested();
+        EXPECT_EQ(machineIn(file).axes[0].name, "Unsaved");
+        EXPECT_EQ(machineIn(file).axes[1], twoServos().axes[1]);
+    }
+    IntentPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), 0) << "it is saved";
+}
+
+TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    for (const int starts : {1, 2}) {
+        IntentPanel panel(settings);
+        panel.start();
+        EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), starts - 1);
+        if (starts == 1)
+            rename(panel, "Z");
+        else
+            emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kDiscardWork);
+    }
+    IntentPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.count(QStringLiteral("Unsaved work")), 0);
+}
+
+TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    IntentPanel panel(settings);
+    panel.start();
+    rename(panel, "Z");
+    // As a program that is killed would leave it.
+    const QString kept = directory.filePath(QStringLiteral("unsaved/unsaved-1"));
+    EXPECT_FALSE(QFile::exists(kept));
+    ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(kept); }));
+    EXPECT_THAT(readFile(kept, kMaxMachineFile).value(), testing::HasSubstr("\"name\": \"Z\""));
+    emit menu(panel).saveAsRequested(file);
+    EXPECT_FALSE(QFile::exists(kept)) << "nothing is unsaved";
+}
+
+TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothing) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        IntentPanel panel(settings);
+        panel.start();
+        emit menu(panel).openRequested(file);
+        click(panel, "applyDifferencesButton");
+        rename(panel, "Unsaved");
+    }
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel(settings);
+    connectTo(panel, sim);
+    const std::string before = told(sim);
+    emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kRestoreWork);
+    ASSERT_NE(table(panel), nullptr);
+    tickOnly(panel, {QStringLiteral("Module 1: Name")});
+    click(panel, "applyDifferencesButton");
+    QTest::qWait(200);
+    EXPECT_EQ(told(sim), before);
+    EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
+}
+
+TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    panel.start();
+    emit menu(panel).openRequested(file);
+    const auto gains = [&] { return table(panel)->topLevelItem(3)->text(3); };
+    ASSERT_EQ(table(panel)->topLevelItem(3)->text(0), QStringLiteral("Module 1: Gains"));
+    EXPECT_EQ(gains(), QStringLiteral("Waits in the fields, not sent."));
+    panel.connectTo(sim.terminal());
+    EXPECT_TRUE(panel.waitFor([&] { return gains() == QStringLiteral("Is sent to the module."); }));
+    EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
+}
+
+}  // namespace
+}  // namespace nmc
