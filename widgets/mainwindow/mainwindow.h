@@ -28,7 +28,7 @@ class ConnectionBar;
 class LinkBar;
 class MessageList;
 class ModulePanel;
-class PacketMonitor;
+class MonitorDock;
 class ScopePanel;
 class SimulatorDock;
 
@@ -146,7 +146,7 @@ private:
     ScopePanel* m_scope = nullptr;
     MessageList* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
-    PacketMonitor* m_monitor = nullptr;
+    MonitorDock* m_monitor = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy
