@@ -10,6 +10,7 @@
 #include <QTableView>
 
 #include "tests/model/packetrecords.h"
+#include "widgets/monitor/monitordock.h"
 #include "widgets/monitor/packetmonitor.h"
 #include "windowtest.h"
 
@@ -28,12 +29,12 @@ protected:
         return {"NMC Panel 0.3.0", "2025-06-01T12:00:00.000Z", simulated ? "simulator" : "/dev/ttyUSB0",
                 simulated, TimePoint{}};
     }
-    PacketMonitor* monitor() { return find<PacketMonitor>(u"monitorDock"_s); }
+    MonitorDock* dock() { return find<MonitorDock>(u"monitorDock"_s); }
     QTableView* table() { return find<QTableView>(u"packetTable"_s); }
     QComboBox* box(const QString& objectName) { return find<QComboBox>(objectName); }
     void open() {
         window->findChild<QAction*>(u"monitorDockAction"_s)->trigger();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return monitor()->recording(); }));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return dock()->recording(); }));
     }
     QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
     QStringList column(int number) {
@@ -56,7 +57,7 @@ protected:
     }
     QByteArray saved(const QString& name) {
         const QString path = directory.filePath(name);
-        monitor()->saveAs(path);
+        dock()->page().saveAs(path);
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
@@ -64,7 +65,7 @@ protected:
 };
 
 TEST_F(Monitor, WantsRecordsOnlyWhileItCanBeSeenAndIsNotPaused) {
-    EXPECT_FALSE(monitor()->recording());
+    EXPECT_FALSE(dock()->recording());
     EXPECT_EQ(wanted.size(), 0);
     open();
     ASSERT_EQ(wanted.size(), 1);
@@ -76,17 +77,30 @@ TEST_F(Monitor, WantsRecordsOnlyWhileItCanBeSeenAndIsNotPaused) {
     click(u"packetPause"_s);
     ASSERT_EQ(wanted.size(), 3);
     EXPECT_TRUE(wanted.at(2).at(0).toBool());
-    monitor()->close();
+    dock()->close();
     ASSERT_TRUE(QTest::qWaitFor([this] { return wanted.size() == 4; }));
     EXPECT_FALSE(wanted.at(3).at(0).toBool());
+}
+
+TEST_F(Monitor, IsBuiltWhenItIsFirstSeenAndKnowsTheConnectionThen) {
+    window->beginPackets(session(false));
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.modules.resize(5);
+    window->showLink(link);
+    EXPECT_EQ(window->findChild<QTabWidget*>(u"monitorTabs"_s), nullptr);
+    open();
+    EXPECT_NE(window->findChild<QTabWidget*>(u"monitorTabs"_s), nullptr);
+    EXPECT_EQ(box(u"packetModuleBox"_s)->count(), 6) << "all, and five modules";
+    EXPECT_TRUE(saved(u"first.txt"_s).contains("/dev/ttyUSB0"));
 }
 
 TEST_F(Monitor, WantsNoneBehindAnotherTab) {
     open();
     find<QDockWidget>(u"messagesDock"_s)->raise();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !monitor()->recording(); }));
-    monitor()->raise();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return monitor()->recording(); }));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !dock()->recording(); }));
+    dock()->raise();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return dock()->recording(); }));
 }
 
 TEST_F(Monitor, ShowsTimeBytesMeaningAndVerdict) {
@@ -224,7 +238,7 @@ TEST_F(Monitor, SavesALogThatCanBeReplayed) {
 TEST_F(Monitor, TellsInPlaceWhatCouldNotBeSaved) {
     open();
     showFour();
-    monitor()->saveAs(u"/nowhere/packets.txt"_s);
+    dock()->page().saveAs(u"/nowhere/packets.txt"_s);
     EXPECT_TRUE(find(u"packetNews"_s)->isVisible());
     EXPECT_TRUE(text(u"packetNews"_s).startsWith(u"/nowhere/packets.txt could not be written: "_s));
 }
@@ -249,6 +263,7 @@ TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {
     figures.counters.roundTripSum = std::chrono::seconds(24);
     figures.counters.roundTripMax = std::chrono::microseconds(12'300);
     window->showFigures(figures);
+    open();
     const QAbstractItemModel* counters = find<QTableView>(u"counterTable"_s)->model();
     ASSERT_EQ(counters->rowCount(), 12 + 16);
     QMap<QString, QString> values;
@@ -270,7 +285,7 @@ TEST_F(Monitor, IsWorkedByKeyboard) {
     EXPECT_TRUE(box(u"packetKindBox"_s)->hasFocus());
     for (const bool paused : {true, false}) {
         QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return monitor()->recording() != paused; }));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return dock()->recording() != paused; }));
     }
     showFour();
     QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier);

@@ -126,26 +126,28 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
             m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
             break;
         case Reason::Missing:
-            m.body = Texts::tr("Module %1 does not answer and would be left behind. Connect again first.")
+            m.body = Texts::tr(
+                         "There is no answer from module %1, which would be left behind. Connect again "
+                         "first.")
                          .arg(modules);
             break;
         case Reason::GroupsUnknown:
             m.body = Texts::tr(
-                         "Another program may have put module %1 into a group that is not known here. "
-                         "Give it its group again, or restart the network.")
+                         "Another program may have changed the group of module %1, which would not "
+                         "hear the new rate. Set its group again, or restart the network.")
                          .arg(modules);
             break;
         case Reason::Leader:
             m.body = Texts::tr(
-                         "Module %1 leads a group, and its answer would come at the new rate. Make it "
-                         "an ordinary member first.")
+                         "There is a group leader, module %1, whose answer would come at the new rate. "
+                         "Make it an ordinary member first.")
                          .arg(modules);
             break;
         case Reason::NotHeard:
             m.body = Texts::tr(
-                         "Module %1 did not answer at %2 Bd, so all went back. Try another rate, a "
-                         "shorter cable, or termination at both ends.")
-                         .arg(modules, rate(failed.wanted));
+                         "There was no answer at %1 Bd from module %2, so all went back. Try another "
+                         "rate, a shorter cable, or termination at both ends.")
+                         .arg(rate(failed.wanted), modules);
             break;
         case Reason::Interrupted:
             m.body = Texts::tr("A stop came first.");
@@ -153,13 +155,12 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
     }
     if (!failed.lost.empty()) {
         m.severity = Severity::Fault;
-        m.headline = Texts::tr("Module %1 was lost on the way to another rate. The others are at %2 Bd.")
-                         .arg(listOfModules(failed.lost), rate(failed.baud));
+        m.headline = Texts::tr("No answer from module %1 since the change of rate. Nothing was moving.")
+                         .arg(listOfModules(failed.lost));
         m.body = Texts::tr(
-                     "It may still be at %1 Bd, and its motor is as it was. Connect again; if it is not "
-                     "found, restart "
-                     "the network: positions and gains are lost.")
-                     .arg(rate(failed.wanted));
+                     "It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not "
+                     "found, restart the network: positions and gains are lost.")
+                     .arg(rate(failed.wanted), rate(failed.baud));
         m.actions = {scanAgain(), restartNetwork()};
     }
     return m;

@@ -25,7 +25,7 @@
 #include "widgets/mainwindow/monitorplace.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
-#include "widgets/monitor/packetmonitor.h"
+#include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/simulator/simulatordock.h"
@@ -140,7 +140,7 @@ void MainWindow::buildDocks() {
     resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
     resizeDocks({scope}, {em * 23}, Qt::Vertical);
     addSimulatorDock();
-    m_monitor = new PacketMonitor(this);
+    m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);
     m_docks.append(m_monitor);
 }
@@ -190,7 +190,7 @@ void MainWindow::connectParts() {
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
-    connect(m_monitor, &PacketMonitor::recordingChanged, this, &MainWindow::packetRecordingWanted);
+    connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }

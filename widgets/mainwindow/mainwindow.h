@@ -30,7 +30,7 @@ class ChainMenu;
 class MachineMenu;
 class MessageList;
 class ModulePanel;
-class PacketMonitor;
+class MonitorDock;
 class ScopePanel;
 class SimulatorDock;
 
@@ -153,7 +153,7 @@ private:
     ScopePanel* m_scope = nullptr;
     MessageList* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
-    PacketMonitor* m_monitor = nullptr;
+    MonitorDock* m_monitor = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy

@@ -4,7 +4,7 @@
 #include <QAction>
 #include <QMainWindow>
 
-#include "widgets/monitor/packetmonitor.h"
+#include "widgets/monitor/monitordock.h"
 
 namespace nmc {
 
@@ -13,7 +13,7 @@ namespace {
 /// Room for time, bytes and the beginning of their meaning, in lines of text.
 constexpr int kWantedWidth = 44;
 
-void makeRoom(QMainWindow& window, PacketMonitor& monitor, QDockWidget& scope) {
+void makeRoom(QMainWindow& window, MonitorDock& monitor, QDockWidget& scope) {
     monitor.raise();
     const int wanted = monitor.fontMetrics().height() * kWantedWidth;
     const bool beside = window.dockWidgetArea(&monitor) == window.dockWidgetArea(&scope) && scope.isVisible();
@@ -26,7 +26,7 @@ void makeRoom(QMainWindow& window, PacketMonitor& monitor, QDockWidget& scope) {
 
 }  // namespace
 
-void placeMonitor(QMainWindow& window, PacketMonitor& monitor, QDockWidget& messages, QDockWidget& scope) {
+void placeMonitor(QMainWindow& window, MonitorDock& monitor, QDockWidget& messages, QDockWidget& scope) {
     window.addDockWidget(Qt::BottomDockWidgetArea, &monitor);
     window.tabifyDockWidget(&messages, &monitor);
     monitor.hide();

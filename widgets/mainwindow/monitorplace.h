@@ -6,10 +6,10 @@ class QMainWindow;
 
 namespace nmc {
 
-class PacketMonitor;
+class MonitorDock;
 
 /// Puts the packet monitor behind the messages' tab, closed. When the user opens it, it comes to the front
 /// and takes room from the scope beside it.
-void placeMonitor(QMainWindow& window, PacketMonitor& monitor, QDockWidget& messages, QDockWidget& scope);
+void placeMonitor(QMainWindow& window, MonitorDock& monitor, QDockWidget& messages, QDockWidget& scope);
 
 }  // namespace nmc

@@ -32,7 +32,7 @@ const QString kSaveDialog = u"packetSaveDialog"_s;
 }  // namespace
 
 PacketMonitor::PacketMonitor(QWidget* parent)
-    : QDockWidget(tr("Packet monitor"), parent),
+    : QWidget(parent),
       m_model(new PacketModel(this)),
       m_view(new PacketView(*m_model, this)),
       m_counters(new CounterTable(this)),
@@ -40,8 +40,7 @@ PacketMonitor::PacketMonitor(QWidget* parent)
       m_kind(new QComboBox(this)),
       m_summary(look::newMutedLabel({}, this)),
       m_news(new QLabel(this)) {
-    look::name(this, u"monitorDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    look::name(this, u"packetMonitor"_s, tr("Packet monitor"));
     buildControls();
     buildContent();
     connect(m_module, &QComboBox::currentIndexChanged, this, &PacketMonitor::applyFilter);
@@ -55,11 +54,6 @@ PacketMonitor::PacketMonitor(QWidget* parent)
     connect(m_copy, &QPushButton::clicked, this, &PacketMonitor::copy);
     connect(m_view, &PacketView::copyRequested, this, &PacketMonitor::copy);
     connect(m_save, &QPushButton::clicked, this, &PacketMonitor::chooseFile);
-    // Not showEvent: a dock behind another's tab is shown, but not seen.
-    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
-        m_seen = seen;
-        updateRecording();
-    });
     showSummary();
 }
 
@@ -132,7 +126,9 @@ void PacketMonitor::buildContent() {
     tabs->addTab(m_counters, tr("Counters"));
     m_summary->setMargin(unit / 3);
     tabs->setCornerWidget(m_summary);
-    setWidget(tabs);
+    auto* page = new QVBoxLayout(this);
+    page->setContentsMargins(0, 0, 0, 0);
+    page->addWidget(tabs);
 }
 
 void PacketMonitor::begin(const PacketSession& session) {
@@ -149,8 +145,9 @@ void PacketMonitor::showPackets(std::vector<bus::ExchangeRecord> records) {
     showSummary();
 }
 
-void PacketMonitor::showLink(const LinkState& link) {
-    offerModules(qMax(m_module->count() - 1, static_cast<int>(link.modules.size())));
+void PacketMonitor::setSeen(bool seen) {
+    m_seen = seen;
+    updateRecording();
 }
 
 void PacketMonitor::offerModules(int count) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
+#include <QWidget>
 #include <vector>
 
 #include "bus/exchangerecord.h"
@@ -20,7 +20,7 @@ struct PacketSession;
 
 /// Every exchange with time, bytes, meaning and verdict; and the counters of the link. It wants records only
 /// while it can be seen and is not paused, so that it costs nothing when closed.
-class PacketMonitor : public QDockWidget {
+class PacketMonitor : public QWidget {
     Q_OBJECT
 
 public:
@@ -30,13 +30,16 @@ public:
     void begin(const PacketSession& session);
     /// What was recorded since the last call; once a frame.
     void showPackets(std::vector<bus::ExchangeRecord> records);
-    void showLink(const LinkState& link);
+    /// How many modules there are to choose from.
+    void offerModules(int count);
     /// Once a second.
     void showFigures(const LinkFigures& figures);
     /// Writes everything that is kept: a replayable log when the name ends in .nmclog, else a text. Tells in
     /// place what became of it.
     void saveAs(const QString& path);
 
+    /// Somebody can see it: not so behind another dock's tab.
+    void setSeen(bool seen);
     [[nodiscard]] bool recording() const { return m_recording; }
 
 signals:
@@ -47,7 +50,6 @@ private:
     void buildContent();
     QPushButton* newButton(const QString& objectName, const QString& text, const QString& toolTip,
                            const QKeySequence& shortcut);
-    void offerModules(int count);
     void applyFilter();
     void pause(bool paused);
     void updateRecording();

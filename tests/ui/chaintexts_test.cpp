@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of groups and of the chain's rate: first what it means for the motors.
+#include "widgets/common/texts.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using bus::MemberOutcome;
+using Action = bus::GroupCommand::Action;
+using Reason = bus::RateChangeFailed::Reason;
+
+bus::GroupFinished start(bus::Outcome outcome, std::vector<bus::GroupMember> members, bool stopped = false) {
+    return {bus::OperationId(1), outcome, bus::GroupCommand{0x81, Action::StartMotion}, std::move(members),
+            stopped};
+}
+
+TEST(ChainTexts, GroupStartedInPart) {
+    const Message m = texts::groupFailed(start(bus::Outcome::NoAnswer,
+                                               {{ModuleIndex(0), MemberOutcome::Done},
+                                                {ModuleIndex(1), MemberOutcome::NotDone},
+                                                {ModuleIndex(2), MemberOutcome::Done}},
+                                               true));
+    EXPECT_EQ(m.headline, u"2 of 3 modules of group 81 started. All of them were told to stop."_s);
+    EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1 and 3. Not carried out by: 2."_s))
+        << m.body.toStdString();
+    EXPECT_EQ(m.severity, Severity::Fault);
+}
+
+TEST(ChainTexts, GroupOfWhichNobodyStarted) {
+    const Message m =
+        texts::groupFailed(start(bus::Outcome::NoAnswer, {{ModuleIndex(0), MemberOutcome::NotDone},
+                                                          {ModuleIndex(1), MemberOutcome::NotDone}}));
+    EXPECT_EQ(m.headline, u"No module of group 81 started. Nothing moves because of it."_s);
+}
+
+TEST(ChainTexts, GroupStartThatCannotBeTold) {
+    const Message m =
+        texts::groupFailed(start(bus::Outcome::NoAnswer, {{ModuleIndex(0), MemberOutcome::Done},
+                                                          {ModuleIndex(1), MemberOutcome::Unknown}}));
+    EXPECT_EQ(m.headline, u"Whether all modules of group 81 started is unknown."_s);
+}
+
+TEST(ChainTexts, GroupStartWithheld) {
+    const Message m =
+        texts::groupFailed(start(bus::Outcome::Forbidden, {{ModuleIndex(2), MemberOutcome::Withheld}}));
+    EXPECT_EQ(m.headline, u"The command to group 81 was withheld because of module 3. Nothing was sent."_s);
+    EXPECT_EQ(m.severity, Severity::Attention);
+    EXPECT_EQ(texts::groupFailed(start(bus::Outcome::Forbidden, {})).headline,
+              u"Group 81 has no members. Nothing was sent."_s);
+}
+
+TEST(ChainTexts, RateThatAModuleDidNotHear) {
+    const Message m = texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
+    EXPECT_EQ(m.headline, u"The rate was not changed: the chain stays at 19 200 Bd. No motor moved by it."_s);
+    EXPECT_TRUE(m.body.startsWith(u"There was no answer at 115 200 Bd from module 2, so all went back."_s))
+        << m.body.toStdString();
+    const Message lost =
+        texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {ModuleIndex(1)}});
+    EXPECT_EQ(lost.headline, u"No answer from module 2 since the change of rate. Nothing was moving."_s);
+    EXPECT_EQ(lost.severity, Severity::Fault);
+    EXPECT_EQ(lost.actions.size(), 2);
+}
+
+TEST(ChainTexts, RateForAll) {
+    EXPECT_EQ(texts::rateChanged({57'600}).headline,
+              u"All modules now talk at 57 600 Bd. Positions and gains are what they were."_s);
+}
+
+TEST(ChainTexts, HaveNoForbiddenWords) {
+    QStringList all;
+    for (const Reason reason : {Reason::NoSuchRate, Reason::NotNow, Reason::Missing, Reason::GroupsUnknown,
+                                Reason::Leader, Reason::NotHeard, Reason::Interrupted}) {
+        const Message m = texts::rateNotChanged({reason, 57'600, 19'200, {ModuleIndex(1)}, {}});
+        EXPECT_FALSE(m.body.isEmpty());
+        all << m.headline << m.body;
+    }
+    const bus::GroupFinished change{bus::OperationId(1),
+                                    bus::Outcome::Forbidden,
+                                    bus::GroupChange{ModuleIndex(1), {0x81, true}},
+                                    {},
+                                    false};
+    const bus::GroupFinished home{bus::OperationId(1),
+                                  bus::Outcome::NoAnswer,
+                                  bus::GroupCommand{0x81, Action::SaveAsHome},
+                                  {{ModuleIndex(0), MemberOutcome::Unknown}},
+                                  false};
+    for (const auto& finished : {change, home, start(bus::Outcome::Cancelled, {})})
+        all << texts::groupFailed(finished).headline << texts::groupFailed(finished).body;
+    for (const QString& text : all)
+        for (const QString& word : {u"invalid"_s, u"illegal"_s, u"fatal"_s, u"error"_s, u"!"_s, u"%"_s})
+            EXPECT_FALSE(text.contains(word, Qt::CaseInsensitive)) << text.toStdString();
+}
+
+}  // namespace
+}  // namespace nmc

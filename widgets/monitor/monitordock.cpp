@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/monitordock.h"
+
+#include <utility>
+
+#include "widgets/common/look.h"
+#include "widgets/monitor/packetmonitor.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+MonitorDock::MonitorDock(QWidget* parent) : QDockWidget(PacketMonitor::tr("Packet monitor"), parent) {
+    look::name(this, u"monitorDock"_s, windowTitle());
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    // Not showEvent: a dock behind another's tab is shown, but not seen.
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
+        if (seen || m_page != nullptr)
+            page().setSeen(seen);
+    });
+}
+
+PacketMonitor& MonitorDock::page() {
+    if (m_page == nullptr) {
+        m_page = new PacketMonitor(this);
+        connect(m_page, &PacketMonitor::recordingChanged, this, &MonitorDock::recordingChanged);
+        m_page->begin(m_session);
+        m_page->offerModules(m_modules);
+        m_page->showFigures(m_figures);
+        setWidget(m_page);
+    }
+    return *m_page;
+}
+
+bool MonitorDock::recording() const {
+    return m_page != nullptr && m_page->recording();
+}
+
+void MonitorDock::begin(const PacketSession& session) {
+    m_session = session;
+    m_figures = {};
+    if (m_page != nullptr)
+        m_page->begin(session);
+}
+
+void MonitorDock::showPackets(std::vector<bus::ExchangeRecord> records) {
+    if (m_page != nullptr)
+        m_page->showPackets(std::move(records));
+}
+
+void MonitorDock::showLink(const LinkState& link) {
+    const int modules = qMax(m_modules, static_cast<int>(link.modules.size()));
+    if (modules == std::exchange(m_modules, modules))
+        return;
+    if (m_page != nullptr)
+        m_page->offerModules(modules);
+}
+
+void MonitorDock::showFigures(const LinkFigures& figures) {
+    m_figures = figures;
+    if (m_page != nullptr)
+        m_page->showFigures(figures);
+}
+
+}  // namespace nmc
