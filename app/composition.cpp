@@ -8,6 +8,7 @@
 #include "link/clock.h"
 #include "link/serialtransport.h"
 #include "link/simulatortransport.h"
+#include "model/procedures.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/texts.h"
@@ -39,6 +40,12 @@ PacketSession packetSession(const QString& port) {
     session.simulated = isSimulator(port);
     session.zero = monotonicNow();
     return session;
+}
+
+bool isStop(const Intent& intent) {
+    return std::holds_alternative<intent::StopSmoothly>(intent) ||
+           std::holds_alternative<intent::StopAbruptly>(intent) ||
+           std::holds_alternative<intent::MotorOff>(intent);
 }
 
 /// Where the settings remember how long the chain at a port was.
@@ -191,6 +198,50 @@ void Composition::disconnectFromPort() {
     m_openNext.reset();
     m_procedures.stopAll();
     m_worker.close();
+}
+
+void Composition::carryOut(ModuleIndex index, const Intent& intent) {
+    const ModuleState* module = m_store.module(index);
+    if (module == nullptr)
+        return;
+    const bool stops = isStop(intent);
+    if (!stops)
+        m_procedures.cancel(index);
+    if (std::holds_alternative<intent::CancelProcedure>(intent))
+        return;
+    if (auto procedure = procedureFor(intent, *module)) {
+        // The one before is still stopping its motor: nothing waits in a queue to move.
+        if (!m_procedures.begin(std::move(procedure)))
+            m_window.showMessage(texts::notPossible(index, Refusal::Moving));
+        return;
+    }
+    auto steps = plan(intent, *module);
+    if (!steps) {
+        m_procedures.cancel(index);
+        m_window.showMessage(texts::notPossible(index, steps.error()));
+        return;
+    }
+    submit(std::move(*steps));
+    if (stops)
+        m_procedures.overtake(index);
+}
+
+bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
+    const bus::OperationId id(++m_lastOperation);
+    m_worker.submit({id, std::move(steps)});
+    return id;
+}
+
+void Composition::showProcedure(const ProcedureReport& report) {
+    m_window.showProcedure(report);
+    const ModuleState* module = m_store.module(report.module);
+    if (!report.over() || module == nullptr)
+        return;
+    const AxisUnit unit = m_machine.axis(report.module).unit;
+    const AxisScale scale = module->isServo() ? AxisScale::servo(unit, module->gains ? module->gains->sr : 1)
+                                              : AxisScale::step(unit);
+    if (const auto message = texts::procedureEnded(report, scale))
+        m_window.showMessage(*message);
 }
 
 void Composition::editAxis(ModuleIndex module, const AxisSettings& settings) {
