@@ -273,12 +273,16 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     HomingBox box(nullptr, ModuleType::Step);
     ModuleState module;
     module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Step, 1}};
-    module.latest.emplace();
-    module.latest->status = 0x0C;  // power, amplifier
-    module.latest->position = 0;
-    module.latest->aux = std::uint8_t{0};
-    module.parameters = step::SetParameters{};
-    module.parameters->speedMode = step::SpeedMode::X2;
+    bus::Sample sample{module.info.index, TimePoint(std::chrono::seconds(1)), {}};
+    sample.report.items = StatusItems(StatusItems::Position | StatusItems::Inputs);
+    sample.report.status = 0x0C;  // power, amplifier
+    sample.report.position = 0;
+    sample.report.aux = std::uint8_t{0};
+    module.apply(sample);
+    const ModuleState untold = module;
+    step::SetParameters parameters;
+    parameters.speedMode = step::SpeedMode::X2;
+    module.apply(bus::CommandExecuted{module.info.index, sample.time, StepCommand(parameters)});
     const AxisSettings settings;
     PanelView view{module, settings};
     view.connected = true;
@@ -301,8 +305,9 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     const auto recipe = std::get<intent::Home>(intents.at(0).at(0).value<Intent>()).recipe;
     EXPECT_TRUE(recipe.onHomeSwitch);
     EXPECT_EQ(recipe.velocity, 50.0);
-    module.parameters.reset();
-    box.showModule(view);
+    PanelView other{untold, settings};
+    other.connected = true;
+    box.showModule(other);
     EXPECT_EQ(home->toolTip(), texts::refusal(Refusal::ParametersUnknown));
 }
 
