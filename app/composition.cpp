@@ -145,6 +145,7 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
     connect(&chain, &ChainMenu::groupChangeRequested, this, [this](const bus::GroupChange& change) {
         m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
+        m_machine.noteGroup(change);
     });
     connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
         m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), command});

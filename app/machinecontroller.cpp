@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "link/machineio.h"
 #include "widgets/common/texts.h"
@@ -84,6 +85,29 @@ void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
         axis.io = control->io;
     if (axis != m_machine.axis(module))
         edit(module, axis);
+}
+
+void MachineController::noteGroup(const bus::GroupChange& change) {
+    constexpr std::uint8_t kNoGroup = 0xFF;
+    std::vector<GroupSettings>& groups = m_machine.groups;
+    for (GroupSettings& group : groups) {
+        std::erase(group.members, change.module);
+        if (group.leader == change.module)
+            group.leader.reset();
+    }
+    if (change.place.group != kNoGroup) {
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const GroupSettings& known) {
+            return known.address == change.place.group;
+        });
+        if (group == groups.end())
+            group = groups.insert(groups.end(), GroupSettings{change.place.group, {}, {}, {}});
+        group->members.push_back(change.module);
+        std::sort(group->members.begin(), group->members.end());
+        if (change.place.leader)
+            group->leader = change.module;
+    }
+    std::erase_if(groups, [](const GroupSettings& group) { return group.members.empty(); });
+    changed();
 }
 
 void MachineController::acceptChain() {

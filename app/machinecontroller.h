@@ -34,6 +34,8 @@ public:
     void edit(ModuleIndex module, const AxisSettings& settings);
     /// Something was sent that belongs to the machine: it cannot be read back, so it is remembered.
     void noteSent(ModuleIndex module, const Intent& intent);
+    /// The user has put a module into another group, or out of all.
+    void noteGroup(const bus::GroupChange& change);
     /// The modules that are there are the expected ones from now on.
     void acceptChain();
     /// The button of a message; false: it is not one of these.

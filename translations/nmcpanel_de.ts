@@ -2,6 +2,109 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Chain</name>
+    <message>
+        <source>Not connected, so nothing is known of the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All is well: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No module answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation type="unfinished">%1 von %2 Modulen haben geantwortet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered, and the far end of the chain is not among them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is another one than expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are more modules than expected: %1 instead of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer any more. Its motor&apos;s state is unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and gains are lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What answers are the modules nearest the PC, with new numbers. Look at the cable to the module at the far end, and whether another ADDR_IN is grounded now. Their settings belong to other places until this is mended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings that belong to the expected one are not applied here. If it was exchanged on purpose, take what is there as expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 on they are new. If they are meant to be there, take what is there as expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its power and the cable towards it; use the hardware stop if its motor moves. It is asked again by itself, rarely.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modules from it towards the PC may be deaf until it has its address again. When all motors may stand still and lose their positions, restart the network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation type="unfinished">Gruppe %1</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
@@ -146,6 +249,18 @@
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
+    <message>
+        <source>no current limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limits above (odd)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limits below (even)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -210,8 +325,146 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Über NMC Panel</translation>
     </message>
     <message>
-        <source>&amp;Restart the network: positions and gains are lost…</source>
-        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
+        <source>Chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StepMeaning</name>
+    <message>
+        <source>Speed mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit switches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation type="unfinished">E-Stop-Eingang</translation>
+    </message>
+    <message>
+        <source>When one stops it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the slowest that is fast enough. The same speeds and ramps mean something else in another mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where ramps begin and end. The motor must start and stop at this speed at once without losing steps; runs and moves with a ramp go no slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is no current: the motor does not follow. Not more than motor and driver stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The current limit at rest, from about 0.25 s after a motion. Usually lower than the run current, so that the motor stays cool. 0 is no current: nothing is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module switches the motor off when the A/D value falls below this: the voltage of a thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of a warm motor to find the right limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. With this on the switches stop nothing, and the motor can run into its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a rule the chip stops the motor when its E-stop input goes high. With this on the input stops nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input switches the motor off too, not only stops it: it is then free to turn, and a load may fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D now %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished">aus</translation>
+    </message>
+    <message>
+        <source>off; %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed %1 of 250</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of full</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StepWords</name>
+    <message>
+        <source>%1 steps/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 255, %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1x: %2 to %3 steps/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs at %1: speed %2, the minimum profile speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs at %1: speed %2 of 250.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs at %1: timer count %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 steps/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp of %1: acceleration time %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes %1 s. Too short for that speed: reaches %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes %1 s, fastest %2.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -637,10 +890,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Modul antwortet nicht: ob sich der Motor bewegt, ist unbekannt.</translation>
     </message>
     <message>
-        <source>The module has no motor power, so its servo is off.</source>
-        <translation>Das Modul hat keine Motorversorgung, daher ist sein Servo aus.</translation>
-    </message>
-    <message>
         <source>The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was switched off.</source>
         <translation>Der Motor ist frei drehbar. Das ist kein Fehler: der Servo wurde noch nicht eingeschaltet oder wurde ausgeschaltet.</translation>
     </message>
@@ -649,16 +898,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo hat sich abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
     </message>
     <message>
-        <source>The servo switched itself off when motor power went away. It stays off.</source>
-        <translation>Der Servo hat sich abgeschaltet, als die Motorversorgung ausfiel. Er bleibt aus.</translation>
-    </message>
-    <message>
         <source>A fixed PWM value drives the motor; the servo does not control it.</source>
         <translation>Ein fester PWM-Wert treibt den Motor; der Servo regelt ihn nicht.</translation>
-    </message>
-    <message>
-        <source>The servo holds the motor where it is.</source>
-        <translation>Der Servo hält den Motor an seiner Position.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>
@@ -1236,6 +1477,1159 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Usually encoder or motor wires are swapped, or the gains make it swing. Check both before the next move.</source>
         <translation>Meist sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Vor der nächsten Fahrt beides prüfen.</translation>
     </message>
+    <message>
+        <source>Carried out by: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not carried out by: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be told of: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No module of group %1 started. Nothing moves because of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether all modules of group %1 started is unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. The start was sent once and is not repeated; look at the motors, load again, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group %1 has no members. Nothing was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put modules into the group first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The command to group %1 was withheld because of module %2. Nothing was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A group starts only when every member has confirmed its load, answers, and may start; and only when the group of every module is known. Load this module again, or give it its group again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 did not answer the change of its group, so its group is unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The group of module %1 was not changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all modules must be known for that. Try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The command to group %1 was overtaken by a stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All motors were told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not every module of group %1 has certainly saved its position as home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motor moved by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All modules now talk at %1 Bd. Positions and gains are what they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rate was not changed: the chain stays at %1 Bd. No motor moved by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The modules cannot make %1 Bd.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something moves, or is about to. Stop all motors, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no answer from module %1, which would be left behind. Connect again first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program may have changed the group of module %1, which would not hear the new rate. Set its group again, or restart the network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a group leader, module %1, whose answer would come at the new rate. Make it an ordinary member first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There was no answer at %1 Bd from module %2, so all went back. Try another rate, a shorter cable, or termination at both ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stop came first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from module %1 since the change of rate. Nothing was moving.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not found, restart the network: positions and gains are lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text in quotation marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object in { }</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list in [ ]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends here, in the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this text is not in UTF-8.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not JSON.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this number is too big.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 levels of brackets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is there twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; the module takes %3 to %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, a word that is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a character that cannot be printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 entries.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a unit that the module of this axis does not count in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>module %1 is in a group already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another group has address %1, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the leader is not one of the group&apos;s modules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not there any more. Was it moved, or is its disk not connected?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 is not there. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a folder or a device. Choose a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your user account may not do that in %1. Choose another folder, or change the permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk of %1 can only be read. Choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no room left on the disk of %1. Make room, or choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is larger than any machine file. Is it the right file?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system says why under Details.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts (steps)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>abruptly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smoothly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a machine without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is larger than %2 bytes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a machine file of NMC Panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; line %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not saved. What it held before is still there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not saved: this machine could not be opened again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open: %2 settings were taken from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was sent to a module.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 commands were sent, as chosen. No motor was moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open. It says what is there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved work on %1 is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An earlier session ended before it was saved. Restoring it sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard: the work is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved work of an earlier session cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes to the machine are not kept until you save them yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The changes to %1 are not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished">Rate</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished">Bewegung</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names of inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation type="unfinished">Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Limit pins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate, Bd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type and version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts (steps) per unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished">Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Run velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold-to-move velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold-to-move cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On limit 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On position error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On current limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On home switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then the index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per A/D count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EL, counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 1 is an input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2 is an input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 1 as an output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2 as an output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore E-stop input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor off on limit or E-stop input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes the panel only; nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is sent to the module.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waits in the fields, not sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waits in the fields, not sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in the file: it stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is for another module, so it cannot be applied here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This module did not answer; its settings are kept for when it does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 motor is moving: stop it before anything is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 motors are moving: stop them before anything is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was stopped: its switch stayed active while it backed off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The switch may be stuck, or the search goes the wrong way. Move the motor off the switch, or change the direction, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stopped before it found home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit or the E-stop input ended its motion. Check the direction of the search and the switches, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was stopped: no home within the travel limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the switch and its cable, the direction of the search, and the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was stopped: no home within the time limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the switch and its cable, the direction and the speed of the search, and the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not homed and was told to stop: the link was in doubt meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was said of home then may be wrong. See to the link, then repeat the search.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not homed and does not answer. Motor state unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was told to stop. Use the hardware stop if it moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not homed: its motor went off by itself, and is free to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor was too far from where it should be, or lost its power. Check for a jam, enable it, then repeat the search.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not homed and was told to stop: a command was not carried out, or its answer was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Repeat the search.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands still and is not homed: two readings of its home differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has found its home and holds close to it, but nothing was made zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not come to rest at home exactly: friction keeps it some counts off, and zero would be off by as much. Raise Ki and IL, or do without the zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backing off from the active switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching the index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading home twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Going to home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making home zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has not finished its moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has found its home: it was at %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The switch stayed active while the motor backed off. It was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion ended before home was found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The travel limit was reached. The motor was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time limit was reached. The motor was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was in doubt meanwhile. The motor was told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module does not answer. Motor state unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor went off by itself, and is free to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A command was not carried out or not answered. The motor was told to stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two readings of home differ. The motor stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not come to rest at home exactly, so nothing was made zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 has no motor power, so its motor is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 switched its motor off because it is too hot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The A/D value fell below the thermal limit. Let the motor cool down; then look at the currents and the limit on the Parameters page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 switched its motor off because its E-stop input is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It stays off when the input is released.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 switched its motor off because a limit switch is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable it again, then move in the other direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 switched its motor off by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not say why. Check its power and its inputs, then enable it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplifier off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped by a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation type="unfinished">E-Stop-Eingang</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched itself off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module has no motor power, so its motor is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module switched its motor off when motor power went away. It stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is held where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit switch stopped the motor. It can move in the other direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module&apos;s E-stop input stopped the motor, or keeps it from moving.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module switched its motor off because the A/D value fell below the thermal limit. It stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module switched its motor off by itself, and does not say why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is loaded that could be started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo is on. Switch the motor off first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version of the chip cannot do it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is chosen that home could be found by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A search needs a travel limit and a time limit above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limit is active now: it would stop the motor when it is left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limit&apos;s pin is an output, so it tells nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A move by 0 is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This module is not a PIC-STEP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module moves and holds nothing before it was given its parameters. Apply them first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The amplifier is off. Enable it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is moving, and the chip does not allow this change in motion: stop first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module&apos;s E-stop input is active and keeps the motor from moving.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit switch 1 is active: the motor can move in reverse only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit switch 2 is active: the motor can move forward only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The A/D value is below the thermal limit: the module would switch the motor off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The goal is more than 2 147 483 647 steps away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source>steps/s</source>
+        <translation type="unfinished">Schritte/s</translation>
+    </message>
+    <message>
+        <source>steps/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation type="unfinished">%1/s</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc</name>
+    <message>
+        <source>Resets every module and gives addresses again. Asks first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::AxisBox</name>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for example Z axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this axis is called, in the list, in messages and in files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N&amp;ame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the chip&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What positions and speeds are shown in. Changing it keeps every amount and sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Un&amp;it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts in 1 unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many counts or steps of the chip make one unit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symbol of the unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands behind the numbers, for example µl.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cap of hold to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cap of hold to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to move never goes faster than this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Jog cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D, each step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What one of the 255 steps of the A/D value stands for, for example 5 V / 255, or amperes by the amplifier&apos;s current sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D at &amp;0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What an A/D value of 0 stands for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the A/D value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A, V, or what the A/D input measures here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in 1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>nmc::Banner</name>
@@ -1341,6 +2735,68 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 s, module %2: %3, %4</source>
         <translation>%1 s, Modul %2: %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ChainDialog</name>
+    <message>
+        <source>Chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doctor, groups and rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doctor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished">Rate</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ChainMenu</name>
+    <message>
+        <source>Chain &amp;doctor…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is expected, what is there, and where the chain probably breaks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Groups…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who listens to which group; starting loaded moves at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ate of the chain…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the whole chain to another rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks for the chain again; nothing is reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network: positions and gains are lost…</source>
+        <translation type="unfinished">Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
 </context>
 <context>
@@ -1624,20 +3080,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stick&amp;y-Bits löschen</translation>
     </message>
     <message>
-        <source>&amp;Zero here</source>
-        <translation>Hier n&amp;ullen</translation>
-    </message>
-    <message>
         <source>Details</source>
         <translation>Details</translation>
     </message>
     <message>
         <source>Clear the sticky status bits</source>
         <translation>Die Sticky-Statusbits löschen</translation>
-    </message>
-    <message>
-        <source>Make the present position zero</source>
-        <translation>Die jetzige Position auf null setzen</translation>
     </message>
     <message>
         <source>Status byte</source>
@@ -1672,10 +3120,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>aus</translation>
     </message>
     <message>
-        <source>%1 of 255, %2 V</source>
-        <translation>%1 von 255, %2 V</translation>
-    </message>
-    <message>
         <source>status %1</source>
         <translation>Status %1</translation>
     </message>
@@ -1692,8 +3136,174 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Löscht overcurrent, pos_error, pos_wrap und servo_overrun. Startet nichts.</translation>
     </message>
     <message>
-        <source>Makes the present position 0. The motor does not move.</source>
-        <translation>Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
+        <source>%1 (%2 of 255)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::DifferencesDialog</name>
+    <message>
+        <source>&amp;Tick all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick &amp;none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation type="unfinished">&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>What the machine file would change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Differences between the file and what is here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here, or last sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applying it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks everything that can be applied, also what is sent to modules that are on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes all ticks away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leaves everything as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings chosen; %3 of them are sent to modules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes over what is ticked, and sends what is said to be sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::DoctorPage</name>
+    <message>
+        <source>Chain doctor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modules expected and found, the farthest from the PC first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for the chain again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take as expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take what is there as expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the network: positions and gains are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks for the chain again with questions only: nothing is reset, nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resets every module and gives addresses again. Asks first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is what is expected already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From now on the modules that are there are the expected ones.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1774,6 +3384,54 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Empties the fields: no gains have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: es wurden noch keine Reglerwerte gesendet. Sendet nichts.</translation>
     </message>
+    <message>
+        <source>Sense of the current limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo the last edit of a gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes back the last edit in these fields (Ctrl+Z). Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo the edit of a gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the edit again that was undone (Ctrl+Shift+Z). Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill in zero for all gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more (Ctrl+0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>nmc::GenericPanel</name>
@@ -1804,6 +3462,700 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>It does not answer. </source>
         <translation>Keine Antwort. </translation>
+    </message>
+</context>
+<context>
+    <name>nmc::GroupsPage</name>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No modules yet: connect first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group to be commanded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which group the two buttons are for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>St&amp;art loaded moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the loaded moves of this group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the present positions of this group as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group of module %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The group this module listens to. Sent at once; nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Module %1 leads its group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">unbekannt</translation>
+    </message>
+    <message>
+        <source>Choose a group first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This module answers for its group; a group has one leader at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>No module is in a group yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the moves that all members have loaded, in the same tick. Withheld unless every member has confirmed its load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each member captures its present position as home, in the same tick. Nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::HomingBox</name>
+    <message>
+        <source>Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the search for home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages of the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the search goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings of the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A search for home is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Moves the motor: it searches for home as set above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No search for home is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the motor smoothly; it is not homed then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: home was at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No search yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last home: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::HomingForm</name>
+    <message>
+        <source>Search for home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home is where this switch changes. When it is active at the start, the motor first backs off from it in the other direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation type="unfinished">Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Limit 1 (forward)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2 (reverse)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home is at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home is at the encoder&apos;s index, which comes once in a turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation type="unfinished">Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared before. The servo is switched on again only if it is to go on, to the index or to home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation type="unfinished">Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone it is looked for at full speed only; together with others from the start, whose current must stay below it then. Sticky bits are cleared before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then at the index, going back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is chosen above finds the neighbourhood; a second, slower search finds the index, which is more exact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search in reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the motor searches, backs off and goes to home. It is never faster than this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the second search for the index is; slower is more exact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished">Beschleunigung</translation>
+    </message>
+    <message>
+        <source>How fast the velocity changes, smooth stops included.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A search, or backing off, that has gone so far is stopped, and has failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time limit of a search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A search that has taken so long is stopped, and has failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the search for home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop abruptly at home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop smoothly at home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the motor off at home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>And then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor stops behind home; this moves it back to it. A servo or amplifier that the search has switched off is switched on again for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once the motor stands at home exactly, its position becomes 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A search for home is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first search finds the index already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position where the motor stands becomes 0, so it has to go to home first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction of the search, in which the switch closes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position error switches the servo off by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> This version of the chip does not stop by itself: the panel stops it, some hundredths of a second later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> The chip stops it by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At home the motor stops at once, and holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At home the motor slows down, stops behind it, and holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At home the motor is switched off, and is free to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::IoBox</name>
+    <message>
+        <source>Limits and I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The encoder&apos;s index pulse, once a turn with most encoders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation type="unfinished">Motorversorgung</translation>
+    </message>
+    <message>
+        <source>Without it the servo switches off, and stays off when power returns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The A/D input, by most amplifiers the motor current. Its scale is set on the page Axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplifier enabled (&amp;AMP_EN)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplifier enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit &amp;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit &amp;2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use of the pin Limit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output, low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output, high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the pin is an input, or an output and its level. Sent at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not at the index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 of 255)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets the amplifier&apos;s enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::JogBox</name>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation type="unfinished">Tippen</translation>
+    </message>
+    <message>
+        <source>moves only while a button, or Space on it, is held</source>
+        <translation type="unfinished">fährt nur, solange Taste oder Leertaste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Velocity while held</source>
+        <translation type="unfinished">Geschwindigkeit beim Tippen</translation>
+    </message>
+    <message>
+        <source>The velocity while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while a button is held. Low again after every connect; the cap is set on the page Axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocit&amp;y</source>
+        <translation type="unfinished">Geschwind&amp;igkeit</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation type="unfinished">◂ Halten</translation>
+    </message>
+    <message>
+        <source>Move in reverse while held</source>
+        <translation type="unfinished">Rückwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation type="unfinished">Halten ▸</translation>
+    </message>
+    <message>
+        <source>Move forward while held</source>
+        <translation type="unfinished">Vorwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Moves forward while it is held, then stops.</source>
+        <translation type="unfinished">Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while it is held, then stops.</source>
+        <translation type="unfinished">Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::LimitStopBox</name>
+    <message>
+        <source>limit 1 or limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm limit stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop at limit 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop at limit 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm the limit stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm the limit stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the limit stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop abruptly at the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop smoothly at the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the motor off at the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation type="unfinished">Anleitung</translation>
+    </message>
+    <message>
+        <source>A search for home is under way; it uses the same watch of the chip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a limit first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>The motor stops when limit 1 changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor stops when limit 2 changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the limit the motor stops at once, and holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the limit the motor slows down, stops behind it, and holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the limit the motor is switched off, and is free to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chip itself then stops the motor when a chosen limit changes, once; sooner than the panel could. A search for home replaces it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit no longer stops the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Not armed: a limit input alone does not stop the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ This version of the chip cannot stop at a limit by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Not armed: the search for home has replaced it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Armed: stops at %1, once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Tripped: %1 has changed, and the motor was stopped. Not armed any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? The chip watches for something that was not asked for in this connection.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1855,6 +4207,73 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>round trip %1 ms</source>
         <translation>Antwortzeit %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MachineMenu</name>
+    <message>
+        <source>&amp;New machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets names, units and settings of all axes; nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open machine…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what a machine file would change; nothing is sent before you apply it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes names, units, gains, limits, homing and groups into the machine&apos;s file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save machine &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the machine into a file of another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open re&amp;cent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine files (*.%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2153,14 +4572,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>How fast the velocity changes. More than 0 to %1 %2.</source>
-        <translation>Wie schnell sich die Geschwindigkeit ändert. Mehr als 0 bis %1 %2.</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns. More than 0 to %1 %2.</source>
-        <translation>Wie schnell der Motor dreht. Mehr als 0 bis %1 %2.</translation>
-    </message>
-    <message>
         <source>Go to</source>
         <translation>Position anfahren</translation>
     </message>
@@ -2175,10 +4586,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>The goal position</source>
         <translation>Die Zielposition</translation>
-    </message>
-    <message>
-        <source>Where to go, in encoder counts. Enter starts the move.</source>
-        <translation>Das Ziel in Encoder-Inkrementen. Die Eingabetaste startet die Fahrt.</translation>
     </message>
     <message>
         <source>&amp;Position</source>
@@ -2209,16 +4616,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>Used by every kind of motion here, and by a smooth stop.</source>
-        <translation>Gilt hier für jede Art von Bewegung und für den sanften Stopp.</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Dauerlauf</translation>
-    </message>
-    <message>
-        <source>until it is stopped</source>
-        <translation>bis zum Stopp</translation>
     </message>
     <message>
         <source>Vel&amp;ocity</source>
@@ -2245,38 +4644,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
-        <source>Hold to move</source>
-        <translation>Tippen</translation>
-    </message>
-    <message>
-        <source>moves only while a button, or Space on it, is held</source>
-        <translation>fährt nur, solange Taste oder Leertaste gehalten wird</translation>
-    </message>
-    <message>
-        <source>Velocit&amp;y</source>
-        <translation>Geschwind&amp;igkeit</translation>
-    </message>
-    <message>
-        <source>Velocity while held</source>
-        <translation>Geschwindigkeit beim Tippen</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Halten</translation>
-    </message>
-    <message>
-        <source>Move in reverse while held</source>
-        <translation>Rückwärts fahren, solange gehalten</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Halten ▸</translation>
-    </message>
-    <message>
-        <source>Move forward while held</source>
-        <translation>Vorwärts fahren, solange gehalten</translation>
-    </message>
-    <message>
         <source>Waiting for the module&apos;s answer.</source>
         <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
@@ -2293,12 +4660,108 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Läuft rückwärts bis zum Stopp.</translation>
     </message>
     <message>
-        <source>Moves forward while it is held, then stops.</source>
-        <translation>Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+        <source>How fast the velocity changes. Used by every kind of motion here, and by a smooth stop.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves in reverse while it is held, then stops.</source>
-        <translation>Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+        <source>How fast the motor turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where to go. Enter starts the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position or distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the number is a position, or a distance from where the motor is now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation type="unfinished">Hier n&amp;ullen</translation>
+    </message>
+    <message>
+        <source>Make the present position zero</source>
+        <translation type="unfinished">Die jetzige Position auf null setzen</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the home position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load the move, start it later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the loaded move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>until it is stopped; the velocity may change on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished">%1 s</translation>
+    </message>
+    <message>
+        <source>Takes %1, peak %2: too short to reach its velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes %1, peak %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The goal is beyond the range of positions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads the move and does not start it: Start does, or the start of the module&apos;s group (Ctrl+D).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the move that was loaded (Ctrl+G).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The home position is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to the home position that the module has captured (Ctrl+H).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move.</source>
+        <translation type="unfinished">Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -2532,10 +4995,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Zustand des gewählten Moduls</translation>
     </message>
     <message>
-        <source>Position %1 counts</source>
-        <translation>Position %1 Inkremente</translation>
-    </message>
-    <message>
         <source>Position unknown</source>
         <translation>Position unbekannt</translation>
     </message>
@@ -2574,6 +5033,152 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
         <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+    </message>
+    <message>
+        <source>&amp;Enable amplifier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable the amplifier of this module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop this module at its present position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The amplifier is on already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jumps without a profile to the position it has at this moment, then holds there (Ctrl+Shift+H).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::PwmBox</name>
+    <message>
+        <source>Drive reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation type="unfinished">PWM</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PWM value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the supply drives the motor: 255 is all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive the motor in reverse with this PWM value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive the motor forward with this PWM value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch this motor off</source>
+        <translation type="unfinished">Diesen Motor abschalten</translation>
+    </message>
+    <message>
+        <source>The motor is driven directly, without the servo: no position limit, no position error limit and no output limit protects it, and it runs until it is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Drives the motor in reverse until it is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives the motor forward until it is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation type="unfinished">Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RatePage</name>
+    <message>
+        <source>&amp;Change the rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished">Rate</translation>
+    </message>
+    <message>
+        <source>New rate of the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rate that the whole chain shall run at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the rate of the whole chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions, gains and groups stay. Every module is asked at the new rate; when one does not answer there, all go back to the old one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chain runs at %1 Bd.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motor is moving. The rate changes at standstill only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chain runs at this rate already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tells every module the new rate, and asks each there.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2660,10 +5265,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Servomodul</translation>
     </message>
     <message>
-        <source>Gains and details</source>
-        <translation>Reglerwerte und Details</translation>
-    </message>
-    <message>
         <source>Gains</source>
         <translation>Reglerwerte</translation>
     </message>
@@ -2674,6 +5275,22 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Pages of the module</source>
         <translation>Seiten des Moduls</translation>
+    </message>
+    <message>
+        <source>Limits &amp;&amp; I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation type="unfinished">PWM</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2689,6 +5306,837 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Follows the list of modules. Has those too that the panel does not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepByBox</name>
+    <message>
+        <source>Step by a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one click is one move of this distance, at the velocity of Go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far one click moves the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step in reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many steps one click makes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pause between steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seconds to wait after each move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each step there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each step goes there and back again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the steps and stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times, pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Steps are being made already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves forward by this distance, and holds there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves in reverse by this distance, and holds there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No steps are being made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes no more steps, and stops the motor smoothly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepDetailsBox</name>
+    <message>
+        <source>Step pulses are coming.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module could not read the last command; it was not carried out.</source>
+        <translation type="unfinished">Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The driver is enabled (AMP_EN is high).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor power is present (PWR_SENSE is high).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has the speed that was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs with a ramp: velocity profile mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation type="unfinished">Wartet auf die Referenzposition.</translation>
+    </message>
+    <message>
+        <source>High stops the motor, unless it is ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General purpose input.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High blocks forward, unless it is ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High blocks reverse, unless it is ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For homing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trapezoidal profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unprofiled, with stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unprofiled, without stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving as another program told it to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation type="unfinished">Hier n&amp;ullen</translation>
+    </message>
+    <message>
+        <source>Save as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished">Details</translation>
+    </message>
+    <message>
+        <source>Make the present position zero</source>
+        <translation type="unfinished">Die jetzige Position auf null setzen</translation>
+    </message>
+    <message>
+        <source>Save the present position as home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation type="unfinished">Statusbyte</translation>
+    </message>
+    <message>
+        <source>Inputs byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timer count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home position</source>
+        <translation type="unfinished">Referenzposition</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation type="unfinished">Rohdaten</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished">ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished">aus</translation>
+    </message>
+    <message>
+        <source>%1, stands for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation type="unfinished">Status %1</translation>
+    </message>
+    <message>
+        <source>, inputs %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move.</source>
+        <translation type="unfinished">Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Keeps the present position as home. The motor does not move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepHoldBox</name>
+    <message>
+        <source>Speed whe&amp;n held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation type="unfinished">◂ Halten</translation>
+    </message>
+    <message>
+        <source>Move in reverse while held</source>
+        <translation type="unfinished">Rückwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation type="unfinished">Halten ▸</translation>
+    </message>
+    <message>
+        <source>Move forward while held</source>
+        <translation type="unfinished">Vorwärts fahren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation type="unfinished">Tippen</translation>
+    </message>
+    <message>
+        <source>moves only while a button, or Space on it, is held</source>
+        <translation type="unfinished">fährt nur, solange Taste oder Leertaste gehalten wird</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while a button is held: %1 to %2. The most is set on the Parameters page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves forward while it is held, then stops.</source>
+        <translation type="unfinished">Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while it is held, then stops.</source>
+        <translation type="unfinished">Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepIoBox</name>
+    <message>
+        <source>Set all outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set all five outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is on this machine. Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of output %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation type="unfinished">E-Stop-Eingang</translation>
+    </message>
+    <message>
+        <source>Limit 1 (forward)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit 2 (reverse)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation type="unfinished">Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Name of input %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keeps the motor from moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blocks forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blocks reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation type="unfinished">? unbekannt</translation>
+    </message>
+    <message>
+        <source>● %1, not sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses what it shall be. Set all outputs sends the five of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose all five outputs first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends all five outputs as chosen above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outputs are unknown: the module cannot be asked. Choose all five, then set them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepModeChoice</name>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile mode).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished">Dauerlauf</translation>
+    </message>
+    <message>
+        <source>Ramps to a speed and keeps it until it is stopped (velocity profile mode).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move without ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to a position at one speed from the first step on, and stops there at once. Too fast, and the motor loses steps (unprofiled, with stop).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run without ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses steps (unprofiled, without stop).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepMotionBox</name>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished">Bewegung</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation type="unfinished">Zielposition</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation type="unfinished">Die Zielposition</translation>
+    </message>
+    <message>
+        <source>b&amp;y that much from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by that much from where the motor stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation type="unfinished">&amp;Position</translation>
+    </message>
+    <message>
+        <source>Trave&amp;l speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation type="unfinished">A&amp;nfahren</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation type="unfinished">Die Position anfahren</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation type="unfinished">Rüc&amp;kwärts</translation>
+    </message>
+    <message>
+        <source>Run in reverse until stopped</source>
+        <translation type="unfinished">Dauerlauf rückwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation type="unfinished">Vor&amp;wärts</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation type="unfinished">Dauerlauf vorwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>L&amp;oad only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load the motion, start it later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the motion that was loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the motor turns: %1 to %2 in this speed mode. The chip takes the nearest that it can do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At that speed from the first step on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gets there in %1 s from standstill.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Stop, wait: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chip does not allow this change in motion. Stops smoothly, waits until the motor stands, then: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the motion without starting it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the move to the position, and holds there.</source>
+        <translation type="unfinished">Startet die Fahrt zur Position und hält dort.</translation>
+    </message>
+    <message>
+        <source>Load &amp;reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs in reverse until it is stopped.</source>
+        <translation type="unfinished">Läuft rückwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Load forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs forward until it is stopped.</source>
+        <translation type="unfinished">Läuft vorwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Starts the motion that was loaded last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run has no goal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where to go. Enter starts the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position counts from where the motor stands at the start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The buttons send the motion without starting it; Start loaded does, or its group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ramp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepPanel</name>
+    <message>
+        <source>Stepper module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation type="unfinished">Seiten des Moduls</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished">Details</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepParametersBox</name>
+    <message>
+        <source>ignored: they stop nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ignored: it stops nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor goes off as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation type="unfinished">Sta&amp;rtwerte</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation type="unfinished">Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">unbekannt</translation>
+    </message>
+    <message>
+        <source>Fill in starting values</source>
+        <translation type="unfinished">Startwerte eintragen</translation>
+    </message>
+    <message>
+        <source>Revert the parameters to what was sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply all parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fills the fields with slow speeds and low currents to begin with. Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a speed mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation type="unfinished">? unbekannt</translation>
+    </message>
+    <message>
+        <source>● edited, not sent</source>
+        <translation type="unfinished">● geändert, nicht gesendet</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation type="unfinished">✓ gesendet</translation>
+    </message>
+    <message>
+        <source>Parameters cannot be read back from the module, and nothing moves before they are applied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With this the module&apos;s E-stop input does not stop the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With this the limit switches do not stop the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+    <message>
+        <source>Sends all parameters at once. The amplifier is on: currents and limits act immediately.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends all parameters at once. The motor does not move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the parameters that were sent. Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empties the fields: no parameters have been sent yet. Sends nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepRampBox</name>
+    <message>
+        <source>Acceleration time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The acceleration time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next motion that has a ramp, and used by a smooth stop after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest speed of hold to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fastest speed of hold to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to move goes no faster than this. Set it so that a hand can still follow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With every motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold to move, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>× 0.25 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation type="unfinished">? unbekannt</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation type="unfinished">✓ gesendet</translation>
+    </message>
+    <message>
+        <source>● edited, not sent</source>
+        <translation type="unfinished">● geändert, nicht gesendet</translation>
     </message>
 </context>
 <context>
@@ -2722,6 +6170,45 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::UnsavedDialog</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close: the next start offers them again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop them: the changes are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

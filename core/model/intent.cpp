@@ -32,6 +32,8 @@ Plan allowed(Request request, const ModuleState& module, MakeSteps makeSteps) {
 struct Planner {
     const ModuleState& module;
 
+    Plan operator()(const intent::AskAnew&) const { return Steps{}; }
+
     Plan operator()(const intent::Enable&) const {
         // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2).
         return allowed(Request::Enable, module, [this] {
@@ -190,6 +192,8 @@ bool isStop(const Intent& intent) {
 }
 
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+    if (std::holds_alternative<intent::AskAnew>(intent))
+        return stepsFor(module, Nop{});
     if (module.isStepper())
         return planStep(intent, module);
     return std::visit(Planner{module}, intent);

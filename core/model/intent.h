@@ -17,7 +17,8 @@ namespace nmc {
 /// What the operator asks of one module; a PIC-STEP has more in stepintent.h. Values only; planning it is
 /// plan()'s business.
 namespace intent {
-struct Enable {};  ///< amplifier on, hold the present position
+struct AskAnew {};  ///< No Operation: of any module, whatever it is
+struct Enable {};   ///< amplifier on, hold the present position
 struct GoTo {
     Counts position;
     CountsPerTick velocity;
@@ -81,7 +82,7 @@ struct ArmLimitStop {
 }  // namespace intent
 
 using Intent =
-    std::variant<intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
+    std::variant<intent::AskAnew, intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
                  intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
                  intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                  intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,

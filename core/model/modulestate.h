@@ -58,8 +58,13 @@ struct ModuleState {
     /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
     void attached();
 
-    [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo; }
-    [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Step; }
+    /// Of a version that is known here; others are only looked at.
+    [[nodiscard]] bool isServo() const {
+        return info.identity.type == ModuleType::Servo && hasDataSheet(info.identity);
+    }
+    [[nodiscard]] bool isStepper() const {
+        return info.identity.type == ModuleType::Step && hasDataSheet(info.identity);
+    }
     [[nodiscard]] bool servoOn() const;
     /// Where the last trapezoidal move was to go, and the servo holds or will.
     [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }

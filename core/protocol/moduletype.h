@@ -15,4 +15,19 @@ struct ModuleIdentity {
     bool operator==(const ModuleIdentity&) const = default;
 };
 
+/// Members of the family whose data sheet this program follows: PIC-SERVO v1 to v4, PIC-STEP v1. Others may
+/// take the same bytes for something else (protocol.md 5).
+[[nodiscard]] constexpr bool hasDataSheet(const ModuleIdentity& module) {
+    switch (module.type) {
+        case ModuleType::Servo:
+            return module.version >= 1 && module.version <= 4;
+        case ModuleType::Step:
+            return module.version == 1;
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return false;
+}
+
 }  // namespace nmc

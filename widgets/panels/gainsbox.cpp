@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QUndoStack>
 
+#include "widgets/common/askdialog.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -289,8 +290,31 @@ QString GainsBox::trouble() const {
 void GainsBox::apply() {
     if (m_refused.has_value() || m_busy)
         return;
-    if (const std::optional<servo::SetGain> gains = entered())
+    const std::optional<servo::SetGain> gains = entered();
+    if (!gains)
+        return;
+    const QStringList steps = m_live && m_sent ? largeSteps(*m_sent, *gains) : QStringList();
+    if (steps.isEmpty())
         emit applyRequested(*gains);
+    else
+        askBeforeLargeStep(*gains, steps);
+}
+
+/// The motor is under control of these gains at this moment: a large step may make it jump or swing.
+void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
+    auto* dialog = new AskDialog(
+        {u"largeStepDialog"_s, tr("Gains while the servo is on"),
+         tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
+             .arg(steps.join(u", "_s)),
+         tr("&Apply these gains"), u"applyLargeStepButton"_s, tr("&Cancel"), u"cancelLargeStepButton"_s},
+        window());
+    dialog->findChild<QPushButton*>(u"cancelLargeStepButton"_s)->setDefault(true);
+    // What was asked about, to the module it was asked for.
+    connect(dialog, &QDialog::accepted, this, [this, gains, module = m_module] {
+        if (module == m_module && !m_refused)
+            emit applyRequested(gains);
+    });
+    dialog->open();
 }
 
 // ---- how it looks ----

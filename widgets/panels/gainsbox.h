@@ -59,6 +59,7 @@ private:
     void fill(int (*value)(Gain));
     void revert();
     void apply();
+    void askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps);
     void chooseSense(int sense);
     [[nodiscard]] Texts shown() const;
     void show(const Texts& texts);

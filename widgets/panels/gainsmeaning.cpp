@@ -225,6 +225,17 @@ int zeroValue(Gain gain) {
     return static_cast<int>(gainRange(gain).min);
 }
 
+QStringList largeSteps(const servo::SetGain& from, const servo::SetGain& to) {
+    QStringList steps;
+    for (const Gain gain : {Gain::Kp, Gain::Kd, Gain::Ki, Gain::Ol, Gain::Sr}) {
+        const int before = gainOf(from, gain).value_or(0);
+        const int after = gainOf(to, gain).value_or(0);
+        if (after > 2 * before || before > 2 * after)
+            steps << Gains::tr("%1 from %2 to %3").arg(gainLetters(gain)).arg(before).arg(after);
+    }
+    return steps;
+}
+
 CurrentSense currentSense(int cl) {
     if (cl == 0)
         return CurrentSense::Off;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <array>
 #include <optional>
 
@@ -31,6 +32,10 @@ void setGain(servo::SetGain& gains, Gain gain, int value);
 [[nodiscard]] int startingValue(Gain gain);
 /// 0, or the least the chip takes.
 [[nodiscard]] int zeroValue(Gain gain);
+
+/// The gains that the new ones change to more than twice or less than half, in the data sheet's letters: with
+/// the servo on that is worth a question.
+[[nodiscard]] QStringList largeSteps(const servo::SetGain& from, const servo::SetGain& to);
 
 /// Which A/D values are too much current; the chip tells by the parity of CL (DS-V 4.5).
 enum class CurrentSense : std::uint8_t { Off, Above, Below };

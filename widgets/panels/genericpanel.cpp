@@ -2,6 +2,7 @@
 #include "widgets/panels/genericpanel.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
@@ -12,7 +13,14 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 GenericPanel::GenericPanel(QWidget* parent)
-    : QWidget(parent), m_name(new QLabel(this)), m_text(new QLabel(this)), m_status(new QLabel(this)) {
+    : QWidget(parent),
+      m_name(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_status(new QLabel(this)),
+      m_ask(new QPushButton(tr("Ask for its status"), this)) {
+    look::name(m_ask, u"askAnewButton"_s, tr("Ask this module for its status"));
+    connect(m_ask, &QPushButton::clicked, this,
+            [this] { emit intentRequested(m_module, intent::AskAnew{}); });
     look::name(this, u"genericPanel"_s, tr("Module without controls"));
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
@@ -27,15 +35,20 @@ GenericPanel::GenericPanel(QWidget* parent)
     layout->addWidget(m_name);
     layout->addWidget(m_text);
     layout->addWidget(m_status);
+    layout->addWidget(m_ask, 0, Qt::AlignLeft);
     layout->addStretch(1);
 }
 
-void GenericPanel::showModule(const ModuleState& module) {
+void GenericPanel::showModule(const PanelView& view) {
+    const ModuleState& module = view.module;
+    m_module = module.info.index;
     look::setText(m_name, tr("%1: %2").arg(texts::moduleName(module.info.index),
                                            texts::moduleType(module.info.identity)));
-    look::setText(
-        m_text,
-        tr("There are no controls for this type of module yet. It is polled, and Stop all reaches it."));
+    look::setText(m_text, tr("Its type and version are not among those whose data sheets this panel follows "
+                             "(PIC-SERVO v1 to v4, "
+                             "PIC-STEP v1), so what a command would do to it is not known. It is only looked "
+                             "at; Stop all reaches "
+                             "it."));
     QString status = tr("No status yet.");
     if (module.latest.has_value()) {
         status = tr("Status byte %1").arg(module.latest->status, 2, 16, QChar(u'0'));
@@ -45,6 +58,8 @@ void GenericPanel::showModule(const ModuleState& module) {
     if (module.silent)
         status = tr("It does not answer. ") + status;
     look::setText(m_status, status);
+    look::setPossible(m_ask, view.connected ? QString() : texts::refusal(Refusal::NotConnected),
+                      tr("Sends No Operation, which only asks for the status."));
 }
 
 }  // namespace nmc

@@ -3,26 +3,34 @@
 
 #include <QWidget>
 
-#include "model/modulestate.h"
+#include "widgets/panels/panelview.h"
 
 class QLabel;
+class QPushButton;
 
 namespace nmc {
 
 class GlyphLabel;
 
-/// A module without a panel of its own: what it says it is, and its status byte. Read only.
+/// A module without a data sheet here: what it says it is, and its status byte. It is only looked at: what
+/// other commands would do to it is not known.
 class GenericPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit GenericPanel(QWidget* parent = nullptr);
-    void showModule(const ModuleState& module);
+    /// Emits nothing.
+    void showModule(const PanelView& view);
+
+signals:
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
     QLabel* m_name;
     QLabel* m_text;
     QLabel* m_status;
+    QPushButton* m_ask;
+    ModuleIndex m_module;
 };
 
 }  // namespace nmc

@@ -29,6 +29,7 @@ ModulePanel::ModulePanel(QWidget* parent)
     addWidget(m_generic);
     setCurrentWidget(m_servo);
     bringUp(m_empty);
+    connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
     for (ModulePage* page : pages()) {
         connect(page, &ModulePage::intentRequested, this, &ModulePanel::intentRequested);
         connect(page, &ModulePage::holdRequested, this, &ModulePanel::holdRequested);
@@ -77,7 +78,7 @@ void ModulePanel::showModule(const PanelView& view) {
         bringUp(m_stepper);
     } else {
         endHold();
-        m_generic->showModule(view.module);
+        m_generic->showModule(view);
         bringUp(m_generic);
     }
 }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything the servo's panel can ask for, through the whole program by object name, against nmcsim.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabWidget>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+using namespace Qt::StringLiterals;
+
+class ServoPage : public testing::Test {
+protected:
+    void connectAll(int modules) {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] {
+            return panel.connected() &&
+                   panel.composition().store().link().modules.size() == size_t(modules) &&
+                   panel.module().latest.has_value();
+        }));
+    }
+    /// Gains and enable, as an operator would give them to the selected module.
+    void enable(std::uint8_t index = 0) {
+        select(index);
+        const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
+                                                     {"ilField", 200},   {"olField", 255},   {"clField", 0},
+                                                     {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
+        show("gainsBox");
+        for (const auto& [field, value] : gains)
+            type(field, QString::number(value));
+        click("applyGainsButton");
+        click("enableButton");
+        ASSERT_TRUE(panel.waitFor([&] { return module(index).servoOn(); }));
+    }
+    void select(int row) {
+        auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
+        list->setCurrentIndex(list->model()->index(row, 0));
+    }
+    void show(const char* page) {
+        panel.window().findChild<QTabWidget*>(u"servoPages"_s)->setCurrentWidget(find<QWidget>(page));
+    }
+    template <typename Widget>
+    Widget* find(const char* name) {
+        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
+        EXPECT_NE(widget, nullptr) << name;
+        return widget;
+    }
+    void type(const char* field, const QString& words) {
+        auto* edit = find<QLineEdit>(field);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, words);
+        EXPECT_EQ(edit->text(), words) << field;
+    }
+    void click(const char* name) {
+        ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
+            << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
+        find<QAbstractButton>(name)->click();
+    }
+    [[nodiscard]] const ModuleState& module(std::uint8_t index) {
+        return *panel.composition().store().module(ModuleIndex(index));
+    }
+    /// By the simulator's word.
+    bool arrives(int number, int position) {
+        return panel.waitFor(
+            [&] { return std::abs(sim.state(number)[u"position"_s].toInt() - position) <= 3; });
+    }
+    NmcsimProcess sim{u"servo,servo,servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(enable());
+    auto* kind = find<QComboBox>("goalKindBox");
+    kind->setCurrentIndex(1);
+    type("goalField", u"600"_s);
+    type("velocityField", u"2"_s);
+    type("accelerationField", u"0,02"_s);
+    click("loadButton");
+    ASSERT_TRUE(panel.waitFor([&] { return module(0).loadWaiting; }));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 3) << "nothing moves before the start";
+    click("startButton");
+    EXPECT_TRUE(arrives(1, 600));
+    ASSERT_TRUE(panel.waitFor([&] { return !module(0).moving(); }));
+    click("goHomeButton");  // home is 0 since power-up
+    EXPECT_TRUE(arrives(1, 0));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(enable());
+    type("accelerationField", u"0.02"_s);
+    click("runForwardButton");
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    click("stopHereButton");
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+    EXPECT_TRUE(sim.state(1)[u"servo_on"_s].toBool());
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(enable());
+    type("velocityField", u"4"_s);
+    type("accelerationField", u"0.05"_s);
+    type("stepSizeField", u"250"_s);
+    type("stepRoundsField", u"3"_s);
+    click("stepForwardButton");
+    EXPECT_TRUE(arrives(1, 750));
+    ASSERT_TRUE(panel.waitFor([&] { return find<QLabel>("stepProgress")->text() == u"Done"_s; }))
+        << find<QLabel>("stepProgress")->text().toStdString();
+    find<QCheckBox>("stepBackAndForthBox")->setChecked(true);
+    type("stepRoundsField", u"1000"_s);
+    click("stepReverseButton");
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    click("stepEndButton");
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, DrivesByPwmUntilItIsSwitchedOff) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    select(0);
+    show("pwmBox");
+    type("pwmField", u"60"_s);
+    click("pwmReverseButton");
+    ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() < -50; }));
+    EXPECT_TRUE(panel.waitFor([&] { return module(0).activity() == Activity::PwmMode; }));
+    click("pwmOffButton");
+    EXPECT_TRUE(panel.waitFor([&] { return sim.state(1)[u"pwm"_s].toInt() == 0; }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, ALimitPinAndTheAmplifierFollowTheirControls) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    select(0);
+    show("ioBox");
+    auto* use = find<QComboBox>("limit1UseBox");
+    use->setFocus();
+    QTest::keyClick(use, Qt::Key_End);
+    ASSERT_TRUE(panel.waitFor([&] { return module(0).io.has_value(); }));
+    EXPECT_FALSE(module(0).io->limit1IsInput);
+    EXPECT_TRUE(panel.waitFor([&] { return find<QLabel>("limit1Value")->text() == u"high"_s; }));
+    click("amplifierBox");
+    EXPECT_TRUE(panel.waitFor([&] { return find<QCheckBox>("amplifierBox")->isChecked(); }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, MovesInTurns) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(enable());
+    show("axisBox");
+    auto* unit = find<QComboBox>("axisUnitBox");
+    unit->setCurrentIndex(unit->findText(u"turns"_s));
+    type("countsPerUnitField", u"2000"_s);
+    type("goalField", u"0.5"_s);
+    type("velocityField", u"4"_s);  // turns/s: 4.096 counts/tick
+    type("accelerationField", u"40"_s);
+    click("goButton");
+    EXPECT_TRUE(arrives(1, 1'000));
+    EXPECT_TRUE(panel.waitFor([&] {
+        return find<QLabel>("positionLabel")->text().startsWith(u"0.50"_s) ||
+               find<QLabel>("positionLabel")->text().startsWith(u"0.49"_s);
+    }));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    for (const std::uint8_t index : {std::uint8_t{0}, std::uint8_t{1}}) {
+        ASSERT_NO_FATAL_FAILURE(enable(index));
+        type("goalField", u"4000"_s);
+        type("velocityField", u"4"_s);
+        type("accelerationField", u"0.05"_s);
+        click("loadButton");
+        ASSERT_TRUE(panel.waitFor([&] { return module(index).loadWaiting; }));
+    }
+    find<QAction>("groupsAction")->trigger();
+    for (const char* box : {"group1Box", "group2Box"}) {
+        auto* group = find<QComboBox>(box);
+        group->setFocus();
+        QTest::keyClick(group, Qt::Key_Down);
+        ASSERT_TRUE(panel.waitFor([&] {
+            const auto& place = module(box == std::string("group1Box") ? 0 : 1).info.group;
+            return place && place->group == 0x81;
+        }));
+    }
+    click("groupStartButton");
+    EXPECT_TRUE(arrives(1, 4'000));
+    EXPECT_TRUE(arrives(2, 4'000));
+    click("groupHomeButton");
+    EXPECT_TRUE(panel.waitFor([&] { return std::abs(sim.state(2)[u"home"_s].toInt() - 4'000) <= 3; }));
+    EXPECT_EQ(sim.state(3)[u"home"_s].toInt(), 0) << "it is in no group";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
+    ASSERT_NO_FATAL_FAILURE(connectAll(3));
+    ASSERT_NO_FATAL_FAILURE(enable());
+    type("goalField", u"300"_s);
+    type("velocityField", u"4"_s);
+    type("accelerationField", u"0.05"_s);
+    click("goButton");
+    ASSERT_TRUE(arrives(1, 300));
+    ASSERT_TRUE(panel.waitFor([&] { return !module(0).moving(); }));
+    find<QAction>("rateAction")->trigger();
+    auto* rate = find<QComboBox>("chainRateBox");
+    rate->setCurrentIndex(rate->findData(57'600));
+    click("changeRateButton");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().baud == 57'600; }));
+    const TimePoint before = module(0).latestTime;
+    EXPECT_TRUE(panel.waitFor([&] { return module(0).latestTime > before + fromSeconds(0.2); }))
+        << "it goes on answering";
+    EXPECT_TRUE(module(0).servoOn());
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 300, 3);
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QTabWidget>
+#include <QTableWidget>
+
+#include "widgets/chain/chainmenu.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class ChainWindow : public WindowTest {
+protected:
+    void open(const char* action) { window->findChild<QAction*>(QLatin1StringView(action))->trigger(); }
+    [[nodiscard]] QString cell(int row, int column) {
+        return find<QTableWidget>(u"chainTable"_s)->item(row, column)->text();
+    }
+    void expect(std::size_t modules) {
+        machine.axes.resize(modules);
+        for (AxisSettings& axis : machine.axes)
+            axis.expected = ModuleIdentity{ModuleType::Servo, 4};
+        window->showMachine(machine);
+    }
+    void showGrouped(std::vector<std::optional<bus::GroupPlace>> places) {
+        std::vector<ModuleState> modules;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            modules.push_back(Servo{.index = static_cast<int>(i)}.state());
+            modules.back().info.group = places[i];
+        }
+        link = connectedTo(std::move(modules));
+        window->showLink(link);
+    }
+    ~ChainWindow() override { texts::setModuleNames({}); }
+    Machine machine;
+    LinkState link;
+    QSignalSpy changes{&window->chainMenu(), &ChainMenu::groupChangeRequested};
+    QSignalSpy commands{&window->chainMenu(), &ChainMenu::groupCommandRequested};
+    QSignalSpy rates{&window->chainMenu(), &ChainMenu::rateRequested};
+};
+
+TEST_F(ChainWindow, TheDoctorNamesThePlaceToLookAt) {
+    expect(4);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    showServos({{}, {}});
+    open("chainDoctorAction");
+    EXPECT_EQ(text(u"chainFinding"_s), u"2 of 4 modules answered."_s);
+    EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"towards the PC after Module 2 \"Z axis\""_s))
+        << text(u"chainAdvice"_s).toStdString();
+    EXPECT_EQ(cell(0, 4), u"fine"_s);
+    EXPECT_EQ(cell(2, 2), u"PIC-SERVO v4"_s);
+    EXPECT_EQ(cell(2, 3), u"–"_s);
+    EXPECT_EQ(cell(3, 4), u"missing"_s);
+}
+
+TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
+    expect(2);
+    showServos({{}});
+    open("chainDoctorAction");
+    QSignalSpy accepted(&window->chainMenu(), &ChainMenu::acceptRequested);
+    QSignalSpy scans(&window->chainMenu(), &ChainMenu::scanRequested);
+    click(u"acceptChainButton"_s);
+    click(u"scanButton"_s);
+    EXPECT_EQ(accepted.size(), 1);
+    EXPECT_EQ(scans.size(), 1);
+    expect(1);
+    EXPECT_FALSE(button(u"acceptChainButton"_s)->isEnabled());
+    EXPECT_EQ(text(u"chainFinding"_s), u"All is well: 1 module."_s);
+}
+
+TEST_F(ChainWindow, ARestartAsksFirst) {
+    showServos({{}});
+    QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);
+    open("chainDoctorAction");
+    click(u"restartChainButton"_s);
+    EXPECT_EQ(restarts.size(), 0);
+    EXPECT_NE(find(u"restartDialog"_s), nullptr);
+    click(u"cancelRestartButton"_s);
+    EXPECT_EQ(restarts.size(), 0);
+}
+
+TEST_F(ChainWindow, AModuleJoinsAGroupAndLeadsIt) {
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    open("groupsAction");
+    auto* group = find<QComboBox>(u"group2Box"_s);
+    EXPECT_EQ(group->currentText(), u"no group"_s);
+    EXPECT_FALSE(button(u"leader2Box"_s)->isEnabled());
+    group->setFocus();
+    QTest::keyClick(group, Qt::Key_Down);
+    ASSERT_EQ(changes.size(), 1);
+    EXPECT_EQ(changes.at(0).at(0).value<bus::GroupChange>(),
+              (bus::GroupChange{ModuleIndex(1), {0x81, false}}));
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{0x81, false}});
+    auto* leader = button(u"leader2Box"_s);
+    QTest::mouseClick(leader, Qt::LeftButton, {}, {leader->height() / 2, leader->height() / 2});
+    ASSERT_EQ(changes.size(), 2);
+    EXPECT_EQ(changes.at(1).at(0).value<bus::GroupChange>(),
+              (bus::GroupChange{ModuleIndex(1), {0x81, true}}));
+}
+
+TEST_F(ChainWindow, AGroupStartIsWithheldUntilEachMemberHasLoaded) {
+    showGrouped({bus::GroupPlace{0x81, true}, bus::GroupPlace{0x81, false}, bus::GroupPlace{}});
+    open("groupsAction");
+    EXPECT_FALSE(button(u"groupStartButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"groupStartButton"_s)->toolTip().startsWith(u"Module 1:"_s));
+    link.modules[0].loadWaiting = true;
+    window->showLink(link);
+    EXPECT_TRUE(button(u"groupStartButton"_s)->toolTip().startsWith(u"Module 2:"_s));
+    link.modules[1].loadWaiting = true;
+    window->showLink(link);
+    EXPECT_EQ(text(u"load2Label"_s), u"move loaded"_s);
+    click(u"groupStartButton"_s);
+    click(u"groupHomeButton"_s);
+    ASSERT_EQ(commands.size(), 2);
+    EXPECT_EQ(commands.at(0).at(0).value<bus::GroupCommand>(),
+              (bus::GroupCommand{0x81, bus::GroupCommand::Action::StartMotion}));
+    EXPECT_EQ(commands.at(1).at(0).value<bus::GroupCommand>(),
+              (bus::GroupCommand{0x81, bus::GroupCommand::Action::SaveAsHome}));
+}
+
+TEST_F(ChainWindow, AnUnknownGroupIsSaidToBeUnknown) {
+    showGrouped({std::nullopt});
+    open("groupsAction");
+    EXPECT_EQ(find<QComboBox>(u"group1Box"_s)->currentText(), u"unknown"_s);
+    EXPECT_EQ(changes.size(), 0);
+}
+
+TEST_F(ChainWindow, TheRateChangesAtStandstillOnly) {
+    showServos({{}});
+    open("rateAction");
+    EXPECT_EQ(text(u"chainRateLabel"_s), u"The chain runs at 115\u202f200 Bd."_s);
+    EXPECT_FALSE(button(u"changeRateButton"_s)->isEnabled());
+    auto* rate = find<QComboBox>(u"chainRateBox"_s);
+    rate->setCurrentIndex(rate->findData(57'600));
+    showServos({{.moveDone = false}});
+    EXPECT_FALSE(button(u"changeRateButton"_s)->isEnabled());
+    showServos({{.millisecond = 10}});
+    click(u"changeRateButton"_s);
+    ASSERT_EQ(rates.size(), 1);
+    EXPECT_EQ(rates.at(0).at(0).toUInt(), 57'600U);
+}
+
+TEST_F(ChainWindow, EscStopsTheMotorsFromHereToo) {
+    showServos({{}});
+    open("groupsAction");
+    QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    QTest::keyClick(find(u"chainDialog"_s), Qt::Key_Escape);
+    EXPECT_EQ(stops.size(), 1);
+}
+
+}  // namespace
+}  // namespace nmc
