@@ -31,7 +31,7 @@ protected:
         ASSERT_TRUE(waitFor([&] {
             return m_composition.store().link().phase == LinkPhase::Connected &&
                    m_composition.store().link().modules.size() == 2;
-        }));
+        })) << headlines().join(QStringLiteral(" | ")).toStdString();
         auto& list = find<QAbstractItemView>("chainList");
         list.setCurrentIndex(list.model()->index(1, 0));
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AmplifierOff; }));

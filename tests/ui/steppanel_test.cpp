@@ -136,9 +136,10 @@ TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
     EXPECT_EQ(field(u"stepGoalField"_s)->value(), 5.0) << "1000 steps of 200 a millimetre";
     EXPECT_EQ(text(u"stepGoalFieldUnit"_s), u"mm"_s);
     EXPECT_EQ(field(u"stepSpeedField"_s)->value(), 2.0);
+    EXPECT_EQ(text(u"stepSpeedFieldPerSecond"_s), u"= 400 steps/s"_s);
     EXPECT_EQ(plain(u"stepSpeedOutcome"_s), u"Runs at 400 steps/s (2 mm/s): speed 16 of 250."_s);
     // 25 steps/s each 10 ms are 2 500 steps/s^2, 12.5 mm/s^2.
-    EXPECT_EQ(plain(u"stepRampOutcome"_s), u"Ramp of 2 500 steps/s² (12.5 mm/s²): acceleration time 40."_s);
+    EXPECT_EQ(plain(u"stepRampOutcome"_s), u"Ramp of 2 500 steps/s² (12.5 mm/s²)."_s);
 }
 
 // 200 of 255 at half a degree each, from -10.
@@ -221,6 +222,21 @@ TEST_F(StepPanelTest, StagesParametersAndSendsThemAllAtOnce) {
     EXPECT_EQ(text(u"stepRunCurrentState"_s), u"● edited, not sent"_s);
     click(u"stepRevertParametersButton"_s);
     EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), u"90"_s);
+}
+
+TEST_F(StepPanelTest, AnEmptyFieldStaysEmptyInAnotherUnit) {
+    Stepper first = Stepper::holding();
+    Stepper second;
+    second.says(kStepPower);
+    second.module.info.index = ModuleIndex(1);
+    window->showLink(connectedTo({first.module, second.module}));
+    EXPECT_EQ(field(u"stepMinimumSpeedField"_s)->text(), u"100"_s);
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    machine.axes.resize(2);
+    machine.axes[1].unit = {UnitKind::Millimetres, 200.0, {}};
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"stepMinimumSpeedField"_s)->text(), QString());
 }
 
 TEST_F(StepPanelTest, KeepsUnfinishedEditsPerModule) {

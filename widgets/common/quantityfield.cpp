@@ -51,13 +51,20 @@ void QuantityField::setScale(const AxisScale& scale) {
         return;
     m_scale = scale;
     refresh();
+    // Read again: in the new unit's range the old number may have been none.
     if (m_native)
-        showValue(toUser(*m_native));
+        showNative(*m_native);
 }
 
 void QuantityField::showNative(double native) {
     m_native = native;
     showValue(toUser(native));
+    refresh();
+}
+
+void QuantityField::showNothing() {
+    m_native.reset();
+    NumberField::showNothing();
     refresh();
 }
 

@@ -28,6 +28,7 @@ public:
 
     /// Emits nothing.
     void showNative(double native);
+    void showNothing();
     /// Empty while what stands there is not one number within the range.
     [[nodiscard]] std::optional<double> native() const;
 

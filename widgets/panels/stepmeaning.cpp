@@ -142,7 +142,7 @@ QString stepParameterRemark(StepParameter parameter, std::optional<int> value,
     if (!value)
         return {};
     if (parameter == StepParameter::MinimumSpeed)
-        return StepMeaning::tr("speed %1 of 250").arg(*value);
+        return StepMeaning::tr("speed %1").arg(*value);
     if (parameter == StepParameter::RunCurrent || parameter == StepParameter::HoldCurrent)
         return *value == 0 ? StepMeaning::tr("no current")
                            : StepMeaning::tr("%1 % of full").arg(qRound(*value * 100.0 / 255));

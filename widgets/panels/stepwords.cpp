@@ -58,8 +58,7 @@ QString acceleration(const StepSpeed& mode, int accelerationTime, const AxisScal
 }
 
 QString ramp(const StepSpeed& mode, int accelerationTime, const AxisScale& scale) {
-    return StepWords::tr("Ramp of %1: acceleration time %2.")
-        .arg(acceleration(mode, accelerationTime, scale), QString::number(accelerationTime));
+    return StepWords::tr("Ramp of %1.").arg(acceleration(mode, accelerationTime, scale));
 }
 
 QString forecast(const StepForecast& forecast, const AxisScale& scale) {

@@ -17,7 +17,7 @@ namespace nmc::texts {
 [[nodiscard]] QString timedSpeed(const StepSpeed& mode, step::TimerCount timer, const AxisScale& scale);
 /// "2 500 steps/s²", and the user's unit behind it where that is another.
 [[nodiscard]] QString acceleration(const StepSpeed& mode, int accelerationTime, const AxisScale& scale);
-/// "Ramp of 2 500 steps/s²: acceleration time 40."
+/// "Ramp of 2 500 steps/s²."
 [[nodiscard]] QString ramp(const StepSpeed& mode, int accelerationTime, const AxisScale& scale);
 /// "Takes 2.35 s, fastest 1 200 steps/s."
 [[nodiscard]] QString forecast(const StepForecast& forecast, const AxisScale& scale);
