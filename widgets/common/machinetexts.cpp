@@ -198,10 +198,9 @@ Message machineNotSaved(const QString& file, const FileProblem& problem) {
 Message machineOpened(const QString& file, int parts, int sent) {
     Message message{
         .key = key::machineFile() + u".opened"_s,
-        .headline =
-            Texts::tr("\"%1\" is open: %2 settings were taken from it.").arg(fileName(file)).arg(parts)};
+        .headline = Texts::tr("\"%1\" is open; settings taken from it: %2.").arg(fileName(file)).arg(parts)};
     message.body = sent == 0 ? Texts::tr("Nothing was sent to a module.")
-                             : Texts::tr("%1 commands were sent, as chosen. No motor was moved.").arg(sent);
+                             : Texts::tr("Commands sent, as chosen: %1. No motor was moved.").arg(sent);
     return message;
 }
 
@@ -247,7 +246,7 @@ QString machinePart(MachinePart part) {
         case MachinePart::Groups:
             return Texts::tr("Groups");
         case MachinePart::Hardware:
-            return Texts::tr("Module");
+            return Texts::tr("Type and version");
         case MachinePart::AxisName:
             return Texts::tr("Name");
         case MachinePart::Unit:
@@ -321,6 +320,8 @@ QString machineField(const QString& key) {
         return Texts::tr(*found);
     if (key.startsWith(u"group"_s))
         return Texts::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
+    if (key.startsWith(u"leader"_s))
+        return Texts::tr("Leader of group %1").arg(QString::number(key.mid(6).toInt(), 16).toUpper());
     if (key.startsWith(u"output"_s))
         return Texts::tr("Output %1").arg(key.mid(6));
     if (key.startsWith(u"input"_s))
@@ -365,9 +366,9 @@ QString machineApplying(const Difference& difference) {
         case Applying::NotInFile:
             return Texts::tr("Not in the file: it stays as it is.");
         case Applying::OtherHardware:
-            return Texts::tr("The file is for another module, so it cannot be applied here.");
+            return Texts::tr("Cannot be applied: the file is for another module.");
         case Applying::NotThere:
-            return Texts::tr("This module did not answer; its settings are kept for when it does.");
+            return Texts::tr("Not there now; its settings are kept.");
     }
     return {};
 }
