@@ -133,7 +133,7 @@ void DifferencesDialog::showDifferences(const QString& file, std::vector<Differe
 
 void DifferencesDialog::addRow(const Difference& difference) {
     auto* row = new QTreeWidgetItem(m_table);
-    row->setSizeHint(kWhat, QSize(0, fontMetrics().height() * 3 / 2));
+    row->setSizeHint(kApplying, QSize(0, fontMetrics().height() * 3 / 2));
     row->setText(kWhat, whatOf(difference.id));
     row->setText(kApplying, texts::machineApplying(difference));
     row->setToolTip(kApplying, row->text(kApplying));
