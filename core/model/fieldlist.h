@@ -40,13 +40,13 @@ public:
             whole(key, *number, bounds);
     }
     void distance(std::string_view key, double number, Need /*need*/ = {}) {
-        add(key, Quantity::Distance, number);
+        addSet(key, Quantity::Distance, number);
     }
     void velocity(std::string_view key, double number, Need /*need*/ = {}) {
-        add(key, Quantity::Velocity, number);
+        addSet(key, Quantity::Velocity, number);
     }
     void acceleration(std::string_view key, double number, Need /*need*/ = {}) {
-        add(key, Quantity::Acceleration, number);
+        addSet(key, Quantity::Acceleration, number);
     }
     void perUnit(double number, Need /*need*/) { add(kServoSuffixes.perUnit, Quantity::Plain, number); }
     void seconds(std::string_view key, double number) { add(key, Quantity::Seconds, number); }
@@ -67,6 +67,12 @@ public:
     }
 
 private:
+    /// 0 is what nobody has set.
+    void addSet(std::string_view key, Quantity quantity, double number) {
+        if (number != 0)
+            add(key, quantity, number);
+    }
+
     std::vector<ListedField> m_fields;
 };
 

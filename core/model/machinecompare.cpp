@@ -47,11 +47,12 @@ Fields groupFields(const std::vector<GroupSettings>& groups) {
     for (const GroupSettings& group : groups) {
         std::string members;
         for (const ModuleIndex member : group.members)
-            members += (members.empty() ? "" : ", ") + std::to_string(member.value() + 1) +
-                       (member == group.leader ? "*" : "");
+            members += (members.empty() ? "" : ", ") + std::to_string(member.value() + 1);
         const std::string number = std::to_string(group.address);
         list.add("group" + number, Quantity::Plain,
                  group.name.empty() ? members : group.name + ": " + members);
+        if (group.leader)
+            list.whole("leader" + number, group.leader->value() + 1, {});
     }
     return list.fields();
 }

@@ -168,8 +168,7 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
     EXPECT_EQ(executed(sim, 1, "set_gain"), 1);
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
-    EXPECT_EQ(panel.headlines().first(),
-              QStringLiteral("\"mill.json\" is open: 7 settings were taken from it."));
+    EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"mill.json\" is open; settings taken from it: 7."));
     // Opened again, there is nothing to do.
     ASSERT_TRUE(panel.waitFor([&] {
         const auto& modules = panel.composition().store().link().modules;
@@ -213,7 +212,7 @@ TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
     connectTo(panel, sim);
     const std::string content = readFile(file, kMaxMachineFile).value();
     emit menu(panel).openRequested(file);
-    ASSERT_EQ(table(panel)->topLevelItem(2)->text(0), QStringLiteral("Module 1: Module"));
+    ASSERT_EQ(table(panel)->topLevelItem(2)->text(0), QStringLiteral("Module 1: Type and version"));
     EXPECT_EQ(table(panel)->topLevelItem(2)->text(1), QStringLiteral("PIC-SERVO v4"));
     EXPECT_EQ(table(panel)->topLevelItem(2)->text(2), QStringLiteral("PIC-SERVO v3"));
     click(panel, "tickAllButton");

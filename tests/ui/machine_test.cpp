@@ -121,7 +121,7 @@ TEST_F(MachineWindow, ApplyTellsWhatIsTicked) {
                      [&chosen](const std::vector<PartId>& ids) { chosen = ids; });
     showSome();
     table()->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
-    EXPECT_EQ(text(u"differencesSummary"_s), u"1 of 4 settings chosen; 1 of them are sent to modules."_s);
+    EXPECT_EQ(text(u"differencesSummary"_s), u"Chosen: 1 of 4. Sent to modules: 1."_s);
     click(u"applyDifferencesButton"_s);
     EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
     click(u"tickAllButton"_s);
@@ -191,6 +191,9 @@ TEST_F(MachineWindow, EveryFieldOfAMachineHasAWord) {
         fields.insert(fields.end(), more.begin(), more.end());
     };
     axis.unit.ownSymbol = "n";
+    axis.motion = {1, 1, 1, 1, 1, 1};
+    axis.homing->velocity = axis.homing->indexVelocity = axis.homing->acceleration = 1;
+    axis.homing->travelLimit = 1;
     append(layout::listed(axis.unit));
     append(layout::listed(axis.motion));
     append(layout::listed(axis.homing));

@@ -118,10 +118,6 @@ QString trouble(const FileError& error) {
     return {};
 }
 
-QString fileName(const QString& path) {
-    return QFileInfo(path).fileName();
-}
-
 Message problemMessage(const QString& headline, const QString& body, const QString& details = {}) {
     return {.key = key::machineFile(),
             .severity = Severity::Attention,
@@ -158,6 +154,10 @@ QString key::unsavedWork() {
     return u"unsavedWork"_s;
 }
 
+QString machineFileName(const QString& path) {
+    return path.isEmpty() ? Texts::tr("unsaved work") : QFileInfo(path).fileName();
+}
+
 QString fileProblem(const QString& file, const FileProblem& problem) {
     if (problem.kind == Kind::Empty)
         return Texts::tr("\"%1\" is empty.").arg(file);
@@ -175,40 +175,41 @@ QString fileProblem(const QString& file, const FileProblem& problem) {
 }
 
 Message machineNotOpened(const QString& file, const FileProblem& problem) {
-    return problemMessage(fileProblem(fileName(file), problem), Texts::tr("Nothing was loaded."));
+    return problemMessage(fileProblem(machineFileName(file), problem), Texts::tr("Nothing was loaded."));
 }
 
 Message machineNotOpened(const FileError& error) {
-    return problemMessage(Texts::tr("\"%1\" was not opened.").arg(fileName(error.path)), trouble(error),
-                          error.detail);
+    return problemMessage(Texts::tr("\"%1\" was not opened.").arg(machineFileName(error.path)),
+                          trouble(error), error.detail);
 }
 
 Message machineNotSaved(const FileError& error) {
-    return problemMessage(
-        Texts::tr("\"%1\" was not saved. What it held before is still there.").arg(fileName(error.path)),
-        trouble(error), error.detail);
+    return problemMessage(Texts::tr("\"%1\" was not saved. What it held before is still there.")
+                              .arg(machineFileName(error.path)),
+                          trouble(error), error.detail);
 }
 
 Message machineNotSaved(const QString& file, const FileProblem& problem) {
     return problemMessage(
-        Texts::tr("\"%1\" was not saved: this machine could not be opened again.").arg(fileName(file)),
-        fileProblem(fileName(file), problem));
+        Texts::tr("\"%1\" was not saved: this machine could not be opened again.").arg(machineFileName(file)),
+        fileProblem(machineFileName(file), problem));
 }
 
 Message machineOpened(const QString& file, int parts, int sent) {
     Message message{
         .key = key::machineFile() + u".opened"_s,
         .headline =
-            Texts::tr("\"%1\" is open: %2 settings were taken from it.").arg(fileName(file)).arg(parts)};
+            Texts::tr("\"%1\" is open; settings taken from it: %2.").arg(machineFileName(file)).arg(parts)};
     message.body = sent == 0 ? Texts::tr("Nothing was sent to a module.")
-                             : Texts::tr("%1 commands were sent, as chosen. No motor was moved.").arg(sent);
+                             : Texts::tr("Commands sent, as chosen: %1. No motor was moved.").arg(sent);
     return message;
 }
 
 Message machineSame(const QString& file) {
-    return {.key = key::machineFile() + u".opened"_s,
-            .headline = Texts::tr("\"%1\" is open. It says what is there already.").arg(fileName(file)),
-            .body = Texts::tr("Nothing was sent to a module.")};
+    return {
+        .key = key::machineFile() + u".opened"_s,
+        .headline = Texts::tr("\"%1\" is open. It says what is there already.").arg(machineFileName(file)),
+        .body = Texts::tr("Nothing was sent to a module.")};
 }
 
 Message unsavedWorkLeft(const QString& machine) {
@@ -224,7 +225,7 @@ Message unsavedWorkDamaged(const FileProblem& problem) {
     return {.key = key::unsavedWork(),
             .severity = Severity::Attention,
             .headline = Texts::tr("Unsaved work of an earlier session cannot be read."),
-            .body = fileProblem(Texts::tr("unsaved work"), problem),
+            .body = fileProblem(machineFileName({}), problem),
             .actions = {{action::kDiscardWork, Texts::tr("Discard: the work is lost")}}};
 }
 
@@ -247,7 +248,7 @@ QString machinePart(MachinePart part) {
         case MachinePart::Groups:
             return Texts::tr("Groups");
         case MachinePart::Hardware:
-            return Texts::tr("Module");
+            return Texts::tr("Type and version");
         case MachinePart::AxisName:
             return Texts::tr("Name");
         case MachinePart::Unit:
@@ -321,6 +322,8 @@ QString machineField(const QString& key) {
         return Texts::tr(*found);
     if (key.startsWith(u"group"_s))
         return Texts::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
+    if (key.startsWith(u"leader"_s))
+        return Texts::tr("Leader of group %1").arg(QString::number(key.mid(6).toInt(), 16).toUpper());
     if (key.startsWith(u"output"_s))
         return Texts::tr("Output %1").arg(key.mid(6));
     if (key.startsWith(u"input"_s))
@@ -365,9 +368,9 @@ QString machineApplying(const Difference& difference) {
         case Applying::NotInFile:
             return Texts::tr("Not in the file: it stays as it is.");
         case Applying::OtherHardware:
-            return Texts::tr("The file is for another module, so it cannot be applied here.");
+            return Texts::tr("Cannot be applied: the file is for another module.");
         case Applying::NotThere:
-            return Texts::tr("This module did not answer; its settings are kept for when it does.");
+            return Texts::tr("Not there now; its settings are kept.");
     }
     return {};
 }

@@ -110,7 +110,7 @@ void DifferencesDialog::build() {
     layout->addWidget(m_summary);
     layout->addLayout(buttons);
     const int em = fontMetrics().height();
-    resize(em * 66, em * 36);
+    resize(em * 72, em * 40);
 }
 
 void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
@@ -124,13 +124,16 @@ void DifferencesDialog::showDifferences(const QString& file, std::vector<Differe
         for (const Difference& difference : m_differences)
             addRow(difference);
     }
-    for (const int column : {kWhat, kFile, kNow, kApplying})
+    for (const int column : {kWhat, kFile, kNow}) {
         m_table->resizeColumnToContents(column);
+        m_table->setColumnWidth(column, m_table->columnWidth(column) + look::gridUnit(this) * 2);
+    }
     summarise();
 }
 
 void DifferencesDialog::addRow(const Difference& difference) {
     auto* row = new QTreeWidgetItem(m_table);
+    row->setSizeHint(kApplying, QSize(0, fontMetrics().height() * 3 / 2));
     row->setText(kWhat, whatOf(difference.id));
     row->setText(kApplying, texts::machineApplying(difference));
     row->setToolTip(kApplying, row->text(kApplying));
@@ -203,10 +206,8 @@ void DifferencesDialog::summarise() {
     const int sent = sendings();
     const QString reason = sent > 0 && m_moving > 0 ? texts::notSentWhileMoving(m_moving) : QString();
     const int parts = static_cast<int>(chosen().size());
-    const QString summary = tr("%1 of %2 settings chosen; %3 of them are sent to modules.")
-                                .arg(parts)
-                                .arg(m_table->topLevelItemCount())
-                                .arg(sent);
+    const QString summary =
+        tr("Chosen: %1 of %2. Sent to modules: %3.").arg(parts).arg(m_table->topLevelItemCount()).arg(sent);
     look::setText(m_summary, reason.isEmpty() ? summary : summary + u' ' + reason);
     look::setPossible(m_apply, reason, tr("Takes over what is ticked, and sends what is said to be sent."));
 }

@@ -106,7 +106,7 @@ void MachineMenu::showDifferences(const QString& file, std::vector<Difference> d
             emit differencesDropped();
         });
     }
-    m_differences->showDifferences(QFileInfo(file).fileName(), std::move(differences));
+    m_differences->showDifferences(texts::machineFileName(file), std::move(differences));
     m_differences->show();
     m_differences->activateWindow();
 }
