@@ -5,103 +5,103 @@
     <name>Chain</name>
     <message>
         <source>Not connected, so nothing is known of the chain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht verbunden, daher ist über die Kette nichts bekannt.</translation>
     </message>
     <message>
         <source>All is well: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in Ordnung: %1.</translation>
     </message>
     <message>
         <source>No module answers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Modul antwortet.</translation>
     </message>
     <message>
         <source>%1 of %2 modules answered.</source>
-        <translation type="unfinished">%1 von %2 Modulen haben geantwortet.</translation>
+        <translation>%1 von %2 Modulen haben geantwortet.</translation>
     </message>
     <message>
         <source>%1 of %2 modules answered, and the far end of the chain is not among them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Modulen haben geantwortet, und das ferne Ende der Kette ist nicht darunter.</translation>
     </message>
     <message>
         <source>%1 is another one than expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein anderes als erwartet.</translation>
     </message>
     <message>
         <source>There are more modules than expected: %1 instead of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es sind mehr Module als erwartet: %1 statt %2.</translation>
     </message>
     <message>
         <source>%1 does not answer any more. Its motor&apos;s state is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 antwortet nicht mehr. Sein Motorzustand ist unbekannt.</translation>
     </message>
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
     </message>
     <message>
         <source>Choose a port and connect.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Port wählen und verbinden.</translation>
     </message>
     <message>
         <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls.</translation>
     </message>
     <message>
         <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nummerierung beginnt am fernen Ende. Deshalb das nächste Modul in Richtung PC nach %1 prüfen: zuerst seine Versorgung, dann den Stecker dazwischen. Dann erneut suchen.</translation>
     </message>
     <message>
         <source>What answers are the modules nearest the PC, with new numbers. Look at the cable to the module at the far end, and whether another ADDR_IN is grounded now. Their settings belong to other places until this is mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es antworten die Module, die dem PC am nächsten sind, mit neuen Nummern. Das Kabel zum Modul am fernen Ende prüfen, und ob jetzt ein anderes ADDR_IN auf Masse liegt. Bis das behoben ist, gehören ihre Einstellungen zu anderen Plätzen.</translation>
     </message>
     <message>
         <source>Settings that belong to the expected one are not applied here. If it was exchanged on purpose, take what is there as expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen, die zum erwarteten Modul gehören, werden hier nicht angewendet. Wurde es absichtlich getauscht, das Vorhandene als erwartet übernehmen.</translation>
     </message>
     <message>
         <source>From %1 on they are new. If they are meant to be there, take what is there as expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab %1 sind sie neu. Gehören sie dorthin, das Vorhandene als erwartet übernehmen.</translation>
     </message>
     <message>
         <source>Check its power and the cable towards it; use the hardware stop if its motor moves. It is asked again by itself, rarely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Versorgung und das Kabel zu ihm prüfen; den Hardware-Stopp benutzen, wenn sein Motor sich bewegt. Es wird von selbst weiter abgefragt, aber selten.</translation>
     </message>
     <message>
         <source>Modules from it towards the PC may be deaf until it has its address again. When all motors may stand still and lose their positions, restart the network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Module von ihm in Richtung PC sind möglicherweise nicht ansprechbar, bis es wieder seine Adresse hat. Wenn alle Motoren stillstehen und ihre Positionen verlieren dürfen, das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>fine</source>
-        <translation type="unfinished"></translation>
+        <translation>in Ordnung</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished"></translation>
+        <translation>neu</translation>
     </message>
     <message>
         <source>another one</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderes</translation>
     </message>
     <message>
         <source>missing</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>antwortet nicht</translation>
     </message>
     <message>
         <source>restarted</source>
-        <translation type="unfinished"></translation>
+        <translation>neu gestartet</translation>
     </message>
     <message>
         <source>no group</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Gruppe</translation>
     </message>
     <message>
         <source>Group %1</source>
-        <translation type="unfinished">Gruppe %1</translation>
+        <translation>Gruppe %1</translation>
     </message>
 </context>
 <context>
@@ -255,11 +255,11 @@
     </message>
     <message>
         <source>limits above (odd)</source>
-        <translation type="unfinished"></translation>
+        <translation>begrenzt darüber (ungerade)</translation>
     </message>
     <message>
         <source>limits below (even)</source>
-        <translation type="unfinished"></translation>
+        <translation>begrenzt darunter (gerade)</translation>
     </message>
 </context>
 <context>
@@ -333,138 +333,138 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>StepMeaning</name>
     <message>
         <source>Speed mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeitsmodus</translation>
     </message>
     <message>
         <source>Minimum profile speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Profilgeschwindigkeit</translation>
     </message>
     <message>
         <source>Run current</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahrstrom</translation>
     </message>
     <message>
         <source>Hold current</source>
-        <translation type="unfinished"></translation>
+        <translation>Haltestrom</translation>
     </message>
     <message>
         <source>Thermal limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperaturgrenze</translation>
     </message>
     <message>
         <source>Limit switches</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter</translation>
     </message>
     <message>
         <source>E-stop input</source>
-        <translation type="unfinished">E-Stop-Eingang</translation>
+        <translation>E-Stop-Eingang</translation>
     </message>
     <message>
         <source>When one stops it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn einer ihn stoppt</translation>
     </message>
     <message>
         <source>The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the slowest that is fast enough. The same speeds and ramps mean something else in another mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Takt des Schritt-Timers. Ein schnellerer erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Dieselben Geschwindigkeiten und Rampen bedeuten in einem anderen Modus etwas anderes.</translation>
     </message>
     <message>
         <source>Where ramps begin and end. The motor must start and stop at this speed at once without losing steps; runs and moves with a ramp go no slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Rampen beginnen und enden. Der Motor muss mit dieser Geschwindigkeit ohne Schrittverlust sofort anfahren und anhalten können; Dauerlauf und Fahrten mit Rampe werden nicht langsamer.</translation>
     </message>
     <message>
         <source>The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is no current: the motor does not follow. Not more than motor and driver stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stromgrenze, während der Motor sich bewegt, als Teil von 255 dessen, was der Treiber liefern kann. 0 ist kein Strom: der Motor folgt nicht. Nicht mehr, als Motor und Treiber vertragen.</translation>
     </message>
     <message>
         <source>The current limit at rest, from about 0.25 s after a motion. Usually lower than the run current, so that the motor stays cool. 0 is no current: nothing is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stromgrenze im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0 ist kein Strom: nichts wird gehalten.</translation>
     </message>
     <message>
         <source>The module switches the motor off when the A/D value falls below this: the voltage of a thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of a warm motor to find the right limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert darunter fällt: die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0 schaltet das aus. Den A/D-Wert eines warmen Motors beobachten, um die richtige Grenze zu finden.</translation>
     </message>
     <message>
         <source>As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. With this on the switches stop nothing, and the motor can run into its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Regel stoppt der Chip vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Ist dies ein, stoppen die Schalter nichts, und der Motor kann in sein Ende fahren.</translation>
     </message>
     <message>
         <source>As a rule the chip stops the motor when its E-stop input goes high. With this on the input stops nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Regel stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Ist dies ein, stoppt der Eingang nichts.</translation>
     </message>
     <message>
         <source>A limit switch or the E-stop input switches the motor off too, not only stops it: it is then free to turn, and a load may fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Endschalter oder der E-Stop-Eingang stoppt den Motor nicht nur, sondern schaltet ihn auch ab: er ist dann frei drehbar, eine Last kann absinken.</translation>
     </message>
     <message>
         <source>A/D now %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D jetzt %1</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished">aus</translation>
+        <translation>aus</translation>
     </message>
     <message>
         <source>off; %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aus; %1</translation>
     </message>
     <message>
         <source>speed %1 of 250</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit %1 von 250</translation>
     </message>
     <message>
         <source>no current</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Strom</translation>
     </message>
     <message>
         <source>%1 % of full</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % des vollen Werts</translation>
     </message>
 </context>
 <context>
     <name>StepWords</name>
     <message>
         <source>%1 steps/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schritte/s</translation>
     </message>
     <message>
         <source>%1 of 255, %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 255, %2 %3</translation>
     </message>
     <message>
         <source>%1x: %2 to %3 steps/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1x: %2 bis %3 Schritte/s</translation>
     </message>
     <message>
         <source>Runs at %1: speed %2, the minimum profile speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft mit %1: Geschwindigkeit %2, die kleinste Profilgeschwindigkeit.</translation>
     </message>
     <message>
         <source>Runs at %1: speed %2 of 250.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft mit %1: Geschwindigkeit %2 von 250.</translation>
     </message>
     <message>
         <source>Runs at %1: timer count %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft mit %1: Timerwert %2.</translation>
     </message>
     <message>
         <source>%1 steps/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schritte/s²</translation>
     </message>
     <message>
         <source>Ramp of %1: acceleration time %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rampe von %1: Beschleunigungszeit %2.</translation>
     </message>
     <message>
         <source>The motor is there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor ist bereits dort.</translation>
     </message>
     <message>
         <source>Takes %1 s. Too short for that speed: reaches %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauert %1 s. Zu kurz für diese Geschwindigkeit: erreicht %2.</translation>
     </message>
     <message>
         <source>Takes %1 s, fastest %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauert %1 s, höchstens %2 schnell.</translation>
     </message>
 </context>
 <context>
@@ -1483,1152 +1483,1152 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Not carried out by: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht ausgeführt von: %1.</translation>
     </message>
     <message>
         <source>Cannot be told of: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungewiss bei: %1.</translation>
     </message>
     <message>
         <source>No answer from: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Antwort von: %1.</translation>
     </message>
     <message>
         <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Modulen der Gruppe %3 sind gestartet. An alle ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>No module of group %1 started. Nothing moves because of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Modul der Gruppe %1 ist gestartet. Dadurch bewegt sich nichts.</translation>
     </message>
     <message>
         <source>Whether all modules of group %1 started is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob alle Module der Gruppe %1 gestartet sind, ist unbekannt.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. The start was sent once and is not repeated; look at the motors, load again, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meist Störungen auf dem Kabel. Der Start wurde einmal gesendet und wird nicht wiederholt; die Motoren ansehen, erneut laden, dann erneut starten.</translation>
     </message>
     <message>
         <source>Group %1 has no members. Nothing was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe %1 hat keine Mitglieder. Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>Put modules into the group first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst Module in die Gruppe aufnehmen.</translation>
     </message>
     <message>
         <source>The command to group %1 was withheld because of module %2. Nothing was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Befehl an Gruppe %1 wurde wegen Modul %2 zurückgehalten. Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>A group starts only when every member has confirmed its load, answers, and may start; and only when the group of every module is known. Load this module again, or give it its group again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gruppe startet nur, wenn jedes Mitglied das Laden bestätigt hat, antwortet und starten darf; und nur, wenn die Gruppe jedes Moduls bekannt ist. Dieses Modul erneut laden oder ihm seine Gruppe neu zuweisen.</translation>
     </message>
     <message>
         <source>Module %1 did not answer the change of its group, so its group is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat auf den Wechsel seiner Gruppe nicht geantwortet, seine Gruppe ist daher unbekannt.</translation>
     </message>
     <message>
         <source>The group of module %1 was not changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gruppe von Modul %1 wurde nicht geändert.</translation>
     </message>
     <message>
         <source>No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all modules must be known for that. Try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dadurch bewegt sich kein Motor. Gruppe FF kann keinen Leiter haben und jede andere Gruppe nur einen; dafür müssen die Gruppen aller Module bekannt sein. Erneut versuchen.</translation>
     </message>
     <message>
         <source>The command to group %1 was overtaken by a stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Befehl an Gruppe %1 kam ein Stopp zuvor.</translation>
     </message>
     <message>
         <source>All motors were told to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>An alle Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>Not every module of group %1 has certainly saved its position as home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jedes Modul der Gruppe %1 hat seine Position sicher als Referenzposition gespeichert.</translation>
     </message>
     <message>
         <source>No motor moved by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dadurch hat sich kein Motor bewegt.</translation>
     </message>
     <message>
         <source>All modules now talk at %1 Bd. Positions and gains are what they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Module arbeiten jetzt mit %1 Bd. Positionen und Reglerwerte sind unverändert.</translation>
     </message>
     <message>
         <source>The rate was not changed: the chain stays at %1 Bd. No motor moved by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rate wurde nicht geändert: die Kette bleibt bei %1 Bd. Dadurch hat sich kein Motor bewegt.</translation>
     </message>
     <message>
         <source>The modules cannot make %1 Bd.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Module beherrschen %1 Bd nicht.</translation>
     </message>
     <message>
         <source>Something moves, or is about to. Stop all motors, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas bewegt sich oder ist im Begriff dazu. Alle Motoren stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>There is no answer from module %1, which would be left behind. Connect again first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Modul %1 kommt keine Antwort; es würde zurückgelassen. Zuerst neu verbinden.</translation>
     </message>
     <message>
         <source>Another program may have changed the group of module %1, which would not hear the new rate. Set its group again, or restart the network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm hat möglicherweise die Gruppe von Modul %1 geändert; es würde die neue Rate nicht mitbekommen. Seine Gruppe neu zuweisen oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>There is a group leader, module %1, whose answer would come at the new rate. Make it an ordinary member first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt einen Gruppenleiter, Modul %1, dessen Antwort mit der neuen Rate käme. Zuerst ein gewöhnliches Mitglied daraus machen.</translation>
     </message>
     <message>
         <source>There was no answer at %1 Bd from module %2, so all went back. Try another rate, a shorter cable, or termination at both ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei %1 Bd kam von Modul %2 keine Antwort, daher sind alle zurückgekehrt. Eine andere Rate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
         <source>A stop came first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stopp kam dazwischen.</translation>
     </message>
     <message>
         <source>No answer from module %1 since the change of rate. Nothing was moving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Antwort von Modul %1 seit dem Wechsel der Rate. Es war nichts in Bewegung.</translation>
     </message>
     <message>
         <source>It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not found, restart the network: positions and gains are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist möglicherweise noch bei %1 Bd; die anderen sind bei %2 Bd. Erneut suchen; wird es nicht gefunden, das Netzwerk neu starten: Positionen und Reglerwerte gehen verloren.</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl</translation>
     </message>
     <message>
         <source>a text in quotation marks</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Text in Anführungszeichen</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true oder false</translation>
     </message>
     <message>
         <source>an object in { }</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt in { }</translation>
     </message>
     <message>
         <source>a list in [ ]</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Liste in [ ]</translation>
     </message>
     <message>
         <source>the file ends here, in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet hier, mittendrin.</translation>
     </message>
     <message>
         <source>this text is not in UTF-8.</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Text ist nicht in UTF-8.</translation>
     </message>
     <message>
         <source>this is not JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein JSON.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist keine Zahl.</translation>
     </message>
     <message>
         <source>this number is too big.</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Zahl ist zu groß.</translation>
     </message>
     <message>
         <source>more than %1 levels of brackets.</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als %1 Klammerebenen.</translation>
     </message>
     <message>
         <source>more than %1 values.</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als %1 Werte.</translation>
     </message>
     <message>
         <source>%1 is there twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist doppelt vorhanden.</translation>
     </message>
     <message>
         <source>%1 is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fehlt.</translation>
     </message>
     <message>
         <source>%1 is not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss %2 sein.</translation>
     </message>
     <message>
         <source>%1 is %2; the module takes %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist %2; beim Modul möglich ist %3 bis %4.</translation>
     </message>
     <message>
         <source>%1 is %2; it can be %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
     </message>
     <message>
         <source>%1 is &quot;%2&quot;, a word that is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist „%2“, ein unbekanntes Wort.</translation>
     </message>
     <message>
         <source>%1 has a character that cannot be printed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält ein nicht druckbares Zeichen.</translation>
     </message>
     <message>
         <source>%1 has more than %2 entries.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat mehr als %2 Einträge.</translation>
     </message>
     <message>
         <source>%1 has a unit that the module of this axis does not count in.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat eine Einheit, in der das Modul dieser Achse nicht zählt.</translation>
     </message>
     <message>
         <source>module %1 is in a group already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 ist bereits in einer Gruppe.</translation>
     </message>
     <message>
         <source>another group has address %1, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>auch eine andere Gruppe hat die Adresse %1.</translation>
     </message>
     <message>
         <source>the leader is not one of the group&apos;s modules.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Leiter ist keines der Module der Gruppe.</translation>
     </message>
     <message>
         <source>It is not there any more. Was it moved, or is its disk not connected?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist nicht mehr da. Wurde sie verschoben, oder ist ihr Datenträger nicht angeschlossen?</translation>
     </message>
     <message>
         <source>The folder %1 is not there. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner %1 gibt es nicht. Einen anderen wählen.</translation>
     </message>
     <message>
         <source>This is a folder or a device. Choose a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Ordner oder ein Gerät. Eine Datei wählen.</translation>
     </message>
     <message>
         <source>Your user account may not do that in %1. Choose another folder, or change the permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Benutzerkonto darf das in %1 nicht. Einen anderen Ordner wählen oder die Zugriffsrechte ändern.</translation>
     </message>
     <message>
         <source>The disk of %1 can only be read. Choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Datenträger von %1 ist nur lesbar. Einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>There is no room left on the disk of %1. Make room, or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Datenträger von %1 ist kein Platz mehr. Platz schaffen oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>It is larger than any machine file. Is it the right file?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist größer als jede Maschinendatei. Ist es die richtige Datei?</translation>
     </message>
     <message>
         <source>The system says why under Details.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Grund, den das System meldet, zeigen die Details.</translation>
     </message>
     <message>
         <source>counts (steps)</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkremente (Schritte)</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>own unit</source>
-        <translation type="unfinished"></translation>
+        <translation>eigene Einheit</translation>
     </message>
     <message>
         <source>abruptly</source>
-        <translation type="unfinished"></translation>
+        <translation>sofort</translation>
     </message>
     <message>
         <source>smoothly</source>
-        <translation type="unfinished"></translation>
+        <translation>sanft</translation>
     </message>
     <message>
         <source>motor off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor aus</translation>
     </message>
     <message>
         <source>a machine without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine ohne Namen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist leer.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is larger than %2 bytes.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist größer als %2 Byte.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a machine file of NMC Panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Maschinendatei von NMC Panel.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde von einem neueren NMC Panel geschrieben: das Format ist %2, dieses Programm kennt Formate bis %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ Zeile %2: %3</translation>
     </message>
     <message>
         <source>Nothing was loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde nichts geladen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde nicht geöffnet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not saved. What it held before is still there.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde nicht gespeichert. Der bisherige Inhalt ist noch vorhanden.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not saved: this machine could not be opened again.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde nicht gespeichert: diese Maschine ließe sich nicht wieder öffnen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open: %2 settings were taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist offen: %2 Einstellungen wurden daraus übernommen.</translation>
     </message>
     <message>
         <source>Nothing was sent to a module.</source>
-        <translation type="unfinished"></translation>
+        <translation>An kein Modul wurde etwas gesendet.</translation>
     </message>
     <message>
         <source>%1 commands were sent, as chosen. No motor was moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Befehle wurden gesendet, wie gewählt. Kein Motor wurde bewegt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. It says what is there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist offen. Die Datei enthält, was schon eingestellt ist.</translation>
     </message>
     <message>
         <source>Unsaved work on %1 is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Arbeit an %1 ist vorhanden.</translation>
     </message>
     <message>
         <source>An earlier session ended before it was saved. Restoring it sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine frühere Sitzung endete, bevor gespeichert wurde. Das Wiederherstellen sendet nichts.</translation>
     </message>
     <message>
         <source>Restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Discard: the work is lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen: die Arbeit geht verloren</translation>
     </message>
     <message>
         <source>Unsaved work of an earlier session cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Arbeit einer früheren Sitzung ist nicht lesbar.</translation>
     </message>
     <message>
         <source>unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>ungespeicherte Arbeit</translation>
     </message>
     <message>
         <source>Changes to the machine are not kept until you save them yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen an der Maschine bleiben erst erhalten, wenn Sie sie selbst speichern.</translation>
     </message>
     <message>
         <source>%1 cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht schreiben.</translation>
     </message>
     <message>
         <source>The changes to %1 are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an %1 sind nicht gespeichert.</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">Rate</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>Module</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished">Bewegung</translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Homing</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzsuche</translation>
     </message>
     <message>
         <source>A/D scale</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D-Skalierung</translation>
     </message>
     <message>
         <source>Names of inputs and outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen der Ein- und Ausgänge</translation>
     </message>
     <message>
         <source>Acceleration time</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungszeit</translation>
     </message>
     <message>
         <source>Gains</source>
-        <translation type="unfinished">Reglerwerte</translation>
+        <translation>Reglerwerte</translation>
     </message>
     <message>
         <source>Limit pins</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Pins</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Rate, Bd</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate, Bd</translation>
     </message>
     <message>
         <source>Type and version</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ und Version</translation>
     </message>
     <message>
         <source>Counts (steps) per unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkremente (Schritte) je Einheit</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichen</translation>
     </message>
     <message>
         <source>Velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished">Beschleunigung</translation>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>Run velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit des Dauerlaufs</translation>
     </message>
     <message>
         <source>Hold-to-move velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit beim Tippen</translation>
     </message>
     <message>
         <source>Hold-to-move cap</source>
-        <translation type="unfinished"></translation>
+        <translation>Obergrenze beim Tippen</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite</translation>
     </message>
     <message>
         <source>On limit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Endschalter 1</translation>
     </message>
     <message>
         <source>On limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Endschalter 2</translation>
     </message>
     <message>
         <source>On index</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Index</translation>
     </message>
     <message>
         <source>On position error</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Positionsfehler</translation>
     </message>
     <message>
         <source>On current limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Stromgrenze</translation>
     </message>
     <message>
         <source>On home switch</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Referenzschalter</translation>
     </message>
     <message>
         <source>Then the index</source>
-        <translation type="unfinished"></translation>
+        <translation>Danach der Index</translation>
     </message>
     <message>
         <source>Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts</translation>
     </message>
     <message>
         <source>Index velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Indexgeschwindigkeit</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Travel limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggrenze</translation>
     </message>
     <message>
         <source>Time limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitgrenze</translation>
     </message>
     <message>
         <source>Go to home</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzposition anfahren</translation>
     </message>
     <message>
         <source>Make it zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf null setzen</translation>
     </message>
     <message>
         <source>Per A/D count</source>
-        <translation type="unfinished"></translation>
+        <translation>Je A/D-Stufe</translation>
     </message>
     <message>
         <source>At zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei null</translation>
     </message>
     <message>
         <source>A/D unit</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D-Einheit</translation>
     </message>
     <message>
         <source>EL, counts</source>
-        <translation type="unfinished"></translation>
+        <translation>EL, Inkremente</translation>
     </message>
     <message>
         <source>Limit 1 is an input</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Pin 1 ist ein Eingang</translation>
     </message>
     <message>
         <source>Limit 2 is an input</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Pin 2 ist ein Eingang</translation>
     </message>
     <message>
         <source>Limit 1 as an output</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Pin 1 als Ausgang</translation>
     </message>
     <message>
         <source>Limit 2 as an output</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Pin 2 als Ausgang</translation>
     </message>
     <message>
         <source>Speed mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeitsmodus</translation>
     </message>
     <message>
         <source>Minimum profile speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Profilgeschwindigkeit</translation>
     </message>
     <message>
         <source>Run current</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahrstrom</translation>
     </message>
     <message>
         <source>Hold current</source>
-        <translation type="unfinished"></translation>
+        <translation>Haltestrom</translation>
     </message>
     <message>
         <source>Thermal limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperaturgrenze</translation>
     </message>
     <message>
         <source>Ignore limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter ignorieren</translation>
     </message>
     <message>
         <source>Ignore E-stop input</source>
-        <translation type="unfinished"></translation>
+        <translation>E-Stop-Eingang ignorieren</translation>
     </message>
     <message>
         <source>Motor off on limit or E-stop input</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor aus bei Endschalter oder E-Stop-Eingang</translation>
     </message>
     <message>
         <source>Output %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang %1</translation>
     </message>
     <message>
         <source>Input %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang %1</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>Changes the panel only; nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändert nur das Programm; es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Is sent to the module.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird an das Modul gesendet.</translation>
     </message>
     <message>
         <source>Waits in the fields, not sent: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet in den Feldern, nicht gesendet: %1</translation>
     </message>
     <message>
         <source>Waits in the fields, not sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet in den Feldern, nicht gesendet.</translation>
     </message>
     <message>
         <source>Not in the file: it stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht in der Datei: bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>The file is for another module, so it cannot be applied here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist für ein anderes Modul und hier daher nicht anwendbar.</translation>
     </message>
     <message>
         <source>This module did not answer; its settings are kept for when it does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Modul hat nicht geantwortet; seine Einstellungen werden aufbewahrt, bis es antwortet.</translation>
     </message>
     <message>
         <source>1 motor is moving: stop it before anything is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Motor ist in Bewegung: anhalten, bevor etwas gesendet wird.</translation>
     </message>
     <message>
         <source>%1 motors are moving: stop them before anything is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Motoren sind in Bewegung: anhalten, bevor etwas gesendet wird.</translation>
     </message>
     <message>
         <source>%1 was stopped: its switch stayed active while it backed off.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde gestoppt: der Schalter blieb beim Freifahren aktiv.</translation>
     </message>
     <message>
         <source>The switch may be stuck, or the search goes the wrong way. Move the motor off the switch, or change the direction, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vielleicht klemmt der Schalter, oder die Suche läuft in die falsche Richtung. Den Motor vom Schalter wegbewegen oder die Richtung ändern, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>%1 stopped before it found home.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 blieb stehen, bevor die Referenzposition gefunden war.</translation>
     </message>
     <message>
         <source>A limit or the E-stop input ended its motion. Check the direction of the search and the switches, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Endschalter oder der E-Stop-Eingang hat die Bewegung beendet. Die Richtung der Suche und die Schalter prüfen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>%1 was stopped: no home within the travel limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde gestoppt: keine Referenzposition innerhalb der Weggrenze.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the direction of the search, and the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schalter und sein Kabel, die Richtung der Suche und die Grenze prüfen.</translation>
     </message>
     <message>
         <source>%1 was stopped: no home within the time limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde gestoppt: keine Referenzposition innerhalb der Zeitgrenze.</translation>
     </message>
     <message>
         <source>Check the switch and its cable, the direction and the speed of the search, and the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schalter und sein Kabel, die Richtung und die Geschwindigkeit der Suche und die Grenze prüfen.</translation>
     </message>
     <message>
         <source>%1 is not homed and was told to stop: the link was in doubt meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: die Verbindung war währenddessen zweifelhaft.</translation>
     </message>
     <message>
         <source>What was said of home then may be wrong. See to the link, then repeat the search.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dabei über die Referenzposition gemeldet wurde, ist vielleicht falsch. Die Verbindung prüfen, dann die Suche wiederholen.</translation>
     </message>
     <message>
         <source>%1 is not homed and does not answer. Motor state unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht referenziert und antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>It was told to stop. Use the hardware stop if it moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stoppbefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
         <source>%1 is not homed: its motor went off by itself, and is free to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht referenziert: der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>The motor was too far from where it should be, or lost its power. Check for a jam, enable it, then repeat the search.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, den Motor einschalten, dann die Suche wiederholen.</translation>
     </message>
     <message>
         <source>%1 is not homed and was told to stop: a command was not carried out, or its answer was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Repeat the search.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meist Störungen auf dem Kabel. Die Suche wiederholen.</translation>
     </message>
     <message>
         <source>%1 stands still and is not homed: two readings of its home differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 steht still und ist nicht referenziert: zwei Lesungen der Referenzposition weichen voneinander ab.</translation>
     </message>
     <message>
         <source>%1 has found its home and holds close to it, but nothing was made zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat die Referenzposition gefunden und hält nahe dabei, aber nichts wurde auf null gesetzt.</translation>
     </message>
     <message>
         <source>It does not come to rest at home exactly: friction keeps it some counts off, and zero would be off by as much. Raise Ki and IL, or do without the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe: Reibung hält ihn einige Inkremente daneben, und null läge ebenso weit daneben. Ki und IL erhöhen oder auf das Nullsetzen verzichten.</translation>
     </message>
     <message>
         <source>Preparing</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereitet vor</translation>
     </message>
     <message>
         <source>Backing off from the active switch</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt vom aktiven Schalter frei</translation>
     </message>
     <message>
         <source>Searching</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht</translation>
     </message>
     <message>
         <source>Searching the index</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht den Index</translation>
     </message>
     <message>
         <source>Stopping</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält an</translation>
     </message>
     <message>
         <source>Reading home twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest die Referenzposition zweimal</translation>
     </message>
     <message>
         <source>Going to home</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt die Referenzposition an</translation>
     </message>
     <message>
         <source>Making home zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt die Referenzposition auf null</translation>
     </message>
     <message>
         <source>Moving</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt</translation>
     </message>
     <message>
         <source>Pausing</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausiert</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Erledigt</translation>
     </message>
     <message>
         <source>Failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlgeschlagen</translation>
     </message>
     <message>
         <source>Cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>%1 has not finished its moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat seine Fahrten nicht beendet.</translation>
     </message>
     <message>
         <source>%1 has found its home: it was at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat die Referenzposition gefunden: sie lag bei %2.</translation>
     </message>
     <message>
         <source>%1, %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 von %3</translation>
     </message>
     <message>
         <source>The switch stayed active while the motor backed off. It was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schalter blieb aktiv, während der Motor freifuhr. Er wurde gestoppt.</translation>
     </message>
     <message>
         <source>The motion ended before home was found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung endete, bevor die Referenzposition gefunden war.</translation>
     </message>
     <message>
         <source>The travel limit was reached. The motor was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Weggrenze wurde erreicht. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>The time limit was reached. The motor was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeitgrenze wurde erreicht. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>The link was in doubt meanwhile. The motor was told to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung war währenddessen zweifelhaft. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>The module does not answer. Motor state unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>The motor went off by itself, and is free to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>A command was not carried out or not answered. The motor was told to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Befehl wurde nicht ausgeführt oder nicht beantwortet. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>Two readings of home differ. The motor stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Lesungen der Referenzposition weichen voneinander ab. Der Motor steht still.</translation>
     </message>
     <message>
         <source>It does not come to rest at home exactly, so nothing was made zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe, daher wurde nichts auf null gesetzt.</translation>
     </message>
     <message>
         <source>Module %1 has no motor power, so its motor is off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat keine Motorversorgung, daher ist sein Motor aus.</translation>
     </message>
     <message>
         <source>Module %1 switched its motor off because it is too hot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat seinen Motor abgeschaltet, weil er zu heiß ist.</translation>
     </message>
     <message>
         <source>The A/D value fell below the thermal limit. Let the motor cool down; then look at the currents and the limit on the Parameters page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der A/D-Wert ist unter die Temperaturgrenze gefallen. Den Motor abkühlen lassen; dann die Ströme und die Grenze auf der Seite Parameter prüfen.</translation>
     </message>
     <message>
         <source>Module %1 switched its motor off because its E-stop input is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat seinen Motor abgeschaltet, weil sein E-Stop-Eingang aktiv ist.</translation>
     </message>
     <message>
         <source>It stays off when the input is released.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er bleibt aus, wenn der Eingang wieder frei wird.</translation>
     </message>
     <message>
         <source>Module %1 switched its motor off because a limit switch is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat seinen Motor abgeschaltet, weil ein Endschalter aktiv ist.</translation>
     </message>
     <message>
         <source>Enable it again, then move in the other direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder einschalten, dann in die andere Richtung fahren.</translation>
     </message>
     <message>
         <source>Module %1 switched its motor off by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 hat seinen Motor von selbst abgeschaltet.</translation>
     </message>
     <message>
         <source>It does not say why. Check its power and its inputs, then enable it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Grund meldet es nicht. Versorgung und Eingänge prüfen, dann wieder einschalten.</translation>
     </message>
     <message>
         <source>Module %1 &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 „%2“</translation>
     </message>
     <message>
         <source>Amplifier off</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärker aus</translation>
     </message>
     <message>
         <source>Stopped by a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Endschalter gestoppt</translation>
     </message>
     <message>
         <source>E-stop input</source>
-        <translation type="unfinished">E-Stop-Eingang</translation>
+        <translation>E-Stop-Eingang</translation>
     </message>
     <message>
         <source>Too hot</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu heiß</translation>
     </message>
     <message>
         <source>Switched itself off</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbst abgeschaltet</translation>
     </message>
     <message>
         <source>The module has no motor power, so its motor is off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul hat keine Motorversorgung, daher ist sein Motor aus.</translation>
     </message>
     <message>
         <source>The module switched its motor off when motor power went away. It stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul hat seinen Motor abgeschaltet, als die Motorversorgung ausfiel. Er bleibt aus.</translation>
     </message>
     <message>
         <source>The motor is held where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor wird an seiner Position gehalten.</translation>
     </message>
     <message>
         <source>The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor ist frei drehbar. Das ist kein Fehler: der Verstärker wurde noch nicht eingeschaltet oder wurde ausgeschaltet.</translation>
     </message>
     <message>
         <source>A limit switch stopped the motor. It can move in the other direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Endschalter hat den Motor gestoppt. Er kann in die andere Richtung fahren.</translation>
     </message>
     <message>
         <source>The module&apos;s E-stop input stopped the motor, or keeps it from moving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der E-Stop-Eingang des Moduls hat den Motor gestoppt oder hindert ihn an der Bewegung.</translation>
     </message>
     <message>
         <source>The module switched its motor off because the A/D value fell below the thermal limit. It stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul hat seinen Motor abgeschaltet, weil der A/D-Wert unter die Temperaturgrenze gefallen ist. Er bleibt aus.</translation>
     </message>
     <message>
         <source>The module switched its motor off by itself, and does not say why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul hat seinen Motor von selbst abgeschaltet und meldet den Grund nicht.</translation>
     </message>
     <message>
         <source>Nothing is loaded that could be started.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist nichts geladen, was gestartet werden könnte.</translation>
     </message>
     <message>
         <source>The position is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Position ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The servo is on. Switch the motor off first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Servo ist ein. Zuerst den Motor abschalten.</translation>
     </message>
     <message>
         <source>This version of the chip cannot do it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Version des Chips kann das nicht.</translation>
     </message>
     <message>
         <source>Nothing is chosen that home could be found by.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist nichts gewählt, woran die Referenz zu finden wäre.</translation>
     </message>
     <message>
         <source>A search needs a travel limit and a time limit above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Suche braucht eine Weggrenze und eine Zeitgrenze über 0.</translation>
     </message>
     <message>
         <source>The limit is active now: it would stop the motor when it is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Endschalter ist jetzt aktiv: beim Verlassen würde er den Motor stoppen.</translation>
     </message>
     <message>
         <source>The limit&apos;s pin is an output, so it tells nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Pin des Endschalters ist ein Ausgang und meldet daher nichts.</translation>
     </message>
     <message>
         <source>A move by 0 is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Fahrt um 0 ist keine.</translation>
     </message>
     <message>
         <source>This module is not a PIC-STEP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Modul ist kein PIC-STEP.</translation>
     </message>
     <message>
         <source>The module moves and holds nothing before it was given its parameters. Apply them first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul bewegt und hält nichts, bevor es seine Parameter bekommen hat. Zuerst die Parameter anwenden.</translation>
     </message>
     <message>
         <source>The amplifier is off. Enable it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Verstärker ist aus. Zuerst einschalten.</translation>
     </message>
     <message>
         <source>The motor is moving, and the chip does not allow this change in motion: stop first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor ist in Bewegung, und der Chip lässt diese Änderung während der Fahrt nicht zu: zuerst stoppen.</translation>
     </message>
     <message>
         <source>The module&apos;s E-stop input is active and keeps the motor from moving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der E-Stop-Eingang des Moduls ist aktiv und hindert den Motor an der Bewegung.</translation>
     </message>
     <message>
         <source>Limit switch 1 is active: the motor can move in reverse only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1 ist aktiv: der Motor kann nur rückwärts fahren.</translation>
     </message>
     <message>
         <source>Limit switch 2 is active: the motor can move forward only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2 ist aktiv: der Motor kann nur vorwärts fahren.</translation>
     </message>
     <message>
         <source>The A/D value is below the thermal limit: the module would switch the motor off at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der A/D-Wert liegt unter der Temperaturgrenze: das Modul würde den Motor sofort abschalten.</translation>
     </message>
     <message>
         <source>The goal is more than 2 147 483 647 steps away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel ist mehr als 2 147 483 647 Schritte entfernt.</translation>
     </message>
 </context>
 <context>
     <name>Units</name>
     <message>
         <source>steps/s</source>
-        <translation type="unfinished">Schritte/s</translation>
+        <translation>Schritte/s</translation>
     </message>
     <message>
         <source>steps/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte/s²</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>%1/s</source>
-        <translation type="unfinished">%1/s</translation>
+        <translation>%1/s</translation>
     </message>
     <message>
         <source>%1/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1/s²</translation>
     </message>
     <message>
         <source>counts/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Ink./s</translation>
     </message>
     <message>
         <source>counts/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>Ink./s²</translation>
     </message>
 </context>
 <context>
     <name>nmc</name>
     <message>
         <source>Resets every module and gives addresses again. Asks first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
 </context>
 <context>
     <name>nmc::AxisBox</name>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Name of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Achse</translation>
     </message>
     <message>
         <source>for example Z axis</source>
-        <translation type="unfinished"></translation>
+        <translation>zum Beispiel Z-Achse</translation>
     </message>
     <message>
         <source>What this axis is called, in the list, in messages and in files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie diese Achse in der Liste, in Meldungen und in Dateien heißt.</translation>
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Achse</translation>
     </message>
     <message>
         <source>the chip&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>die des Chips</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>a unit of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>eine eigene Einheit</translation>
     </message>
     <message>
         <source>What positions and speeds are shown in. Changing it keeps every amount and sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Worin Positionen und Geschwindigkeiten angezeigt werden. Beim Wechsel bleibt jeder Betrag erhalten, und es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Un&amp;it</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;inheit</translation>
     </message>
     <message>
         <source>Counts in 1 unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkremente in 1 Einheit</translation>
     </message>
     <message>
         <source>How many counts or steps of the chip make one unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Inkremente oder Schritte des Chips eine Einheit ergeben.</translation>
     </message>
     <message>
         <source>Symbol of the unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichen der Einheit</translation>
     </message>
     <message>
         <source>What stands behind the numbers, for example µl.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was hinter den Zahlen steht, zum Beispiel µl.</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichen</translation>
     </message>
     <message>
         <source>Cap of hold to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstwert für Tippen</translation>
     </message>
     <message>
         <source>The cap of hold to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Höchstwert für Tippen</translation>
     </message>
     <message>
         <source>Hold to move never goes faster than this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Tippen wird nie schneller gefahren.</translation>
     </message>
     <message>
         <source>&amp;Jog cap</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchs&amp;twert Tippen</translation>
     </message>
     <message>
         <source>A/D, each step</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D, je Stufe</translation>
     </message>
     <message>
         <source>What one of the 255 steps of the A/D value stands for, for example 5 V / 255, or amperes by the amplifier&apos;s current sense.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wofür eine der 255 Stufen des A/D-Werts steht, zum Beispiel 5 V / 255 oder Ampere nach der Strommessung des Verstärkers.</translation>
     </message>
     <message>
         <source>A/D at &amp;0</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D bei &amp;0</translation>
     </message>
     <message>
         <source>What an A/D value of 0 stands for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wofür ein A/D-Wert von 0 steht.</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit des A/D-Werts</translation>
     </message>
     <message>
         <source>A, V, or what the A/D input measures here.</source>
-        <translation type="unfinished"></translation>
+        <translation>A, V oder was der A/D-Eingang hier misst.</translation>
     </message>
     <message>
         <source>A/D unit</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D-Einheit</translation>
     </message>
     <message>
         <source>%1 in 1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in 1 %2</translation>
     </message>
 </context>
 <context>
@@ -2745,58 +2745,58 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Doctor, groups and rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagnose, Gruppen und Rate</translation>
     </message>
     <message>
         <source>Doctor</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagnose</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">Rate</translation>
+        <translation>Rate</translation>
     </message>
 </context>
 <context>
     <name>nmc::ChainMenu</name>
     <message>
         <source>Chain &amp;doctor…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettendia&amp;gnose…</translation>
     </message>
     <message>
         <source>What is expected, what is there, and where the chain probably breaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was erwartet wird, was da ist und wo die Kette wahrscheinlich unterbrochen ist.</translation>
     </message>
     <message>
         <source>&amp;Groups…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gruppen…</translation>
     </message>
     <message>
         <source>Who listens to which group; starting loaded moves at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer auf welche Gruppe hört; geladene Fahrten gleichzeitig starten.</translation>
     </message>
     <message>
         <source>R&amp;ate of the chain…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rate der Kette…</translation>
     </message>
     <message>
         <source>Takes the whole chain to another rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt die ganze Kette auf eine andere Rate um.</translation>
     </message>
     <message>
         <source>&amp;Scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut &amp;suchen</translation>
     </message>
     <message>
         <source>Looks for the chain again; nothing is reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht die Kette neu; nichts wird zurückgesetzt.</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
-        <translation type="unfinished">Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
+        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
 </context>
 <context>
@@ -3144,166 +3144,166 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::DifferencesDialog</name>
     <message>
         <source>&amp;Tick all</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;lle anhaken</translation>
     </message>
     <message>
         <source>Tick &amp;none</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keinen anhaken</translation>
     </message>
     <message>
         <source>&amp;Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;wenden</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished">&amp;Abbrechen</translation>
+        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>What the machine file would change</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Maschinendatei ändern würde</translation>
     </message>
     <message>
         <source>Open machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine öffnen</translation>
     </message>
     <message>
         <source>Differences between the file and what is here</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschiede zwischen der Datei und dem Stand hier</translation>
     </message>
     <message>
         <source>Setting</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung</translation>
     </message>
     <message>
         <source>In the file</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Datei</translation>
     </message>
     <message>
         <source>Here, or last sent</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier oder zuletzt gesendet</translation>
     </message>
     <message>
         <source>Applying it</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Anwenden</translation>
     </message>
     <message>
         <source>Tick all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle anhaken</translation>
     </message>
     <message>
         <source>Ticks everything that can be applied, also what is sent to modules that are on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hakt alles an, was sich anwenden lässt, auch was an eingeschaltete Module gesendet wird.</translation>
     </message>
     <message>
         <source>Tick none</source>
-        <translation type="unfinished"></translation>
+        <translation>Keinen anhaken</translation>
     </message>
     <message>
         <source>Takes all ticks away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt alle Haken weg.</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Leaves everything as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt alles, wie es ist.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ weicht vom Stand hier ab. Vor dem Anwenden ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich dadurch.</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">unbekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>%1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Werte</translation>
     </message>
     <message>
         <source>%1 of %2 settings chosen; %3 of them are sent to modules.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Einstellungen gewählt; %3 davon werden an Module gesendet.</translation>
     </message>
     <message>
         <source>Takes over what is ticked, and sends what is said to be sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt, was angehakt ist, und sendet, was als zu senden angegeben ist.</translation>
     </message>
 </context>
 <context>
     <name>nmc::DoctorPage</name>
     <message>
         <source>Chain doctor</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettendiagnose</translation>
     </message>
     <message>
         <source>Modules expected and found, the farthest from the PC first</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwartete und gefundene Module, das vom PC entfernteste zuerst</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwartet</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>&amp;Scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut &amp;suchen</translation>
     </message>
     <message>
         <source>Look for the chain again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kette neu suchen</translation>
     </message>
     <message>
         <source>&amp;Take as expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Als er&amp;wartet übernehmen</translation>
     </message>
     <message>
         <source>Take what is there as expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Vorhandene als erwartet übernehmen</translation>
     </message>
     <message>
         <source>&amp;Restart the network…</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzwerk &amp;neu starten…</translation>
     </message>
     <message>
         <source>Restart the network: positions and gains are lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzwerk neu starten: Positionen und Reglerwerte gehen verloren</translation>
     </message>
     <message>
         <source>Looks for the chain again with questions only: nothing is reset, nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht die Kette nur mit Abfragen neu: nichts wird zurückgesetzt, nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Resets every module and gives addresses again. Asks first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
     <message>
         <source>It is what is expected already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das wird bereits erwartet.</translation>
     </message>
     <message>
         <source>From now on the modules that are there are the expected ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von nun an sind die vorhandenen Module die erwarteten.</translation>
     </message>
 </context>
 <context>
@@ -3390,47 +3390,47 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob ein großer oder ein kleiner A/D-Wert zu viel Strom bedeutet. Der Chip unterscheidet das an geraden und ungeraden Zahlen.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Undo the last edit of a gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Änderung eines Reglerwerts rückgängig machen</translation>
     </message>
     <message>
         <source>Takes back the last edit in these fields (Ctrl+Z). Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die letzte Änderung in diesen Feldern zurück (Strg+Z). Sendet nichts.</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Redo the edit of a gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderung eines Reglerwerts wiederherstellen</translation>
     </message>
     <message>
         <source>Makes the edit again that was undone (Ctrl+Shift+Z). Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die Änderung noch einmal, die rückgängig gemacht wurde (Strg+Umschalt+Z). Sendet nichts.</translation>
     </message>
     <message>
         <source>All zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle null</translation>
     </message>
     <message>
         <source>Fill in zero for all gains</source>
-        <translation type="unfinished"></translation>
+        <translation>Für alle Reglerwerte null eintragen</translation>
     </message>
     <message>
         <source>Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more (Ctrl+0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllt die Felder mit 0, dem Beginn der Abstimmung. Sendet nichts; nach dem Anwenden hält der Motor nicht mehr (Strg+0).</translation>
     </message>
     <message>
         <source>SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.</source>
-        <translation type="unfinished"></translation>
+        <translation>SR %1 statt %2 ändert den Servotakt: jede Geschwindigkeit und Beschleunigung in Inkrementen je Takt bedeutet dann ein anderes Tempo.</translation>
     </message>
 </context>
 <context>
@@ -3472,690 +3472,690 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Einen Befehl an eine Gruppe führen alle ihre Mitglieder im selben Takt aus; ihr Leitmodul, wenn sie eines hat, antwortet für sie.</translation>
     </message>
     <message>
         <source>No modules yet: connect first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Module: zuerst verbinden.</translation>
     </message>
     <message>
         <source>Group to be commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe für die Befehle</translation>
     </message>
     <message>
         <source>Which group the two buttons are for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für welche Gruppe die beiden Tasten gelten.</translation>
     </message>
     <message>
         <source>St&amp;art loaded moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Geladene Fahrten s&amp;tarten</translation>
     </message>
     <message>
         <source>Start the loaded moves of this group</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geladenen Fahrten dieser Gruppe starten</translation>
     </message>
     <message>
         <source>Save &amp;home</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Referenz speichern</translation>
     </message>
     <message>
         <source>Save the present positions of this group as home</source>
-        <translation type="unfinished"></translation>
+        <translation>Die jetzigen Positionen dieser Gruppe als Referenz speichern</translation>
     </message>
     <message>
         <source>Group of module %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe von Modul %1</translation>
     </message>
     <message>
         <source>The group this module listens to. Sent at once; nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gruppe, auf die dieses Modul hört. Wird sofort gesendet; nichts bewegt sich.</translation>
     </message>
     <message>
         <source>leads</source>
-        <translation type="unfinished"></translation>
+        <translation>leitet</translation>
     </message>
     <message>
         <source>Module %1 leads its group</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul %1 leitet seine Gruppe</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">unbekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>Choose a group first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Gruppe wählen.</translation>
     </message>
     <message>
         <source>This module answers for its group; a group has one leader at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Modul antwortet für seine Gruppe; eine Gruppe hat höchstens ein Leitmodul.</translation>
     </message>
     <message>
         <source>move loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahrt geladen</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>No module is in a group yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist kein Modul in einer Gruppe.</translation>
     </message>
     <message>
         <source>Starts the moves that all members have loaded, in the same tick. Withheld unless every member has confirmed its load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Startet im selben Takt die Fahrten, die alle Mitglieder geladen haben. Wird zurückgehalten, solange nicht jedes Mitglied das Laden bestätigt hat.</translation>
     </message>
     <message>
         <source>Each member captures its present position as home, in the same tick. Nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Mitglied erfasst im selben Takt seine jetzige Position als Referenz. Nichts bewegt sich.</translation>
     </message>
 </context>
 <context>
     <name>nmc::HomingBox</name>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz suchen</translation>
     </message>
     <message>
         <source>Cancel search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche abbrechen</translation>
     </message>
     <message>
         <source>Homing</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzsuche</translation>
     </message>
     <message>
         <source>Search for home</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz suchen</translation>
     </message>
     <message>
         <source>Cancel the search for home</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzsuche abbrechen</translation>
     </message>
     <message>
         <source>Stages of the search</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschnitte der Suche</translation>
     </message>
     <message>
         <source>How the search goes</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Suche verläuft</translation>
     </message>
     <message>
         <source>Settings of the search</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen der Suche</translation>
     </message>
     <message>
         <source>A search for home is under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Referenzsuche läuft.</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Moves the motor: it searches for home as set above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt den Motor: er sucht die Referenz, wie oben eingestellt.</translation>
     </message>
     <message>
         <source>No search for home is under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es läuft keine Referenzsuche.</translation>
     </message>
     <message>
         <source>Stops the motor smoothly; it is not homed then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppt den Motor sanft; er hat dann keine Referenz.</translation>
     </message>
     <message>
         <source>Done: home was at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erledigt: die Referenz lag bei %1.</translation>
     </message>
     <message>
         <source>No search yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Suche.</translation>
     </message>
     <message>
         <source>Last home: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Referenz: %1</translation>
     </message>
 </context>
 <context>
     <name>nmc::HomingForm</name>
     <message>
         <source>Search for home</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz suchen</translation>
     </message>
     <message>
         <source>Home is where this switch changes. When it is active at the start, the motor first backs off from it in the other direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz liegt dort, wo sich dieser Schalter ändert. Ist er zu Beginn aktiv, fährt der Motor zuerst in die andere Richtung von ihm weg.</translation>
     </message>
     <message>
         <source>Home switch</source>
-        <translation type="unfinished">Referenzschalter</translation>
+        <translation>Referenzschalter</translation>
     </message>
     <message>
         <source>Limit 1 (forward)</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1 (vorwärts)</translation>
     </message>
     <message>
         <source>Limit 2 (reverse)</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2 (rückwärts)</translation>
     </message>
     <message>
         <source>Home is at</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz liegt bei</translation>
     </message>
     <message>
         <source>Limit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1</translation>
     </message>
     <message>
         <source>Limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2</translation>
     </message>
     <message>
         <source>Index</source>
-        <translation type="unfinished"></translation>
+        <translation>Index</translation>
     </message>
     <message>
         <source>Home is at the encoder&apos;s index, which comes once in a turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz liegt am Index des Encoders, der einmal je Umdrehung kommt.</translation>
     </message>
     <message>
         <source>Position error</source>
-        <translation type="unfinished">Positionsfehler</translation>
+        <translation>Positionsfehler</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared before. The servo is switched on again only if it is to go on, to the index or to home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Grenze der Regelabweichung den Servo abschaltet. Vorher werden die Sticky-Bits gelöscht. Der Servo wird nur wieder eingeschaltet, wenn es weitergehen soll, zum Index oder zur Referenz.</translation>
     </message>
     <message>
         <source>Current limit</source>
-        <translation type="unfinished">Stromgrenze</translation>
+        <translation>Stromgrenze</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone it is looked for at full speed only; together with others from the start, whose current must stay below it then. Sticky bits are cleared before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz liegt an einem festen Anschlag: der Motor fährt dagegen, bis die Stromgrenze erreicht ist. Allein wird sie nur bei voller Geschwindigkeit beachtet, zusammen mit anderen von Anfang an; der Anfahrstrom muss dann darunter bleiben. Vorher werden die Sticky-Bits gelöscht.</translation>
     </message>
     <message>
         <source>then at the index, going back</source>
-        <translation type="unfinished"></translation>
+        <translation>danach am Index, auf dem Rückweg</translation>
     </message>
     <message>
         <source>What is chosen above finds the neighbourhood; a second, slower search finds the index, which is more exact.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das oben Gewählte findet die Umgebung; eine zweite, langsamere Suche findet den Index, der genauer ist.</translation>
     </message>
     <message>
         <source>Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts</translation>
     </message>
     <message>
         <source>Search in reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts suchen</translation>
     </message>
     <message>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts</translation>
     </message>
     <message>
         <source>Search forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts suchen</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>How fast the motor searches, backs off and goes to home. It is never faster than this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell der Motor sucht, freifährt und zur Referenz fährt. Schneller wird er nie.</translation>
     </message>
     <message>
         <source>Index velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Indexgeschwindigkeit</translation>
     </message>
     <message>
         <source>How fast the second search for the index is; slower is more exact.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell die zweite Suche nach dem Index ist; langsamer ist genauer.</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished">Beschleunigung</translation>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>How fast the velocity changes, smooth stops included.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich die Geschwindigkeit ändert, auch beim sanften Stoppen.</translation>
     </message>
     <message>
         <source>Travel limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggrenze</translation>
     </message>
     <message>
         <source>A search, or backing off, that has gone so far is stopped, and has failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Suche oder ein Freifahren, das so weit gegangen ist, wird gestoppt und ist fehlgeschlagen.</translation>
     </message>
     <message>
         <source>Time limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitgrenze</translation>
     </message>
     <message>
         <source>Time limit of a search</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitgrenze einer Suche</translation>
     </message>
     <message>
         <source>A search that has taken so long is stopped, and has failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Suche, die so lange gedauert hat, wird gestoppt und ist fehlgeschlagen.</translation>
     </message>
     <message>
         <source>%1 of the search for home</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 der Referenzsuche</translation>
     </message>
     <message>
         <source>Abruptly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sofort</translation>
     </message>
     <message>
         <source>Smoothly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanft</translation>
     </message>
     <message>
         <source>Motor off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor aus</translation>
     </message>
     <message>
         <source>Stop abruptly at home</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz sofort stoppen</translation>
     </message>
     <message>
         <source>Stop smoothly at home</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz sanft stoppen</translation>
     </message>
     <message>
         <source>Switch the motor off at home</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz den Motor abschalten</translation>
     </message>
     <message>
         <source>Stop there</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort stoppen</translation>
     </message>
     <message>
         <source>And then</source>
-        <translation type="unfinished"></translation>
+        <translation>Und dann</translation>
     </message>
     <message>
         <source>Go to home</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzposition anfahren</translation>
     </message>
     <message>
         <source>The motor stops behind home; this moves it back to it. A servo or amplifier that the search has switched off is switched on again for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor stoppt hinter der Referenz; dies fährt ihn zu ihr zurück. Ein Servo oder Verstärker, den die Suche abgeschaltet hat, wird dafür wieder eingeschaltet.</translation>
     </message>
     <message>
         <source>Make it zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf null setzen</translation>
     </message>
     <message>
         <source>Once the motor stands at home exactly, its position becomes 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobald der Motor genau an der Referenz steht, wird seine Position 0.</translation>
     </message>
     <message>
         <source>A search for home is under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Referenzsuche läuft.</translation>
     </message>
     <message>
         <source>The first search finds the index already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schon die erste Suche findet den Index.</translation>
     </message>
     <message>
         <source>The position where the motor stands becomes 0, so it has to go to home first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Position, an der der Motor steht, wird 0; daher muss er zuerst zur Referenz fahren.</translation>
     </message>
     <message>
         <source>The direction of the search, in which the switch closes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Richtung der Suche, in der sich der Schalter schließt.</translation>
     </message>
     <message>
         <source>A position error switches the servo off by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Positionsfehler schaltet den Servo von selbst ab.</translation>
     </message>
     <message>
         <source> This version of the chip does not stop by itself: the panel stops it, some hundredths of a second later.</source>
-        <translation type="unfinished"></translation>
+        <translation> Diese Version des Chips stoppt den Motor nicht von selbst: das Programm stoppt ihn, einige Hundertstelsekunden später.</translation>
     </message>
     <message>
         <source> The chip stops it by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation> Der Chip stoppt ihn von selbst.</translation>
     </message>
     <message>
         <source>At home the motor stops at once, and holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz stoppt der Motor sofort und hält dann die Position.</translation>
     </message>
     <message>
         <source>At home the motor slows down, stops behind it, and holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz bremst der Motor, stoppt hinter ihr und hält dann die Position.</translation>
     </message>
     <message>
         <source>At home the motor is switched off, and is free to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Referenz wird der Motor abgeschaltet und ist frei drehbar.</translation>
     </message>
 </context>
 <context>
     <name>nmc::IoBox</name>
     <message>
         <source>Limits and I/O</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter und E/A</translation>
     </message>
     <message>
         <source>Index</source>
-        <translation type="unfinished"></translation>
+        <translation>Index</translation>
     </message>
     <message>
         <source>The encoder&apos;s index pulse, once a turn with most encoders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Indexpuls des Encoders, bei den meisten Encodern einmal je Umdrehung.</translation>
     </message>
     <message>
         <source>Motor power</source>
-        <translation type="unfinished">Motorversorgung</translation>
+        <translation>Motorversorgung</translation>
     </message>
     <message>
         <source>Without it the servo switches off, and stays off when power returns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne sie schaltet sich der Servo ab und bleibt aus, wenn die Versorgung wiederkehrt.</translation>
     </message>
     <message>
         <source>The A/D input, by most amplifiers the motor current. Its scale is set on the page Axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der A/D-Eingang, bei den meisten Verstärkern der Motorstrom. Seine Skala wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
         <source>A/D</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D</translation>
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärker ein (A&amp;MP_EN)</translation>
     </message>
     <message>
         <source>Amplifier enabled</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärker eingeschaltet</translation>
     </message>
     <message>
         <source>A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Endschaltereingang stoppt den Motor bei diesem Chip nicht von selbst: auf der Seite Referenzsuche einen Endschalter-Stopp scharf schalten.</translation>
     </message>
     <message>
         <source>Limit &amp;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter &amp;1</translation>
     </message>
     <message>
         <source>Limit &amp;2</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter &amp;2</translation>
     </message>
     <message>
         <source>Use of the pin Limit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendung des Pins Limit %1</translation>
     </message>
     <message>
         <source>input</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang</translation>
     </message>
     <message>
         <source>output, low</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang, Low</translation>
     </message>
     <message>
         <source>output, high</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang, High</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>high</source>
-        <translation type="unfinished"></translation>
+        <translation>High</translation>
     </message>
     <message>
         <source>low</source>
-        <translation type="unfinished"></translation>
+        <translation>Low</translation>
     </message>
     <message>
         <source>Whether the pin is an input, or an output and its level. Sent at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Pin ein Eingang ist oder ein Ausgang, und dessen Pegel. Wird sofort gesendet.</translation>
     </message>
     <message>
         <source>at the index</source>
-        <translation type="unfinished"></translation>
+        <translation>am Index</translation>
     </message>
     <message>
         <source>not at the index</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht am Index</translation>
     </message>
     <message>
         <source>present</source>
-        <translation type="unfinished"></translation>
+        <translation>vorhanden</translation>
     </message>
     <message>
         <source>missing</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>%1 (%2 of 255)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 von 255)</translation>
     </message>
     <message>
         <source>Sets the amplifier&apos;s enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ohne sie bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
     </message>
 </context>
 <context>
     <name>nmc::JogBox</name>
     <message>
         <source>Jog</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippbetrieb</translation>
     </message>
     <message>
         <source>Hold to move</source>
-        <translation type="unfinished">Tippen</translation>
+        <translation>Tippen</translation>
     </message>
     <message>
         <source>moves only while a button, or Space on it, is held</source>
-        <translation type="unfinished">fährt nur, solange Taste oder Leertaste gehalten wird</translation>
+        <translation>bewegt nur, solange eine Taste, oder die Leertaste auf ihr, gedrückt ist</translation>
     </message>
     <message>
         <source>Velocity while held</source>
-        <translation type="unfinished">Geschwindigkeit beim Tippen</translation>
+        <translation>Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>The velocity while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>How fast the motor turns while a button is held. Low again after every connect; the cap is set on the page Axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste gedrückt ist. Nach jedem Verbinden wieder niedrig; der Höchstwert wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
         <source>Velocit&amp;y</source>
-        <translation type="unfinished">Geschwind&amp;igkeit</translation>
+        <translation>Gesch&amp;windigkeit</translation>
     </message>
     <message>
         <source>◂ Hold</source>
-        <translation type="unfinished">◂ Halten</translation>
+        <translation>◂ Tippen</translation>
     </message>
     <message>
         <source>Move in reverse while held</source>
-        <translation type="unfinished">Rückwärts fahren, solange gehalten</translation>
+        <translation>Rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold ▸</source>
-        <translation type="unfinished">Halten ▸</translation>
+        <translation>Tippen ▸</translation>
     </message>
     <message>
         <source>Move forward while held</source>
-        <translation type="unfinished">Vorwärts fahren, solange gehalten</translation>
+        <translation>Vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Moves forward while it is held, then stops.</source>
-        <translation type="unfinished">Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves in reverse while it is held, then stops.</source>
-        <translation type="unfinished">Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
 </context>
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>limit 1 or limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1 oder Endschalter 2</translation>
     </message>
     <message>
         <source>limit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1</translation>
     </message>
     <message>
         <source>limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2</translation>
     </message>
     <message>
         <source>Limit stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter-Stopp</translation>
     </message>
     <message>
         <source>Limit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1</translation>
     </message>
     <message>
         <source>Limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2</translation>
     </message>
     <message>
         <source>Arm limit stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp scharf schalten</translation>
     </message>
     <message>
         <source>Disarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Entschärfen</translation>
     </message>
     <message>
         <source>Stop at limit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Endschalter 1 stoppen</translation>
     </message>
     <message>
         <source>Stop at limit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Endschalter 2 stoppen</translation>
     </message>
     <message>
         <source>Arm the limit stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Endschalter-Stopp scharf schalten</translation>
     </message>
     <message>
         <source>Disarm the limit stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Endschalter-Stopp entschärfen</translation>
     </message>
     <message>
         <source>State of the limit stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Endschalter-Stopps</translation>
     </message>
     <message>
         <source>Abruptly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sofort</translation>
     </message>
     <message>
         <source>Smoothly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanft</translation>
     </message>
     <message>
         <source>Motor off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor aus</translation>
     </message>
     <message>
         <source>Stop abruptly at the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter sofort stoppen</translation>
     </message>
     <message>
         <source>Stop smoothly at the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter sanft stoppen</translation>
     </message>
     <message>
         <source>Switch the motor off at the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter den Motor abschalten</translation>
     </message>
     <message>
         <source>Stop at</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppen bei</translation>
     </message>
     <message>
         <source>How</source>
-        <translation type="unfinished">Anleitung</translation>
+        <translation>Wie</translation>
     </message>
     <message>
         <source>A search for home is under way; it uses the same watch of the chip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Referenzsuche läuft; sie benutzt dieselbe Überwachung des Chips.</translation>
     </message>
     <message>
         <source>Choose a limit first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Endschalter wählen.</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>The motor stops when limit 1 changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor stoppt, wenn sich Endschalter 1 ändert.</translation>
     </message>
     <message>
         <source>The motor stops when limit 2 changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor stoppt, wenn sich Endschalter 2 ändert.</translation>
     </message>
     <message>
         <source>At the limit the motor stops at once, and holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter stoppt der Motor sofort und hält dann die Position.</translation>
     </message>
     <message>
         <source>At the limit the motor slows down, stops behind it, and holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter bremst der Motor, stoppt hinter ihm und hält dann die Position.</translation>
     </message>
     <message>
         <source>At the limit the motor is switched off, and is free to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Endschalter wird der Motor abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
         <source>The chip itself then stops the motor when a chosen limit changes, once; sooner than the panel could. A search for home replaces it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Chip selbst stoppt dann den Motor, wenn sich ein gewählter Endschalter ändert, einmal; früher, als das Programm es könnte. Eine Referenzsuche ersetzt es.</translation>
     </message>
     <message>
         <source>It is not armed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er ist nicht scharf.</translation>
     </message>
     <message>
         <source>A limit no longer stops the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Endschalter stoppt den Motor nicht mehr.</translation>
     </message>
     <message>
         <source>○ Not armed: a limit input alone does not stop the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ Nicht scharf: ein Endschaltereingang allein stoppt den Motor nicht.</translation>
     </message>
     <message>
         <source>○ This version of the chip cannot stop at a limit by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ Diese Version des Chips kann nicht von selbst an einem Endschalter stoppen.</translation>
     </message>
     <message>
         <source>○ Not armed: the search for home has replaced it.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ Nicht scharf: die Referenzsuche hat ihn ersetzt.</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
-        <translation type="unfinished"></translation>
+        <translation>● Scharf: stoppt an %1, einmal.</translation>
     </message>
     <message>
         <source>▲ Tripped: %1 has changed, and the motor was stopped. Not armed any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ Ausgelöst: %1 hat sich geändert, und der Motor wurde gestoppt. Nicht mehr scharf.</translation>
     </message>
     <message>
         <source>? The chip watches for something that was not asked for in this connection.</source>
-        <translation type="unfinished"></translation>
+        <translation>? Der Chip überwacht etwas, das in dieser Verbindung nicht angefordert wurde.</translation>
     </message>
 </context>
 <context>
@@ -4217,63 +4217,63 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Forgets names, units and settings of all axes; nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergisst Namen, Einheiten und Einstellungen aller Achsen; es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>&amp;Open machine…</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Shows what a machine file would change; nothing is sent before you apply it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt, was eine Maschinendatei ändern würde; vor dem Anwenden wird nichts gesendet.</translation>
     </message>
     <message>
         <source>&amp;Save machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine &amp;speichern</translation>
     </message>
     <message>
         <source>Writes names, units, gains, limits, homing and groups into the machine&apos;s file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt Namen, Einheiten, Reglerwerte, Grenzen, Referenzsuche und Gruppen in die Datei der Maschine.</translation>
     </message>
     <message>
         <source>Save machine &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Writes the machine into a file of another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die Maschine in eine Datei mit anderem Namen.</translation>
     </message>
     <message>
         <source>Open re&amp;cent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Open recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>new machine</source>
-        <translation type="unfinished"></translation>
+        <translation>neue Maschine</translation>
     </message>
     <message>
         <source>Machine files (*.%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschinendateien (*.%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine öffnen</translation>
     </message>
     <message>
         <source>Save machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine speichern</translation>
     </message>
     <message>
         <source>machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschine</translation>
     </message>
 </context>
 <context>
@@ -4665,103 +4665,103 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>How fast the motor turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich der Motor dreht.</translation>
     </message>
     <message>
         <source>Where to go. Enter starts the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
         <source>Position or distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Position oder Strecke</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>distance from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke von hier</translation>
     </message>
     <message>
         <source>Whether the number is a position, or a distance from where the motor is now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Zahl eine Position ist oder eine Strecke von dort, wo der Motor jetzt steht.</translation>
     </message>
     <message>
         <source>&amp;Zero here</source>
-        <translation type="unfinished">Hier n&amp;ullen</translation>
+        <translation>Hier n&amp;ullen</translation>
     </message>
     <message>
         <source>Make the present position zero</source>
-        <translation type="unfinished">Die jetzige Position auf null setzen</translation>
+        <translation>Die jetzige Position zu null machen</translation>
     </message>
     <message>
         <source>Go home</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Referenz</translation>
     </message>
     <message>
         <source>Go to the home position</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzposition anfahren</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden</translation>
     </message>
     <message>
         <source>Load the move, start it later</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fahrt laden, später starten</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>Start the loaded move</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geladene Fahrt starten</translation>
     </message>
     <message>
         <source>until it is stopped; the velocity may change on the way</source>
-        <translation type="unfinished"></translation>
+        <translation>bis zum Stopp; die Geschwindigkeit darf sich unterwegs ändern</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished">%1 s</translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Takes %1, peak %2: too short to reach its velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauert %1, Spitze %2: zu kurz, um die Geschwindigkeit zu erreichen</translation>
     </message>
     <message>
         <source>Takes %1, peak %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauert %1, Spitze %2</translation>
     </message>
     <message>
         <source>It is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor ist bereits dort</translation>
     </message>
     <message>
         <source>The goal is beyond the range of positions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel liegt außerhalb des Positionsbereichs.</translation>
     </message>
     <message>
         <source>Loads the move and does not start it: Start does, or the start of the module&apos;s group (Ctrl+D).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lädt die Fahrt und startet sie nicht: das tut „Starten“ oder der Start der Gruppe des Moduls (Strg+D).</translation>
     </message>
     <message>
         <source>Starts the move that was loaded (Ctrl+G).</source>
-        <translation type="unfinished"></translation>
+        <translation>Startet die geladene Fahrt (Strg+G).</translation>
     </message>
     <message>
         <source>The home position is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzposition ist nicht bekannt.</translation>
     </message>
     <message>
         <source>Goes to the home position that the module has captured (Ctrl+H).</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt die Referenzposition an, die das Modul erfasst hat (Strg+H).</translation>
     </message>
     <message>
         <source>Makes the present position 0. The motor does not move.</source>
-        <translation type="unfinished">Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
+        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -5040,145 +5040,145 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Enable the amplifier of this module</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Verstärker dieses Moduls einschalten</translation>
     </message>
     <message>
         <source>Stop here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier stoppen</translation>
     </message>
     <message>
         <source>Stop this module at its present position</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Modul an seiner jetzigen Position stoppen</translation>
     </message>
     <message>
         <source>Position %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Position %1 %2</translation>
     </message>
     <message>
         <source>The amplifier is on already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Verstärker ist bereits ein.</translation>
     </message>
     <message>
         <source>Jumps without a profile to the position it has at this moment, then holds there (Ctrl+Shift+H).</source>
-        <translation type="unfinished"></translation>
+        <translation>Springt ohne Profil auf die Position, die der Motor in diesem Augenblick hat, und hält dort (Strg+Umschalt+H).</translation>
     </message>
     <message>
         <source>Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppt sofort und schaltet den Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
     </message>
 </context>
 <context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts treiben</translation>
     </message>
     <message>
         <source>Drive forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts treiben</translation>
     </message>
     <message>
         <source>Motor off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor aus</translation>
     </message>
     <message>
         <source>PWM</source>
-        <translation type="unfinished">PWM</translation>
+        <translation>PWM</translation>
     </message>
     <message>
         <source>PWM value</source>
-        <translation type="unfinished"></translation>
+        <translation>PWM-Wert</translation>
     </message>
     <message>
         <source>The PWM value</source>
-        <translation type="unfinished"></translation>
+        <translation>Der PWM-Wert</translation>
     </message>
     <message>
         <source>How much of the supply drives the motor: 255 is all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Anteil der Versorgung den Motor treibt: 255 ist die ganze.</translation>
     </message>
     <message>
         <source>Drive the motor in reverse with this PWM value</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Motor mit diesem PWM-Wert rückwärts treiben</translation>
     </message>
     <message>
         <source>Drive the motor forward with this PWM value</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Motor mit diesem PWM-Wert vorwärts treiben</translation>
     </message>
     <message>
         <source>Switch this motor off</source>
-        <translation type="unfinished">Diesen Motor abschalten</translation>
+        <translation>Diesen Motor abschalten</translation>
     </message>
     <message>
         <source>The motor is driven directly, without the servo: no position limit, no position error limit and no output limit protects it, and it runs until it is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor wird direkt getrieben, ohne den Servo: keine Positionsgrenze, keine Grenze der Regelabweichung und keine Ausgangsgrenze schützt ihn, und er läuft, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>= %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>= %1 %</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Drives the motor in reverse until it is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Treibt den Motor rückwärts, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>Drives the motor forward until it is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Treibt den Motor vorwärts, bis er abgeschaltet wird.</translation>
     </message>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation type="unfinished">Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+        <translation>Schaltet Servo und Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
     </message>
 </context>
 <context>
     <name>nmc::RatePage</name>
     <message>
         <source>&amp;Change the rate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rate ändern</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">Rate</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>New rate of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Rate der Kette</translation>
     </message>
     <message>
         <source>The rate that the whole chain shall run at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rate, mit der die ganze Kette arbeiten soll.</translation>
     </message>
     <message>
         <source>Change the rate of the whole chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rate der ganzen Kette ändern</translation>
     </message>
     <message>
         <source>%1 Bd</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bd</translation>
     </message>
     <message>
         <source>Positions, gains and groups stay. Every module is asked at the new rate; when one does not answer there, all go back to the old one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen, Reglerwerte und Gruppen bleiben. Jedes Modul wird bei der neuen Rate abgefragt; antwortet eines dort nicht, kehren alle zur alten zurück.</translation>
     </message>
     <message>
         <source>The chain runs at %1 Bd.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kette arbeitet mit %1 Bd.</translation>
     </message>
     <message>
         <source>A motor is moving. The rate changes at standstill only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Motor ist in Bewegung. Die Rate wird nur im Stillstand geändert.</translation>
     </message>
     <message>
         <source>The chain runs at this rate already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kette arbeitet bereits mit dieser Rate.</translation>
     </message>
     <message>
         <source>Tells every module the new rate, and asks each there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
     </message>
 </context>
 <context>
@@ -5282,15 +5282,15 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Homing</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzsuche</translation>
     </message>
     <message>
         <source>PWM</source>
-        <translation type="unfinished">PWM</translation>
+        <translation>PWM</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
 </context>
 <context>
@@ -5316,827 +5316,827 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Step by</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittfahrt</translation>
     </message>
     <message>
         <source>one click is one move of this distance, at the velocity of Go to</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick ist eine Fahrt um diese Strecke, mit der Geschwindigkeit von „Position anfahren“</translation>
     </message>
     <message>
         <source>Distance of a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke eines Schritts</translation>
     </message>
     <message>
         <source>The distance of a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strecke eines Schritts</translation>
     </message>
     <message>
         <source>How far one click moves the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit ein Klick den Motor bewegt.</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke</translation>
     </message>
     <message>
         <source>◂| Step</source>
-        <translation type="unfinished"></translation>
+        <translation>◂| Schritt</translation>
     </message>
     <message>
         <source>One step in reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schritt rückwärts</translation>
     </message>
     <message>
         <source>Step |▸</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt |▸</translation>
     </message>
     <message>
         <source>One step forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schritt vorwärts</translation>
     </message>
     <message>
         <source>The number of steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl der Schritte</translation>
     </message>
     <message>
         <source>How many steps one click makes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Schritte ein Klick auslöst.</translation>
     </message>
     <message>
         <source>The pause between steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Pause zwischen den Schritten</translation>
     </message>
     <message>
         <source>Seconds to wait after each move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartezeit nach jeder Fahrt in Sekunden.</translation>
     </message>
     <message>
         <source>there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>hin und zurück</translation>
     </message>
     <message>
         <source>Each step there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Schritt hin und zurück</translation>
     </message>
     <message>
         <source>Each step goes there and back again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Schritt geht hin und wieder zurück.</translation>
     </message>
     <message>
         <source>End steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte beenden</translation>
     </message>
     <message>
         <source>End the steps and stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schritte beenden und stoppen</translation>
     </message>
     <message>
         <source>times, pause</source>
-        <translation type="unfinished"></translation>
+        <translation>mal, Pause</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>Repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Steps are being made already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es werden bereits Schritte gefahren.</translation>
     </message>
     <message>
         <source>Moves forward by this distance, and holds there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt um diese Strecke vorwärts und hält dort.</translation>
     </message>
     <message>
         <source>Moves in reverse by this distance, and holds there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt um diese Strecke rückwärts und hält dort.</translation>
     </message>
     <message>
         <source>No steps are being made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es werden keine Schritte gefahren.</translation>
     </message>
     <message>
         <source>Makes no more steps, and stops the motor smoothly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt keine weiteren Schritte und stoppt den Motor sanft.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepDetailsBox</name>
     <message>
         <source>Step pulses are coming.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittimpulse kommen.</translation>
     </message>
     <message>
         <source>The module could not read the last command; it was not carried out.</source>
-        <translation type="unfinished">Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
+        <translation>Das Modul konnte den letzten Befehl nicht lesen; er wurde nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Treiber ist eingeschaltet (AMP_EN ist High).</translation>
     </message>
     <message>
         <source>Motor power is present (PWR_SENSE is high).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motorversorgung ist vorhanden (PWR_SENSE ist High).</translation>
     </message>
     <message>
         <source>The motor has the speed that was asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor hat die verlangte Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Runs with a ramp: velocity profile mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft mit Rampe: Geschwindigkeitsprofil.</translation>
     </message>
     <message>
         <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt mit Rampe zu einer Position: Trapezprofil.</translation>
     </message>
     <message>
         <source>Waiting for the home position.</source>
-        <translation type="unfinished">Wartet auf die Referenzposition.</translation>
+        <translation>Wartet auf die Referenzposition.</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
-        <translation type="unfinished"></translation>
+        <translation>High stoppt den Motor, wenn der Eingang nicht ignoriert wird.</translation>
     </message>
     <message>
         <source>General purpose input.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang zur freien Verwendung.</translation>
     </message>
     <message>
         <source>High blocks forward, unless it is ignored.</source>
-        <translation type="unfinished"></translation>
+        <translation>High sperrt vorwärts, wenn der Eingang nicht ignoriert wird.</translation>
     </message>
     <message>
         <source>High blocks reverse, unless it is ignored.</source>
-        <translation type="unfinished"></translation>
+        <translation>High sperrt rückwärts, wenn der Eingang nicht ignoriert wird.</translation>
     </message>
     <message>
         <source>For homing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Referenzsuche.</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>steht</translation>
     </message>
     <message>
         <source>trapezoidal profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Trapezprofil</translation>
     </message>
     <message>
         <source>velocity profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeitsprofil</translation>
     </message>
     <message>
         <source>unprofiled, with stop</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Profil, mit Stopp</translation>
     </message>
     <message>
         <source>unprofiled, without stop</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Profil, ohne Stopp</translation>
     </message>
     <message>
         <source>moving as another program told it to</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegt sich nach dem Befehl eines anderen Programms</translation>
     </message>
     <message>
         <source>&amp;Zero here</source>
-        <translation type="unfinished">Hier n&amp;ullen</translation>
+        <translation>Hier n&amp;ullen</translation>
     </message>
     <message>
         <source>Save as home</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Referenz speichern</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished">Details</translation>
+        <translation>Details</translation>
     </message>
     <message>
         <source>Make the present position zero</source>
-        <translation type="unfinished">Die jetzige Position auf null setzen</translation>
+        <translation>Die jetzige Position zu null machen</translation>
     </message>
     <message>
         <source>Save the present position as home</source>
-        <translation type="unfinished"></translation>
+        <translation>Die jetzige Position als Referenz speichern</translation>
     </message>
     <message>
         <source>Status byte</source>
-        <translation type="unfinished">Statusbyte</translation>
+        <translation>Statusbyte</translation>
     </message>
     <message>
         <source>Inputs byte</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingangsbyte</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Betriebsart</translation>
     </message>
     <message>
         <source>Timer count</source>
-        <translation type="unfinished"></translation>
+        <translation>Timerwert</translation>
     </message>
     <message>
         <source>A/D (temperature)</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D (Temperatur)</translation>
     </message>
     <message>
         <source>Home position</source>
-        <translation type="unfinished">Referenzposition</translation>
+        <translation>Referenzposition</translation>
     </message>
     <message>
         <source>Raw</source>
-        <translation type="unfinished">Rohdaten</translation>
+        <translation>Rohdaten</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished">ein</translation>
+        <translation>ein</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished">aus</translation>
+        <translation>aus</translation>
     </message>
     <message>
         <source>%1, stands for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, entspricht %2</translation>
     </message>
     <message>
         <source>status %1</source>
-        <translation type="unfinished">Status %1</translation>
+        <translation>Status %1</translation>
     </message>
     <message>
         <source>, inputs %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, Eingänge %1</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Makes the present position 0. The motor does not move.</source>
-        <translation type="unfinished">Setzt die jetzige Position auf 0. Der Motor bewegt sich nicht.</translation>
+        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Keeps the present position as home. The motor does not move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepHoldBox</name>
     <message>
         <source>Speed whe&amp;n held</source>
-        <translation type="unfinished"></translation>
+        <translation>Ti&amp;ppgeschwindigkeit</translation>
     </message>
     <message>
         <source>Speed while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>The speed while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>◂ Hold</source>
-        <translation type="unfinished">◂ Halten</translation>
+        <translation>◂ Tippen</translation>
     </message>
     <message>
         <source>Move in reverse while held</source>
-        <translation type="unfinished">Rückwärts fahren, solange gehalten</translation>
+        <translation>Rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold ▸</source>
-        <translation type="unfinished">Halten ▸</translation>
+        <translation>Tippen ▸</translation>
     </message>
     <message>
         <source>Move forward while held</source>
-        <translation type="unfinished">Vorwärts fahren, solange gehalten</translation>
+        <translation>Vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
         <source>Hold to move</source>
-        <translation type="unfinished">Tippen</translation>
+        <translation>Tippen</translation>
     </message>
     <message>
         <source>moves only while a button, or Space on it, is held</source>
-        <translation type="unfinished">fährt nur, solange Taste oder Leertaste gehalten wird</translation>
+        <translation>bewegt nur, solange eine Taste, oder die Leertaste auf ihr, gedrückt ist</translation>
     </message>
     <message>
         <source>How fast the motor turns while a button is held: %1 to %2. The most is set on the Parameters page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste gehalten wird: %1 bis %2. Das Höchste wird auf der Seite Parameter eingestellt.</translation>
     </message>
     <message>
         <source>Moves forward while it is held, then stops.</source>
-        <translation type="unfinished">Fährt vorwärts, solange gehalten, dann Stopp.</translation>
+        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves in reverse while it is held, then stops.</source>
-        <translation type="unfinished">Fährt rückwärts, solange gehalten, dann Stopp.</translation>
+        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepIoBox</name>
     <message>
         <source>Set all outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Ausgänge setzen</translation>
     </message>
     <message>
         <source>Inputs and outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingänge und Ausgänge</translation>
     </message>
     <message>
         <source>Set all five outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle fünf Ausgänge setzen</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>What it is on this machine. Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
     </message>
     <message>
         <source>Outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgänge</translation>
     </message>
     <message>
         <source>Output %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang %1</translation>
     </message>
     <message>
         <source>Name of output %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Name von Ausgang %1</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingänge</translation>
     </message>
     <message>
         <source>E-stop input</source>
-        <translation type="unfinished">E-Stop-Eingang</translation>
+        <translation>E-Stop-Eingang</translation>
     </message>
     <message>
         <source>Limit 1 (forward)</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 1 (vorwärts)</translation>
     </message>
     <message>
         <source>Limit 2 (reverse)</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter 2 (rückwärts)</translation>
     </message>
     <message>
         <source>Home switch</source>
-        <translation type="unfinished">Referenzschalter</translation>
+        <translation>Referenzschalter</translation>
     </message>
     <message>
         <source>Name of input %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Name von Eingang %1</translation>
     </message>
     <message>
         <source>A/D (temperature)</source>
-        <translation type="unfinished"></translation>
+        <translation>A/D (Temperatur)</translation>
     </message>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoriert</translation>
     </message>
     <message>
         <source>keeps the motor from moving</source>
-        <translation type="unfinished"></translation>
+        <translation>hindert den Motor an der Bewegung</translation>
     </message>
     <message>
         <source>blocks forward</source>
-        <translation type="unfinished"></translation>
+        <translation>sperrt vorwärts</translation>
     </message>
     <message>
         <source>blocks reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>sperrt rückwärts</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>high</source>
-        <translation type="unfinished"></translation>
+        <translation>High</translation>
     </message>
     <message>
         <source>low</source>
-        <translation type="unfinished"></translation>
+        <translation>Low</translation>
     </message>
     <message>
         <source>? unknown</source>
-        <translation type="unfinished">? unbekannt</translation>
+        <translation>? unbekannt</translation>
     </message>
     <message>
         <source>● %1, not sent</source>
-        <translation type="unfinished"></translation>
+        <translation>● %1, nicht gesendet</translation>
     </message>
     <message>
         <source>Switches this output at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaltet diesen Ausgang sofort.</translation>
     </message>
     <message>
         <source>Chooses what it shall be. Set all outputs sends the five of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt, was er werden soll. „Alle Ausgänge setzen“ sendet alle fünf.</translation>
     </message>
     <message>
         <source>Choose all five outputs first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst alle fünf Ausgänge wählen.</translation>
     </message>
     <message>
         <source>Sends all five outputs as chosen above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet alle fünf Ausgänge wie oben gewählt.</translation>
     </message>
     <message>
         <source>The outputs are unknown: the module cannot be asked. Choose all five, then set them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ausgänge sind unbekannt: das Modul lässt sich nicht danach fragen. Alle fünf wählen, dann setzen.</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepModeChoice</name>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahrt</translation>
     </message>
     <message>
         <source>Goes to a position: speeds up, runs, slows down and stops there (trapezoidal profile mode).</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt zu einer Position: beschleunigt, läuft, bremst und stoppt dort (Trapezprofil).</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Dauerlauf</translation>
+        <translation>Dauerlauf</translation>
     </message>
     <message>
         <source>Ramps to a speed and keeps it until it is stopped (velocity profile mode).</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Geschwindigkeitsprofil).</translation>
     </message>
     <message>
         <source>Move without ramp</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahrt ohne Rampe</translation>
     </message>
     <message>
         <source>Goes to a position at one speed from the first step on, and stops there at once. Too fast, and the motor loses steps (unprofiled, with stop).</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt vom ersten Schritt an mit einer einzigen Geschwindigkeit zu einer Position und stoppt dort sofort. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
     </message>
     <message>
         <source>Run without ramp</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauerlauf ohne Rampe</translation>
     </message>
     <message>
         <source>Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses steps (unprofiled, without stop).</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft vom ersten Schritt an mit einer einzigen Geschwindigkeit bis zum Stopp. Ist sie zu hoch, verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
     </message>
     <message>
         <source>How to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Bewegung</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepMotionBox</name>
     <message>
         <source>Motion</source>
-        <translation type="unfinished">Bewegung</translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Goal position</source>
-        <translation type="unfinished">Zielposition</translation>
+        <translation>Zielposition</translation>
     </message>
     <message>
         <source>The goal position</source>
-        <translation type="unfinished">Die Zielposition</translation>
+        <translation>Die Zielposition</translation>
     </message>
     <message>
         <source>b&amp;y that much from here</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;um so viel von hier aus</translation>
     </message>
     <message>
         <source>Move by that much from where the motor stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Um so viel von dort, wo der Motor steht</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">Geschwindigkeit</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>The speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Geschwindigkeit</translation>
     </message>
     <message>
         <source>&amp;Position</source>
-        <translation type="unfinished">&amp;Position</translation>
+        <translation>&amp;Position</translation>
     </message>
     <message>
         <source>Trave&amp;l speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fahr&amp;geschwindigkeit</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation type="unfinished">A&amp;nfahren</translation>
+        <translation>A&amp;nfahren</translation>
     </message>
     <message>
         <source>Go to the position</source>
-        <translation type="unfinished">Die Position anfahren</translation>
+        <translation>Die Position anfahren</translation>
     </message>
     <message>
         <source>Run &amp;reverse</source>
-        <translation type="unfinished">Rüc&amp;kwärts</translation>
+        <translation>Rüc&amp;kwärts</translation>
     </message>
     <message>
         <source>Run in reverse until stopped</source>
-        <translation type="unfinished">Dauerlauf rückwärts bis zum Stopp</translation>
+        <translation>Dauerlauf rückwärts bis zum Stopp</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
-        <translation type="unfinished">Vor&amp;wärts</translation>
+        <translation>Vor&amp;wärts</translation>
     </message>
     <message>
         <source>Run forward until stopped</source>
-        <translation type="unfinished">Dauerlauf vorwärts bis zum Stopp</translation>
+        <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
         <source>L&amp;oad only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur &amp;laden</translation>
     </message>
     <message>
         <source>Load the motion, start it later</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung laden, später starten</translation>
     </message>
     <message>
         <source>Start loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>Geladenes starten</translation>
     </message>
     <message>
         <source>Start the motion that was loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geladene Bewegung starten</translation>
     </message>
     <message>
         <source>How fast the motor turns: %1 to %2 in this speed mode. The chip takes the nearest that it can do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich der Motor dreht: %1 bis %2 in diesem Geschwindigkeitsmodus. Der Chip nimmt den nächstliegenden Wert, den er kann.</translation>
     </message>
     <message>
         <source>At that speed from the first step on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom ersten Schritt an mit dieser Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Gets there in %1 s from standstill.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist aus dem Stillstand in %1 s dort.</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Stop, wait: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp, warten: %1</translation>
     </message>
     <message>
         <source>The chip does not allow this change in motion. Stops smoothly, waits until the motor stands, then: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Chip lässt diese Änderung in der Bewegung nicht zu. Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
     </message>
     <message>
         <source>Sends the motion without starting it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet die Bewegung, ohne sie zu starten.</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden</translation>
     </message>
     <message>
         <source>Starts the move to the position, and holds there.</source>
-        <translation type="unfinished">Startet die Fahrt zur Position und hält dort.</translation>
+        <translation>Startet die Fahrt zur Position und hält dort.</translation>
     </message>
     <message>
         <source>Load &amp;reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüc&amp;kwärts laden</translation>
     </message>
     <message>
         <source>Runs in reverse until it is stopped.</source>
-        <translation type="unfinished">Läuft rückwärts bis zum Stopp.</translation>
+        <translation>Läuft rückwärts bis zum Stopp.</translation>
     </message>
     <message>
         <source>Load forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts laden</translation>
     </message>
     <message>
         <source>Runs forward until it is stopped.</source>
-        <translation type="unfinished">Läuft vorwärts bis zum Stopp.</translation>
+        <translation>Läuft vorwärts bis zum Stopp.</translation>
     </message>
     <message>
         <source>Starts the motion that was loaded last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Startet die zuletzt geladene Bewegung.</translation>
     </message>
     <message>
         <source>A run has no goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Dauerlauf hat kein Ziel.</translation>
     </message>
     <message>
         <source>Where to go. Enter starts the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
         <source>The position counts from where the motor stands at the start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Position zählt von dort, wo der Motor beim Start steht.</translation>
     </message>
     <message>
         <source>The buttons send the motion without starting it; Start loaded does, or its group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tasten senden die Bewegung, ohne sie zu starten; das tut „Geladenes starten“ oder die Gruppe.</translation>
     </message>
     <message>
         <source>No ramp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Rampe.</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepPanel</name>
     <message>
         <source>Stepper module</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittmotormodul</translation>
     </message>
     <message>
         <source>Pages of the module</source>
-        <translation type="unfinished">Seiten des Moduls</translation>
+        <translation>Seiten des Moduls</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>I/O</source>
-        <translation type="unfinished"></translation>
+        <translation>E/A</translation>
     </message>
     <message>
         <source>Homing</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzsuche</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished">Details</translation>
+        <translation>Details</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepParametersBox</name>
     <message>
         <source>ignored: they stop nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoriert: sie stoppen nichts</translation>
     </message>
     <message>
         <source>ignored: it stops nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoriert: er stoppt nichts</translation>
     </message>
     <message>
         <source>the motor goes off as well</source>
-        <translation type="unfinished"></translation>
+        <translation>der Motor wird auch abgeschaltet</translation>
     </message>
     <message>
         <source>Start&amp;ing values</source>
-        <translation type="unfinished">Sta&amp;rtwerte</translation>
+        <translation>Sta&amp;rtwerte</translation>
     </message>
     <message>
         <source>Revert</source>
-        <translation type="unfinished">Verwerfen</translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>&amp;Apply parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;lle anwenden</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">unbekannt</translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>Fill in starting values</source>
-        <translation type="unfinished">Startwerte eintragen</translation>
+        <translation>Startwerte eintragen</translation>
     </message>
     <message>
         <source>Revert the parameters to what was sent</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter auf die gesendeten zurücksetzen</translation>
     </message>
     <message>
         <source>Apply all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Parameter anwenden</translation>
     </message>
     <message>
         <source>Fills the fields with slow speeds and low currents to begin with. Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllt die Felder mit kleinen Geschwindigkeiten und Strömen für den Anfang. Sendet nichts.</translation>
     </message>
     <message>
         <source>Choose a speed mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Geschwindigkeitsmodus wählen.</translation>
     </message>
     <message>
         <source>? unknown</source>
-        <translation type="unfinished">? unbekannt</translation>
+        <translation>? unbekannt</translation>
     </message>
     <message>
         <source>● edited, not sent</source>
-        <translation type="unfinished">● geändert, nicht gesendet</translation>
+        <translation>● geändert, nicht gesendet</translation>
     </message>
     <message>
         <source>✓ sent</source>
-        <translation type="unfinished">✓ gesendet</translation>
+        <translation>✓ gesendet</translation>
     </message>
     <message>
         <source>Parameters cannot be read back from the module, and nothing moves before they are applied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter sind aus dem Modul nicht lesbar, und vor dem Anwenden bewegt sich nichts.</translation>
     </message>
     <message>
         <source>With this the module&apos;s E-stop input does not stop the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Damit stoppt der E-Stop-Eingang des Moduls den Motor nicht.</translation>
     </message>
     <message>
         <source>With this the limit switches do not stop the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Damit stoppen die Endschalter den Motor nicht.</translation>
     </message>
     <message>
         <source>Waiting for the module&apos;s answer.</source>
-        <translation type="unfinished">Die Antwort des Moduls steht noch aus.</translation>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Sends all parameters at once. The amplifier is on: currents and limits act immediately.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet alle Parameter auf einmal. Der Verstärker ist ein: Ströme und Grenzen wirken sofort.</translation>
     </message>
     <message>
         <source>Sends all parameters at once. The motor does not move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet alle Parameter auf einmal. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Nothing was edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde nichts geändert.</translation>
     </message>
     <message>
         <source>Back to the parameters that were sent. Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu den gesendeten Parametern. Sendet nichts.</translation>
     </message>
     <message>
         <source>Empties the fields: no parameters have been sent yet. Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leert die Felder: es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepRampBox</name>
     <message>
         <source>Acceleration time</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungszeit</translation>
     </message>
     <message>
         <source>The acceleration time</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschleunigungszeit</translation>
     </message>
     <message>
         <source>How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next motion that has a ramp, and used by a smooth stop after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange eine Rampe bei jeder Geschwindigkeit bleibt, in 0,25 ms: je kleiner, desto steiler. Wird mit der nächsten Bewegung mit Rampe gesendet und gilt für einen sanften Stopp danach.</translation>
     </message>
     <message>
         <source>Fastest speed of hold to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>The fastest speed of hold to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Die höchste Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Hold to move goes no faster than this. Set it so that a hand can still follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tippbetrieb wird nicht schneller als dies. So einstellen, dass eine Hand noch folgen kann.</translation>
     </message>
     <message>
         <source>With every motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit jeder Bewegung</translation>
     </message>
     <message>
         <source>Hold to move, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippbetrieb, höchstens</translation>
     </message>
     <message>
         <source>× 0.25 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>× 0,25 ms</translation>
     </message>
     <message>
         <source>? unknown</source>
-        <translation type="unfinished">? unbekannt</translation>
+        <translation>? unbekannt</translation>
     </message>
     <message>
         <source>✓ sent</source>
-        <translation type="unfinished">✓ gesendet</translation>
+        <translation>✓ gesendet</translation>
     </message>
     <message>
         <source>● edited, not sent</source>
-        <translation type="unfinished">● geändert, nicht gesendet</translation>
+        <translation>● geändert, nicht gesendet</translation>
     </message>
 </context>
 <context>
@@ -6180,35 +6180,35 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>&amp;Save and close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern und schließen</translation>
     </message>
     <message>
         <source>&amp;Save them</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save and close</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern und schließen</translation>
     </message>
     <message>
         <source>Save them</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>&amp;Close: the next start offers them again</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
     </message>
     <message>
         <source>&amp;Drop them: the changes are lost</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
     </message>
     <message>
         <source>S&amp;tay</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bleiben</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleiben</translation>
     </message>
 </context>
 </TS>

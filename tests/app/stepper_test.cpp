@@ -219,6 +219,30 @@ TEST_F(StepperPanel, MovesWithoutARampAtTheTimersSpeed) {
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
 }
 
+TEST_F(StepperPanel, ReversesAndMovesOutOfARunByStopWaitGo) {
+    enable();
+    choose("stepModeProfile");
+    type("stepSpeedField", QStringLiteral("2000"));
+    click("stepRunForwardButton");
+    ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
+    click("stepRunReverseButton");
+    ASSERT_TRUE(waitFor([&] { return rate() == -2'000; }));
+    choose("stepModeTrapezoidal");
+    type("stepGoalField", QStringLiteral("100"));
+    click("stepGoButton");
+    ASSERT_TRUE(standsAt(100));
+    EXPECT_EQ(position(), 100);
+    // A stop overtakes it: what was to come does not.
+    choose("stepModeProfile");
+    click("stepRunForwardButton");
+    ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
+    click("stepRunReverseButton");
+    QTest::keyClick(&find("stepSpeedField"), Qt::Key_Escape);
+    ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
+    QTest::qWait(500);
+    EXPECT_EQ(rate(), 0);
+}
+
 TEST_F(StepperPanel, LoadsNowAndStartsLater) {
     enable();
     choose("stepModeTrapezoidal");

@@ -172,5 +172,38 @@ TEST_F(Gains, AnotherServoRateSaysWhatItDoesToVelocities) {
     EXPECT_FALSE(find<QLabel>(u"gainsHint"_s)->isVisible());
 }
 
+TEST_F(Gains, U04_ALargeStepWhileTheServoIsOnIsAskedAbout) {
+    showServo();
+    type(u"kpField"_s, u"201"_s);  // more than twice 100
+    click(u"applyGainsButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+    auto* dialog = find(u"largeStepDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->findChild<QLabel*>(u"closeText"_s)->text().contains(u"Kp from 100 to 201"_s));
+    QTest::mouseClick(button(u"applyLargeStepButton"_s), Qt::LeftButton);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(sent().kp, 201);
+}
+
+TEST_F(Gains, U04_TwiceIsNoLargeStepAndAServoThatIsOffDoesNotCare) {
+    showServo();
+    type(u"kpField"_s, u"200"_s);
+    click(u"applyGainsButton"_s);
+    EXPECT_EQ(intents.size(), 1);
+    showServo({.on = false, .millisecond = 10});
+    type(u"kpField"_s, u"5000"_s);
+    click(u"applyGainsButton"_s);
+    EXPECT_EQ(intents.size(), 2);
+}
+
+TEST_F(Gains, U04_CancelSendsNothing) {
+    showServo();
+    type(u"kdField"_s, u"10"_s);
+    click(u"applyGainsButton"_s);
+    QTest::mouseClick(button(u"cancelLargeStepButton"_s), Qt::LeftButton);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_EQ(field(u"kdField"_s)->value(), 10);
+}
+
 }  // namespace
 }  // namespace nmc

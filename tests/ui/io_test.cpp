@@ -113,5 +113,26 @@ TEST_F(IoPage, GoesHomeAndStopsHere) {
     EXPECT_EQ(button(u"stopHereButton"_s)->toolTip(), texts::refusal(Refusal::VersionLacksIt));
 }
 
+TEST_F(IoPage, AVersionWithoutADataSheetIsOnlyLookedAt) {
+    for (const ModuleIdentity& identity :
+         {ModuleIdentity{ModuleType::Servo, 5}, ModuleIdentity{ModuleType::Step, 2},
+          ModuleIdentity{ModuleType::Io, 1}}) {
+        ModuleState module;
+        module.info.identity = identity;
+        module.info.address = BusAddress(1);
+        bus::Sample sample;
+        sample.report.status = 0xA5;
+        module.apply(sample);
+        window->showLink(connectedTo({module}));
+        EXPECT_TRUE(find(u"genericPanel"_s)->isVisible());
+        EXPECT_TRUE(text(u"genericStatus"_s).contains(u"a5"_s));
+        const auto steps = plan(intent::Enable{}, module);
+        ASSERT_FALSE(steps.has_value());
+        EXPECT_EQ(steps.error(), Refusal::NotAServo);
+        click(u"askAnewButton"_s);
+        only<intent::AskAnew>();
+    }
+}
+
 }  // namespace
 }  // namespace nmc

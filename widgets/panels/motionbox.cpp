@@ -102,7 +102,7 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_load = newButton(u"download"_s, tr("Load"), u"loadButton"_s, tr("Load the move, start it later"));
     m_start = newButton(u"player-play"_s, tr("Start"), u"startButton"_s, tr("Start the loaded move"));
     m_go = newButton(u"arrow-bar-to-right"_s, tr("&Go"), u"goButton"_s, tr("Go to the position"));
-    m_goHome->setShortcut(Qt::CTRL | Qt::Key_H);
+    m_goHome->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_G);
     m_load->setShortcut(Qt::CTRL | Qt::Key_D);
     m_start->setShortcut(Qt::CTRL | Qt::Key_G);
     auto* buttons = new QHBoxLayout;
@@ -292,7 +292,7 @@ void MotionBox::refresh() {
     QString home = reasonFor(Request::Move, {m_velocity, m_acceleration});
     if (home.isEmpty() && !(m_module->latest && m_module->latest->home))
         home = tr("The home position is not known.");
-    possible(m_goHome, home, tr("Goes to the home position that the module has captured (Ctrl+H)."));
+    possible(m_goHome, home, tr("Goes to the home position that the module has captured (Ctrl+Shift+G)."));
     possible(m_zero, reasonFor(Request::ResetPosition, {}),
              tr("Makes the present position 0. The motor does not move."));
     const QString run = reasonFor(Request::Run, {m_runVelocity, m_acceleration});

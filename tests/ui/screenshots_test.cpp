@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of both panels, light and dark, kept as artefacts of the run; and that nothing in them is cut off.
+// Run once for each scale (tests/ui/CMakeLists.txt).
+#include <QApplication>
+#include <QDir>
+#include <QPushButton>
+#include <QTabWidget>
+
+#include "widgets/common/look.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class Screenshots : public WindowTest, public testing::WithParamInterface<bool> {
+protected:
+    Screenshots() {
+        if (GetParam())
+            QApplication::setPalette(darkPalette());
+        window->resize(1600, 1200);
+    }
+    ~Screenshots() override { QApplication::setPalette(QPalette()); }
+
+    void showStepper() {
+        ModuleState module;
+        module.info.identity = {ModuleType::Step, 1};
+        module.info.address = BusAddress(1);
+        bus::Sample sample;
+        sample.report.status = 0x0C;  // amplifier enabled, power
+        sample.report.position = 1'234;
+        sample.report.aux = std::uint8_t(0);
+        sample.report.analog = std::uint8_t(200);
+        module.apply(sample);
+        window->showLink(connectedTo({module}));
+    }
+    /// One picture for each page of the panel.
+    void keep(const QString& panel, const QString& pages) {
+        auto* tabs = find<QTabWidget>(pages);
+        for (int i = 0; i < tabs->count(); ++i) {
+            tabs->setCurrentIndex(i);
+            QApplication::processEvents();
+            const QString file = u"%1-%2-%3-%4.png"_s.arg(panel)
+                                     .arg(i)
+                                     .arg(GetParam() ? u"dark"_s : u"light"_s)
+                                     .arg(window->devicePixelRatioF());
+            ASSERT_TRUE(QDir().mkpath(QStringLiteral(SCREENSHOT_DIR)));
+            EXPECT_TRUE(window->grab().save(QStringLiteral(SCREENSHOT_DIR "/") + file));
+            expectNothingCut(tabs->tabText(i));
+        }
+    }
+    void expectNothingCut(const QString& page) {
+        for (const QPushButton* button : window->findChildren<QPushButton*>()) {
+            if (!button->isVisible() || button->text().isEmpty())
+                continue;
+            EXPECT_GE(button->width(), button->minimumSizeHint().width())
+                << page.toStdString() << ": " << button->objectName().toStdString();
+        }
+        for (const QLabel* label : window->findChildren<QLabel*>()) {
+            if (!label->isVisible() || label->wordWrap())
+                continue;
+            EXPECT_GE(label->width(), label->minimumSizeHint().width())
+                << page.toStdString() << ": " << label->text().toStdString();
+        }
+    }
+};
+
+TEST_P(Screenshots, OfTheServoPanel) {
+    showServo({.position = 12'345});
+    keep(u"servo"_s, u"servoPages"_s);
+}
+
+TEST_P(Screenshots, OfTheStepperPanel) {
+    showStepper();
+    keep(u"step"_s, u"stepPages"_s);
+}
+
+INSTANTIATE_TEST_SUITE_P(Palettes, Screenshots, testing::Bool());
+
+/// By their grey alone, on a print or to who cannot tell the colours apart.
+TEST(Greyscale, TheSeveritiesDifferWithoutTheirColours) {
+    for (const QPalette& palette : {QPalette(), darkPalette()}) {
+        const int attention = qGray(look::severityFill(Severity::Attention, palette).rgb());
+        const int fault = qGray(look::severityFill(Severity::Fault, palette).rgb());
+        EXPECT_GT(std::abs(attention - fault), 20) << attention << " " << fault;
+    }
+}
+
+}  // namespace
+}  // namespace nmc
