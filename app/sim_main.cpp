@@ -13,6 +13,7 @@
 
 #include "link/ptyserver.h"
 #include "link/simserver.h"
+#include "link/threadpriority.h"
 #include "sim/chain.h"
 #include "sim/chainspec.h"
 
@@ -193,6 +194,9 @@ int main(int argc, char** argv) {
         refuse(terminal.error() + ".");
 
     const int stop = catchSignals();
+    // The chips that it stands for do not wait for what else this computer does; nor does a host's bus
+    // thread.
+    nmc::preferThisThread();
     std::printf("ready %s\n", terminal->path().c_str());
     std::fflush(stdout);
     nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.pacing,
