@@ -134,7 +134,7 @@ Fields sentFields(const ModuleState& module, MachinePart part) {
         return layout::listed(module.gains);
     if (part == MachinePart::Io)
         return layout::listed(module.io);
-    return {};
+    return layout::listed(module.stepper.parameters());
 }
 
 std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part) {
@@ -142,10 +142,14 @@ std::optional<Intent> intentOf(const AxisSettings& axis, MachinePart part) {
         return intent::ApplyGains{*axis.gains};
     if (part == MachinePart::Io && axis.io)
         return intent::ControlIo{*axis.io};
+    if (part == MachinePart::Parameters && axis.parameters)
+        return stepintent::SetParameters{*axis.parameters};
     return std::nullopt;
 }
 
 std::optional<Refusal> whyNotSent(MachinePart part, const ModuleState& module) {
+    if (part == MachinePart::Parameters)
+        return whyNot(Request::SetParameters, module);
     return whyNot(part == MachinePart::Io ? Request::ControlIo : Request::ApplyGains, module);
 }
 
@@ -235,7 +239,7 @@ private:
         row.refusal = whyNotSent(row.id.part, module);
         if (!row.refusal && intentOf(file, row.id.part))
             row.applying = Applying::Sends;
-        row.wanted = !module.servoOn();
+        row.wanted = !module.driveOn();
     }
     AxisScale scaleOf(ModuleIndex index, const ModuleState* module) const {
         const AxisSettings axis = m_now.axis(index);

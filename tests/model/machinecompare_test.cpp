@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/model/machines.h"
 
 namespace nmc {
@@ -49,6 +51,11 @@ const Difference* row(const std::vector<Difference>& rows, PartId id) {
         if (difference.id == id)
             return &difference;
     return nullptr;
+}
+/// Whether anything goes to this module.
+bool goesTo(ModuleIndex module, const std::vector<ModuleIntent>& sent) {
+    return std::any_of(sent.begin(), sent.end(),
+                       [module](const ModuleIntent& s) { return s.module == module; });
 }
 std::vector<PartId> all(const std::vector<Difference>& rows) {
     return ids(rows);
@@ -122,7 +129,24 @@ TEST(MachineCompare, ASilentModuleIsSentNothingAndSaysWhy) {
     const auto rows = compare(mill(), {}, modules);
     EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->applying, Applying::KeepsUnsent);
     EXPECT_EQ(row(rows, {kFirst, MachinePart::Gains})->refusal, Refusal::Silent);
-    EXPECT_THAT(sendings(mill(), {}, modules, all(rows)), IsEmpty());
+    EXPECT_FALSE(goesTo(kFirst, sendings(mill(), {}, modules, all(rows))));
+}
+
+TEST(MachineCompare, AStepperIsSentItsParametersAndNothingOfAServo) {
+    const auto modules = millChain();
+    const PartId parameters{kSecond, MachinePart::Parameters};
+    const auto rows = compare(mill(), mill(), modules);
+    ASSERT_NE(row(rows, parameters), nullptr) << "never sent in this connection";
+    EXPECT_EQ(row(rows, parameters)->applying, Applying::Sends);
+    const auto sent = sendings(mill(), mill(), modules, {parameters});
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(sent[0].module, kSecond);
+    EXPECT_EQ(std::get<stepintent::SetParameters>(sent[0].intent).parameters, *mill().axes[1].parameters);
+
+    Machine gainsForAStepper = mill();
+    gainsForAStepper.axes[1].expected.reset();
+    gainsForAStepper.axes[1].gains = mill().axes[0].gains;
+    EXPECT_THAT(sendings(gainsForAStepper, {}, modules, {{kSecond, MachinePart::Gains}}), IsEmpty());
 }
 
 // ---- other hardware ----
@@ -146,7 +170,7 @@ TEST(MachineCompare, AnAxisForAnotherTypeOrVersionCannotBeApplied) {
         const Machine machine = applied(mill(), {}, modules, chosen);
         EXPECT_EQ(machine.axes[0], AxisSettings{}) << "whatever was chosen";
         EXPECT_EQ(machine.axes[1], mill().axes[1]);
-        EXPECT_THAT(sendings(mill(), {}, modules, chosen), IsEmpty());
+        EXPECT_FALSE(goesTo(kFirst, sendings(mill(), {}, modules, chosen)));
     }
 }
 
@@ -217,7 +241,8 @@ TEST(MachineCompare, NothingThatIsSentMovesOrEnables) {
             modules.push_back(moduleOf(i, ModuleType::Servo, i, testing_support::coin()));
         for (const ModuleIntent& sent : sendings(file, {}, modules, all(compare(file, {}, modules))))
             RC_ASSERT(std::holds_alternative<intent::ApplyGains>(sent.intent) ||
-                      std::holds_alternative<intent::ControlIo>(sent.intent));
+                      std::holds_alternative<intent::ControlIo>(sent.intent) ||
+                      std::holds_alternative<stepintent::SetParameters>(sent.intent));
     }));
 }
 

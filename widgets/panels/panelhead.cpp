@@ -61,7 +61,7 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     m_meaning->setWordWrap(true);
 
     m_stopHere->setVisible(m_drive == Drive::Servo);
-    m_stopHere->setShortcut(Qt::CTRL | Qt::Key_E);
+    m_stopHere->setShortcut(Qt::CTRL | Qt::Key_U);
 
     const int unit = look::gridUnit(this);
     auto* who = new QHBoxLayout;
@@ -177,7 +177,7 @@ void PanelHead::refresh() {
     look::setPossible(m_stopAbruptly, stop, tr("Stops at once, then holds."));
     look::setPossible(m_stopHere, reason(Request::StopHere),
                       tr("Jumps without a profile to the position it has at this moment, then holds there "
-                         "(Ctrl+E)."));
+                         "(Ctrl+U)."));
     look::setPossible(
         m_motorOff, reason(Request::MotorOff),
         m_drive == Drive::Stepper
