@@ -251,7 +251,7 @@
     </message>
     <message>
         <source>no current limit</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Stromgrenze</translation>
     </message>
     <message>
         <source>limits above (odd)</source>
@@ -260,6 +260,10 @@
     <message>
         <source>limits below (even)</source>
         <translation>begrenzt darunter (gerade)</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 auf %3</translation>
     </message>
 </context>
 <context>
@@ -326,7 +330,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
 </context>
 <context>
@@ -408,16 +412,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>aus; %1</translation>
     </message>
     <message>
-        <source>speed %1 of 250</source>
-        <translation>Geschwindigkeit %1 von 250</translation>
-    </message>
-    <message>
         <source>no current</source>
         <translation>kein Strom</translation>
     </message>
     <message>
         <source>%1 % of full</source>
         <translation>%1 % des vollen Werts</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>Geschwindigkeit %1</translation>
     </message>
 </context>
 <context>
@@ -451,10 +455,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 Schritte/s²</translation>
     </message>
     <message>
-        <source>Ramp of %1: acceleration time %2.</source>
-        <translation>Rampe von %1: Beschleunigungszeit %2.</translation>
-    </message>
-    <message>
         <source>The motor is there already.</source>
         <translation>Der Motor ist bereits dort.</translation>
     </message>
@@ -465,6 +465,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Takes %1 s, fastest %2.</source>
         <translation>Dauert %1 s, höchstens %2 schnell.</translation>
+    </message>
+    <message>
+        <source>Ramp of %1.</source>
+        <translation>Rampe von %1.</translation>
     </message>
 </context>
 <context>
@@ -1479,7 +1483,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Carried out by: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeführt von: %1.</translation>
     </message>
     <message>
         <source>Not carried out by: %1.</source>
@@ -1802,16 +1806,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ wurde nicht gespeichert: diese Maschine ließe sich nicht wieder öffnen.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is open: %2 settings were taken from it.</source>
-        <translation>„%1“ ist offen: %2 Einstellungen wurden daraus übernommen.</translation>
-    </message>
-    <message>
         <source>Nothing was sent to a module.</source>
         <translation>An kein Modul wurde etwas gesendet.</translation>
-    </message>
-    <message>
-        <source>%1 commands were sent, as chosen. No motor was moved.</source>
-        <translation>%1 Befehle wurden gesendet, wie gewählt. Kein Motor wurde bewegt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. It says what is there already.</source>
@@ -1864,10 +1860,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Groups</source>
         <translation>Gruppen</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Modul</translation>
     </message>
     <message>
         <source>Name</source>
@@ -2104,14 +2096,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Not in the file: it stays as it is.</source>
         <translation>Nicht in der Datei: bleibt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>The file is for another module, so it cannot be applied here.</source>
-        <translation>Die Datei ist für ein anderes Modul und hier daher nicht anwendbar.</translation>
-    </message>
-    <message>
-        <source>This module did not answer; its settings are kept for when it does.</source>
-        <translation>Dieses Modul hat nicht geantwortet; seine Einstellungen werden aufbewahrt, bis es antwortet.</translation>
     </message>
     <message>
         <source>1 motor is moving: stop it before anything is sent.</source>
@@ -2465,6 +2449,26 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The goal is more than 2 147 483 647 steps away.</source>
         <translation>Das Ziel ist mehr als 2 147 483 647 Schritte entfernt.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is open; settings taken from it: %2.</source>
+        <translation>„%1“ ist offen; daraus übernommene Einstellungen: %2.</translation>
+    </message>
+    <message>
+        <source>Commands sent, as chosen: %1. No motor was moved.</source>
+        <translation>Gesendete Befehle, wie gewählt: %1. Kein Motor wurde bewegt.</translation>
+    </message>
+    <message>
+        <source>Leader of group %1</source>
+        <translation>Leitmodul der Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Cannot be applied: the file is for another module.</source>
+        <translation>Kann nicht angewendet werden: die Datei ist für ein anderes Modul.</translation>
+    </message>
+    <message>
+        <source>Not there now; its settings are kept.</source>
+        <translation>Jetzt nicht da; seine Einstellungen werden behalten.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2741,7 +2745,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>nmc::ChainDialog</name>
     <message>
         <source>Chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>Doctor, groups and rate</source>
@@ -3137,7 +3141,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>%1 (%2 of 255)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 von 255)</translation>
     </message>
 </context>
 <context>
@@ -3227,12 +3231,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 Werte</translation>
     </message>
     <message>
-        <source>%1 of %2 settings chosen; %3 of them are sent to modules.</source>
-        <translation>%1 von %2 Einstellungen gewählt; %3 davon werden an Module gesendet.</translation>
-    </message>
-    <message>
         <source>Takes over what is ticked, and sends what is said to be sent.</source>
         <translation>Übernimmt, was angehakt ist, und sendet, was als zu senden angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1 of %2. Sent to modules: %3.</source>
+        <translation>Gewählt: %1 von %2. An Module gesendet: %3.</translation>
     </message>
 </context>
 <context>
@@ -3386,7 +3390,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Sense of the current limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirkungssinn der Stromgrenze</translation>
     </message>
     <message>
         <source>Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers.</source>
@@ -3432,6 +3436,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.</source>
         <translation>SR %1 statt %2 ändert den Servotakt: jede Geschwindigkeit und Beschleunigung in Inkrementen je Takt bedeutet dann ein anderes Tempo.</translation>
     </message>
+    <message>
+        <source>Gains while the servo is on</source>
+        <translation>Reglerwerte bei eingeschaltetem Servo</translation>
+    </message>
+    <message>
+        <source>The servo is on, and this is a large step: %1. The motor may jump or swing.</source>
+        <translation>Der Servo ist ein, und das ist ein großer Schritt: %1. Der Motor kann springen oder schwingen.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply these gains</source>
+        <translation>&amp;Diese Reglerwerte anwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GenericPanel</name>
@@ -3442,10 +3462,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>There are no controls for this type of module yet. It is polled, and Stop all reaches it.</source>
-        <translation>Für diesen Modultyp gibt es noch keine Bedienelemente. Das Modul wird abgefragt, und ALLES STOPP erreicht es.</translation>
     </message>
     <message>
         <source>No status yet.</source>
@@ -3463,12 +3479,28 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>It does not answer. </source>
         <translation>Keine Antwort. </translation>
     </message>
+    <message>
+        <source>Ask for its status</source>
+        <translation>Status abfragen</translation>
+    </message>
+    <message>
+        <source>Ask this module for its status</source>
+        <translation>Den Status dieses Moduls abfragen</translation>
+    </message>
+    <message>
+        <source>Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v4, PIC-STEP v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it.</source>
+        <translation>Typ und Version gehören nicht zu denen, deren Datenblättern dieses Programm folgt (PIC-SERVO v1 bis v4, PIC-STEP v1); was ein Befehl bei ihm täte, ist nicht bekannt. Es wird nur angesehen; Alles Stopp erreicht es.</translation>
+    </message>
+    <message>
+        <source>Sends No Operation, which only asks for the status.</source>
+        <translation>Sendet No Operation, das nur den Status abfragt.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GroupsPage</name>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them.</source>
@@ -4213,7 +4245,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::MachineMenu</name>
     <message>
         <source>&amp;New machine</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neue Maschine</translation>
     </message>
     <message>
         <source>Forgets names, units and settings of all axes; nothing is sent.</source>
@@ -4661,7 +4693,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>How fast the velocity changes. Used by every kind of motion here, and by a smooth stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich die Geschwindigkeit ändert. Gilt hier für jede Art von Bewegung und für den sanften Stopp.</translation>
     </message>
     <message>
         <source>How fast the motor turns.</source>
@@ -4756,12 +4788,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Referenzposition ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>Goes to the home position that the module has captured (Ctrl+H).</source>
-        <translation>Fährt die Referenzposition an, die das Modul erfasst hat (Strg+H).</translation>
-    </message>
-    <message>
         <source>Makes the present position 0. The motor does not move.</source>
         <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Goes to the home position that the module has captured (Ctrl+Shift+G).</source>
+        <translation>Fährt zur Referenzposition, die das Modul erfasst hat (Ctrl+Shift+G).</translation>
     </message>
 </context>
 <context>
@@ -5036,7 +5068,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärker &amp;einschalten</translation>
     </message>
     <message>
         <source>Enable the amplifier of this module</source>
@@ -5059,12 +5091,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Der Verstärker ist bereits ein.</translation>
     </message>
     <message>
-        <source>Jumps without a profile to the position it has at this moment, then holds there (Ctrl+Shift+H).</source>
-        <translation>Springt ohne Profil auf die Position, die der Motor in diesem Augenblick hat, und hält dort (Strg+Umschalt+H).</translation>
-    </message>
-    <message>
         <source>Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall.</source>
         <translation>Stoppt sofort und schaltet den Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
+    </message>
+    <message>
+        <source>Jumps without a profile to the position it has at this moment, then holds there (Ctrl+U).</source>
+        <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort (Ctrl+U).</translation>
     </message>
 </context>
 <context>
@@ -5278,7 +5310,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Limits &amp;&amp; I/O</source>
-        <translation type="unfinished"></translation>
+        <translation>Endschalter &amp;&amp; E/A</translation>
     </message>
     <message>
         <source>Homing</source>
@@ -5312,7 +5344,7 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StepByBox</name>
     <message>
         <source>Step by a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Um eine Strecke weiterfahren</translation>
     </message>
     <message>
         <source>Step by</source>
@@ -6176,7 +6208,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <name>nmc::UnsavedDialog</name>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>&amp;Save and close</source>
