@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is asked of a module: a plan of commands at once, or a procedure that runs for a while.
 #include "app/composition.h"
+#include "model/modulescale.h"
 #include "model/procedures.h"
 #include "widgets/common/texts.h"
 
@@ -44,9 +45,7 @@ void Composition::showProcedure(const ProcedureReport& report) {
     const ModuleState* module = m_store.module(report.module);
     if (!report.over() || module == nullptr)
         return;
-    const AxisUnit unit = m_machine.machine().axis(report.module).unit;
-    const AxisScale scale = module->isServo() ? AxisScale::servo(unit, module->gains ? module->gains->sr : 1)
-                                              : AxisScale::step(unit);
+    const AxisScale scale = scaleOf(*module, m_machine.machine().axis(report.module));
     if (const auto message = texts::procedureEnded(report, scale))
         m_window.showMessage(*message);
 }

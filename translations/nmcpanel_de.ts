@@ -790,8 +790,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 von %2 angehalten, %3 ms. Position wird gehalten.</translation>
     </message>
     <message>
-        <source>%1 of %2 stopped, %3 ms. Every servo is off.</source>
-        <translation>%1 von %2 angehalten, %3 ms. Alle Servos sind aus.</translation>
+        <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
+        <translation>%1 von %2 angehalten, %3 ms. Alle Motoren sind aus.</translation>
     </message>
     <message>
         <source>%1 of %2 stopped. Module %3 does not answer: use the hardware stop.</source>
@@ -2810,8 +2810,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>PC</translation>
     </message>
     <message>
-        <source>%1, address %2, %3, %4, position %5 counts</source>
-        <translation>%1, Adresse %2, %3, %4, Position %5 Inkremente</translation>
+        <source>%1, address %2, %3, %4, position %5 %6</source>
+        <translation>%1, Adresse %2, %3, %4, Position %5 %6</translation>
     </message>
     <message>
         <source>%1 at address %2 on the wire. %3</source>

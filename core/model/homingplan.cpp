@@ -24,7 +24,7 @@ namespace {
     if (!module.stepper.parameters())
         return Refusal::ParametersUnknown;
     if (!status.amplifierEnabled())
-        return Refusal::ServoOff;
+        return Refusal::AmplifierOff;
     return status.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 

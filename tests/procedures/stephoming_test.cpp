@@ -187,7 +187,7 @@ TEST_F(StepHoming, IsRefusedWithoutParametersOrAmplifier) {
                   {toStep(step::SetParameters{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0})}),
               bus::Outcome::Done);
     bench.settle();
-    EXPECT_EQ(whyNot(Request::Home, bench.module()), Refusal::ServoOff);
+    EXPECT_EQ(whyNot(Request::Home, bench.module()), Refusal::AmplifierOff);
 }
 
 }  // namespace

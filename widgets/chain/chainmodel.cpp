@@ -3,13 +3,15 @@
 
 #include <cmath>
 
+#include "model/modulescale.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/unitwords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainModel::Row ChainModel::rowOf(const ModuleState& module) {
+ChainModel::Row ChainModel::rowOf(const ModuleState& module, const AxisSettings& settings) {
     Row row;
     row.address = module.info.address.value();
     row.name = texts::moduleName(module.info.index);
@@ -17,14 +19,17 @@ ChainModel::Row ChainModel::rowOf(const ModuleState& module) {
     if (module.repliesPerSecond > 0.0)
         row.rate = tr("%1/s").arg(texts::readout(std::round(module.repliesPerSecond)));
     row.activity = module.activity();
-    row.position = module.latest.has_value() && module.latest->position.has_value()
-                       ? texts::grouped(*module.latest->position)
-                       : u"–"_s;
+    const AxisScale scale = scaleOf(module, settings);
+    row.position = u"–"_s;
+    row.unit = texts::unitOf(scale);
+    if (module.latest.has_value() && module.latest->position.has_value())
+        row.position = texts::fixedPosition(scale, *module.latest->position);
+    row.native = scale.native();
     row.old = module.silent;
     return row;
 }
 
-void ChainModel::showLink(const LinkState& state) {
+void ChainModel::showLink(const LinkState& state, const Machine& machine) {
     const bool open = state.phase != LinkPhase::Disconnected;
     const std::size_t count = open ? state.modules.size() : 0;
     if (open != m_open || count != m_rows.size()) {
@@ -32,13 +37,13 @@ void ChainModel::showLink(const LinkState& state) {
         m_open = open;
         m_rows.clear();
         for (std::size_t i = 0; i < count; ++i)
-            m_rows.push_back(rowOf(state.modules[i]));
+            m_rows.push_back(rowOf(state.modules[i], machine.axis(state.modules[i].info.index)));
         m_host = texts::portName(QString::fromStdString(state.port));
         endResetModel();
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        Row row = rowOf(state.modules[i]);
+        Row row = rowOf(state.modules[i], machine.axis(state.modules[i].info.index));
         if (row == m_rows[i])
             continue;
         m_rows[i] = std::move(row);
@@ -86,14 +91,14 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
             return row.rate.isEmpty() ? texts::activity(row.activity)
                                       : tr("%1 · %2").arg(texts::activity(row.activity), row.rate);
         case Position:
-            return row.position;
+            return row.native ? row.position : row.position + u' ' + row.unit;
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:
-            return tr("%1, address %2, %3, %4, position %5 counts")
+            return tr("%1, address %2, %3, %4, position %5 %6")
                 .arg(row.name)
                 .arg(row.address)
-                .arg(row.type, texts::activity(row.activity), row.position);
+                .arg(row.type, texts::activity(row.activity), row.position, row.unit);
         case Qt::ToolTipRole:
             return tr("%1 at address %2 on the wire. %3")
                 .arg(row.name)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/linkstate.h"
+#include "model/machine.h"
 
 namespace nmc {
 
@@ -20,13 +21,13 @@ public:
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
         ActivityText,  ///< "Holding · 92/s", with the status replies per second
-        Position,      ///< "12 345", or a dash
+        Position,      ///< "12 345", "1.250 mm", or a dash
         PositionIsOld  ///< the module does not answer
     };
 
     using QAbstractListModel::QAbstractListModel;
 
-    void showLink(const LinkState& state);
+    void showLink(const LinkState& state, const Machine& machine);
     [[nodiscard]] int moduleCount() const { return static_cast<int>(m_rows.size()); }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,10 +42,12 @@ private:
         QString rate;
         Activity activity = Activity::Unknown;
         QString position;
+        QString unit;
+        bool native = true;
         bool old = false;
         bool operator==(const Row&) const = default;
     };
-    [[nodiscard]] static Row rowOf(const ModuleState& module);
+    [[nodiscard]] static Row rowOf(const ModuleState& module, const AxisSettings& settings);
 
     std::vector<Row> m_rows;
     QString m_host;

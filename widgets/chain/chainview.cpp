@@ -25,9 +25,9 @@ ChainView::ChainView(QWidget* parent) : QListView(parent), m_model(new ChainMode
     setMinimumWidth(fontMetrics().height() * 14);
 }
 
-void ChainView::showLink(const LinkState& state) {
+void ChainView::showLink(const LinkState& state, const Machine& machine) {
     const QScopedValueRollback<bool> showing(m_showing, true);
-    m_model->showLink(state);
+    m_model->showLink(state, machine);
     const int modules = m_model->moduleCount();
     if (modules > 0 && !currentIndex().isValid())
         setCurrentIndex(m_model->index(qMin(m_lastRow, modules - 1)));

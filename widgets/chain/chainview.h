@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "model/linkstate.h"
+#include "model/machine.h"
 
 namespace nmc {
 
@@ -18,7 +19,7 @@ public:
     explicit ChainView(QWidget* parent = nullptr);
 
     /// Emits nothing, not even when the first chain appears and its first module becomes the selected one.
-    void showLink(const LinkState& state);
+    void showLink(const LinkState& state, const Machine& machine);
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
     [[nodiscard]] QSize sizeHint() const override;

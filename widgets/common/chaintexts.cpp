@@ -75,7 +75,7 @@ Message withheld(const bus::GroupFinished& finished, quint8 group) {
 Message groupFailed(const bus::GroupFinished& finished) {
     using bus::Outcome;
     if (const auto* change = std::get_if<bus::GroupChange>(&finished.what)) {
-        const QString number = QString::number(change->module.value() + 1);
+        const QString number = moduleNumber(change->module);
         Message m{.key = ofModule(u"group"_s, change->module), .severity = Severity::Attention};
         m.headline = finished.outcome == Outcome::NoAnswer
                          ? Texts::tr(

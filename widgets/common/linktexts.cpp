@@ -132,7 +132,7 @@ Message badLink(const bus::HealthChanged& health) {
                          ? Texts::tr(
                                "The link to module %1 is unreliable: %2 of its last %3 "
                                "exchanges went wrong.")
-                               .arg(health.module->value() + 1)
+                               .arg(moduleNumber(*health.module))
                                .arg(health.wrong)
                                .arg(health.of)
                          : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
@@ -146,7 +146,7 @@ Message badLink(const bus::HealthChanged& health) {
     m.severity = Severity::Attention;
     m.headline = health.module
                      ? Texts::tr("The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.")
-                           .arg(health.module->value() + 1)
+                           .arg(moduleNumber(*health.module))
                            .arg(health.wrong)
                            .arg(health.of)
                      : Texts::tr("The link is doubtful: %1 of the last %2 exchanges went wrong.")
@@ -165,11 +165,11 @@ Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMovi
             .headline =
                 wasMoving
                     ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
-                          .arg(module.value() + 1)
+                          .arg(moduleNumber(module))
                           .arg(since)
                     : Texts::tr("Module %1 has not answered for %2 s. Motor state unknown; it was stopped "
                                 "at the last word.")
-                          .arg(module.value() + 1)
+                          .arg(moduleNumber(module))
                           .arg(since),
             .body = Texts::tr(
                 "Use the hardware stop if needed. Usually its power or the plug next to it; it is asked "
@@ -177,11 +177,12 @@ Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMovi
 }
 
 Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
-    const int number = restarted.module.value() + 1;
+    const QString number = moduleNumber(restarted.module);
     QStringList body{Texts::tr("Its motor is off.")};
-    if (number < modulesInChain)
+    const int next = restarted.module.value() + 2;
+    if (next <= modulesInChain)
         body << Texts::tr("Module %1 may not answer until module %2 has its address again.")
-                    .arg(number + 1)
+                    .arg(next)
                     .arg(number);
     if (restarted.quiet)
         body << Texts::tr(
@@ -198,7 +199,7 @@ Message refused(const bus::CommandRefused& refused) {
     return {.key = key::refused(refused.module),
             .severity = Severity::Attention,
             .headline = Texts::tr("Module %1 did not understand the last command, so it was not carried out.")
-                            .arg(refused.module.value() + 1),
+                            .arg(moduleNumber(refused.module)),
             .body = Texts::tr("Sent again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)};
 }
 
@@ -206,12 +207,12 @@ Message garbled(ModuleIndex module) {
     return {
         .key = key::garbled(module),
         .severity = Severity::Attention,
-        .headline = Texts::tr("The answer from module %1 was garbled.").arg(module.value() + 1),
+        .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
         .body = Texts::tr("The command may or may not have been carried out; position is being read again.")};
 }
 
 Message motionSuspect(const bus::MotionSuspect& suspect) {
-    const int number = suspect.module.value() + 1;
+    const QString number = moduleNumber(suspect.module);
     const QString position = grouped(suspect.position);
     Message m{.key = ofModule(u"suspect"_s, suspect.module), .severity = Severity::Fault};
     switch (suspect.reason) {

@@ -39,7 +39,7 @@ QString movingSentence(int moving) {
 }
 
 Message operationFailed(const bus::OperationFinished& finished) {
-    const int number = finished.module.value() + 1;
+    const QString number = moduleNumber(finished.module);
     Message m{.key = ofModule(u"operation"_s, finished.module), .severity = Severity::Attention};
     m.details = Texts::tr("Command byte %1").arg(finished.commandByte, 2, 16, QChar(u'0')).toUpper();
     switch (finished.outcome) {
@@ -74,7 +74,7 @@ Message operationFailed(const bus::OperationFinished& finished) {
 }
 
 Message tripped(ModuleIndex module, std::optional<int> limit) {
-    const int number = module.value() + 1;
+    const QString number = moduleNumber(module);
     return {.key = key::tripped(module),
             .severity = Severity::Fault,
             .headline = limit.has_value()
@@ -93,12 +93,12 @@ Message powerLost(ModuleIndex module) {
     return {
         .key = key::power(module),
         .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 has no motor power, so its servo is off.").arg(module.value() + 1),
+        .headline = Texts::tr("Module %1 has no motor power, so its servo is off.").arg(moduleNumber(module)),
         .body = Texts::tr("It stays off when power returns.")};
 }
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
-    const int number = module.value() + 1;
+    const QString number = moduleNumber(module);
     Message message{.key = key::tripped(module), .severity = Severity::Fault};
     switch (activity) {
         case Activity::PowerLost:
@@ -153,7 +153,7 @@ Message holdExpired(ModuleIndex module) {
             .severity = Severity::Attention,
             .headline =
                 Texts::tr("Module %1 was stopped: the button was held, but the panel was too slow to say so.")
-                    .arg(module.value() + 1),
+                    .arg(moduleNumber(module)),
             .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
 }
 
@@ -161,7 +161,7 @@ Message notPossible(ModuleIndex module, Refusal reason) {
     return {
         .key = ofModule(u"notPossible"_s, module),
         .severity = Severity::Attention,
-        .headline = Texts::tr("Not possible for module %1 now; nothing was sent.").arg(module.value() + 1),
+        .headline = Texts::tr("Not possible for module %1 now; nothing was sent.").arg(moduleNumber(module)),
         .body = refusal(reason)};
 }
 
@@ -173,7 +173,7 @@ Message stopResult(const bus::StopFinished& finished, bool holding) {
     if (finished.unreached.empty()) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
         const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")
-                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every servo is off.");
+                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every motor is off.");
         m.headline = text.arg(stopped).arg(all).arg(ms);
         return m;
     }

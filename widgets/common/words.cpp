@@ -24,9 +24,13 @@ double tickSeconds(int servoRate) {
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
+    return Texts::tr("Module %1").arg(moduleNumber(module));
+}
+
+QString moduleNumber(ModuleIndex module) {
     const QString name = g_moduleNames.value(module.value());
-    return name.isEmpty() ? Texts::tr("Module %1").arg(module.value() + 1)
-                          : Texts::tr("Module %1 \"%2\"").arg(QString::number(module.value() + 1), name);
+    const QString number = QString::number(module.value() + 1);
+    return name.isEmpty() ? number : u"%1 \"%2\""_s.arg(number, name);
 }
 
 void setModuleNames(const QStringList& names) {

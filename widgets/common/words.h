@@ -14,6 +14,8 @@ namespace nmc::texts {
 
 /// "Module 1", "Module 3 "Z axis"" where the user has given it a name. Users count from 1.
 [[nodiscard]] QString moduleName(ModuleIndex module);
+/// "1", "3 "Z axis"": for sentences that say "module" themselves.
+[[nodiscard]] QString moduleNumber(ModuleIndex module);
 /// The names by module, for every text from now on, as QLocale's default is for every number. GUI thread.
 void setModuleNames(const QStringList& names);
 /// "PIC-SERVO v4", "PIC-STEP v1", "type 7 v2".

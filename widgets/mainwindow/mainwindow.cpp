@@ -3,11 +3,9 @@
 
 #include <QClipboard>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -22,7 +20,7 @@
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
-#include "widgets/mainwindow/monitorplace.h"
+#include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
@@ -33,17 +31,12 @@
 namespace nmc {
 
 using namespace Qt::StringLiterals;
+using namespace settingskeys;
 
 namespace {
 /// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
 constexpr double kOldAfter = 0.5;  // s
 
-const QString kGeometry = u"window/geometry"_s;
-const QString kState = u"window/state"_s;
-const QString kLastPort = u"connection/port"_s;
-const QString kLastBaud = u"connection/baud"_s;
-const QString kSimulatorOpen = u"simulator/open"_s;
-const QString kSafetyRead = u"safety/understood"_s;
 }  // namespace
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
@@ -116,56 +109,6 @@ void MainWindow::buildCentre() {
     setCentralWidget(centre);
 }
 
-QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
-                                 Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    look::name(dock, objectName, title);
-    dock->setWidget(content);
-    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    addDockWidget(area, dock);
-    m_docks.append(dock);
-    return dock;
-}
-
-void MainWindow::buildDocks() {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    m_chain = new ChainView(this);
-    m_scope = new ScopePanel(this);
-    m_messages = new MessageList(this);
-    addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
-    QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);
-    QDockWidget* messages = addDock(u"messagesDock"_s, tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
-    const int em = fontMetrics().height();
-    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
-    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 23}, Qt::Vertical);
-    addSimulatorDock();
-    m_monitor = new MonitorDock(this);
-    placeMonitor(*this, *m_monitor, *messages, *scope);
-    m_docks.append(m_monitor);
-}
-
-void MainWindow::addSimulatorDock() {
-    // Below the list of modules, whose lower half is empty with most chains: nothing else gives way to it.
-    m_simulator = new SimulatorDock(this);
-    m_simulator->setWanted(m_settings.value(kSimulatorOpen, true).toBool());
-    addDockWidget(Qt::LeftDockWidgetArea, m_simulator);
-    m_docks.append(m_simulator);
-    // Queued: until then the layout does not know that it is there again.
-    connect(m_simulator, &SimulatorDock::shown, this, &MainWindow::makeRoomForSimulator,
-            Qt::QueuedConnection);
-}
-
-void MainWindow::makeRoomForSimulator() {
-    // The list of modules has taken all the room meanwhile, and would keep more of it than it needs.
-    QDockWidget* chain = m_docks.front();
-    if (dockWidgetArea(chain) != dockWidgetArea(m_simulator) || !chain->isVisible())
-        return;
-    const int both = chain->height() + m_simulator->height();
-    const int wanted = qMin(m_simulator->wantedHeight(), both * 3 / 4);
-    resizeDocks({chain, m_simulator}, {both - wanted, wanted}, Qt::Vertical);
-}
-
 void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::connectRequested, this, [this](const QString& port, quint32 baud) {
         m_settings.setValue(kLastPort, port);
@@ -218,7 +161,7 @@ void MainWindow::showLink(const LinkState& state) {
         showSession();
     m_bar->showLink(state);
     m_linkBar->showLink(state);
-    m_chain->showLink(state);
+    m_chain->showLink(state, m_machine);
     m_simulator->showLink(state);
     m_monitor->showLink(state);
     m_chainMenu->showChain(m_machine, state);
@@ -454,31 +397,6 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && m_ribbon != nullptr)
         showSession();
-}
-
-void MainWindow::restoreLayout() {
-    m_firstState = saveState();
-    const QSize room = screen()->availableSize();
-    const int em = fontMetrics().height();
-    resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
-    restoreGeometry(m_settings.value(kGeometry).toByteArray());
-    restoreState(m_settings.value(kState).toByteArray());
-    m_simulator->showLink(m_link);
-    const QString port = m_settings.value(kLastPort).toString();
-    if (!port.isEmpty())
-        m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());
-}
-
-void MainWindow::saveLayout() {
-    m_settings.setValue(kGeometry, saveGeometry());
-    m_settings.setValue(kState, saveState());
-}
-
-void MainWindow::resetLayout() {
-    restoreState(m_firstState);
-    for (QDockWidget* dock : m_docks)
-        dock->setVisible(dock != m_monitor);  // which is closed at first
-    m_simulator->setWanted(true);
 }
 
 }  // namespace nmc

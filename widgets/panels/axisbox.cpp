@@ -74,6 +74,7 @@ void AxisBox::build() {
     const int unit = look::gridUnit(this);
     auto* form = new QFormLayout(this);
     form->setContentsMargins(unit, unit, unit, unit);
+    form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setHorizontalSpacing(unit);
     form->setVerticalSpacing(unit / 2);
     m_name = new QLineEdit(this);
@@ -110,6 +111,7 @@ void AxisBox::build() {
     m_holdCap->setQuantity(tr("The cap of hold to move"));
     m_holdCap->setMeaning(tr("Hold to move never goes faster than this."));
     auto* cap = new QHBoxLayout;
+    cap->setSpacing(unit);
     cap->addWidget(m_holdCap);
     cap->addWidget(m_holdCap->unitLabel());
     cap->addWidget(m_holdCap->otherView());

@@ -16,8 +16,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-JogBox::JogBox(QWidget* parent)
-    : QGroupBox(parent), m_motion(servodefaults::motionOf(AxisSettings{})) {
+JogBox::JogBox(QWidget* parent) : QGroupBox(parent), m_motion(servodefaults::motionOf(AxisSettings{})) {
     look::name(this, u"jogBox"_s, tr("Jog"));
     build();
     showVelocity(m_motion);

@@ -6,6 +6,7 @@
 #include "model/axisscale.h"
 #include "model/intent.h"
 #include "model/machine.h"
+#include "model/modulescale.h"
 #include "model/procedure.h"
 
 namespace nmc {
@@ -21,11 +22,7 @@ struct PanelView {
     [[nodiscard]] std::optional<Refusal> whyNot(Request request) const {
         return connected ? nmc::whyNot(request, module) : std::optional(Refusal::NotConnected);
     }
-    [[nodiscard]] AxisScale scale() const {
-        if (!module.isServo())
-            return AxisScale::step(settings.unit);
-        return AxisScale::servo(settings.unit, module.gains ? module.gains->sr : 1);
-    }
+    [[nodiscard]] AxisScale scale() const { return scaleOf(module, settings); }
 };
 
 }  // namespace nmc

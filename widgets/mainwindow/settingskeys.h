@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+/// Where the window keeps what it remembers.
+namespace nmc::settingskeys {
+
+inline const QString kGeometry = QStringLiteral("window/geometry");
+inline const QString kState = QStringLiteral("window/state");
+inline const QString kLastPort = QStringLiteral("connection/port");
+inline const QString kLastBaud = QStringLiteral("connection/baud");
+inline const QString kSimulatorOpen = QStringLiteral("simulator/open");
+inline const QString kSafetyRead = QStringLiteral("safety/understood");
+
+}  // namespace nmc::settingskeys
