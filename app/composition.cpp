@@ -143,10 +143,12 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
     connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
     connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
-    connect(&chain, &ChainMenu::groupChangeRequested, this, [this](const bus::GroupChange& change) {
+    const auto changeGroup = [this](const bus::GroupChange& change) {
         m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
         m_machine.noteGroup(change);
-    });
+    };
+    connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
+    connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
     connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
         m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), command});
     });

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "link/machineio.h"
+#include "model/machinegroups.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 
@@ -90,25 +91,7 @@ void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
 }
 
 void MachineController::noteGroup(const bus::GroupChange& change) {
-    constexpr std::uint8_t kNoGroup = 0xFF;
-    std::vector<GroupSettings>& groups = m_machine.groups;
-    for (GroupSettings& group : groups) {
-        std::erase(group.members, change.module);
-        if (group.leader == change.module)
-            group.leader.reset();
-    }
-    if (change.place.group != kNoGroup) {
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const GroupSettings& known) {
-            return known.address == change.place.group;
-        });
-        if (group == groups.end())
-            group = groups.insert(groups.end(), GroupSettings{change.place.group, {}, {}, {}});
-        group->members.push_back(change.module);
-        std::sort(group->members.begin(), group->members.end());
-        if (change.place.leader)
-            group->leader = change.module;
-    }
-    std::erase_if(groups, [](const GroupSettings& group) { return group.members.empty(); });
+    nmc::noteGroup(m_machine, change);
     changed();
 }
 
@@ -202,6 +185,9 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     take(from, std::move(machine), whole);
     for (const ModuleIntent& send : intents)
         emit intentRequested(send.module, send.intent);
+    if (std::find(chosen.begin(), chosen.end(), PartId{{}, MachinePart::Groups}) != chosen.end())
+        for (const bus::GroupChange& change : groupChanges(m_machine, present))
+            emit groupChangeRequested(change);
     m_window.showMessage(
         texts::machineOpened(from.path, static_cast<int>(chosen.size()), static_cast<int>(intents.size())));
 }

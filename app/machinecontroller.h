@@ -46,6 +46,8 @@ public:
 signals:
     /// The user has ticked it and pressed Apply.
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    /// The same, of the groups.
+    void groupChangeRequested(const nmc::bus::GroupChange& change);
 
 private:
     /// A file that was read, and waits for the user's choice.

@@ -59,6 +59,7 @@ TEST_F(ChainList, KeepsTheSelectionWhileValuesChange) {
 }
 
 TEST_F(ChainList, F41_AnUnknownTypeHasAReadOnlyPanel) {
+    showServo();
     ModuleState module = Servo{}.state();
     module.info.identity = {static_cast<ModuleType>(7), 2};
     window->showLink(connectedTo({module}));

@@ -84,7 +84,13 @@ TEST_F(Controls, EachIsReachedByTab) {
 /// Of the module panel only one page is there at a time, and of its tabs only one; hidden ones do not listen.
 class Mnemonics : public Controls, public testing::WithParamInterface<std::pair<const char*, const char*>> {
 protected:
-    Mnemonics() { showSimulatedServo(); }
+    Mnemonics() {
+        // A panel is built when the first module of its kind is shown.
+        ModuleState stepper = Servo{}.state();
+        stepper.info.identity = {ModuleType::Step, 1};
+        window->showLink(connectedTo({stepper}));
+        showSimulatedServo();
+    }
     /// As far as it is one in the panel and on the tab that are looked at.
     [[nodiscard]] bool listens(const QWidget* widget, const QWidget* tab) const {
         const QWidget* child = widget;

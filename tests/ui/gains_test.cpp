@@ -104,6 +104,7 @@ TEST_F(Gains, EachModuleHasItsOwnDraft) {
 }
 
 TEST_F(Gains, ToolTipsGiveMeaningRangeAndAdvice) {
+    showServo();
     EXPECT_TRUE(field(u"kdField"_s)->toolTip().contains(u"hum"_s));
     EXPECT_TRUE(field(u"elField"_s)->toolTip().contains(u"0 to 16383"_s));
     EXPECT_TRUE(field(u"clField"_s)->toolTip().contains(u"Odd"_s));

@@ -12,48 +12,70 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// What is built late still comes where it stands, and not behind everything.
+void keepTabOrder(QWidget* before, QWidget* page) {
+    QList<QWidget*> controls;
+    for (QWidget* next = page->nextInFocusChain(); next != page; next = next->nextInFocusChain())
+        if (page->isAncestorOf(next))
+            controls.append(next);
+    for (QWidget* control : controls) {
+        QWidget::setTabOrder(before, control);
+        before = control;
+    }
+}
+}  // namespace
+
 ModulePanel::ModulePanel(QWidget* parent)
-    : QStackedWidget(parent),
-      m_empty(look::newMutedLabel({}, this)),
-      m_servo(new ServoPanel(this)),
-      m_stepper(new StepPanel(this)),
-      m_generic(new GenericPanel(this)) {
+    : QStackedWidget(parent), m_empty(look::newMutedLabel({}, this)), m_generic(new GenericPanel(this)) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
     m_empty->setObjectName(u"emptyPanel"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setFont(look::scaled(font(), 1.2));
     addWidget(m_empty);
-    addWidget(m_servo);
-    addWidget(m_stepper);
     addWidget(m_generic);
-    setCurrentWidget(m_servo);
-    bringUp(m_empty);
+    m_generic->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
-    for (ModulePage* page : pages()) {
-        connect(page, &ModulePage::intentRequested, this, &ModulePanel::intentRequested);
-        connect(page, &ModulePage::holdRequested, this, &ModulePanel::holdRequested);
-        connect(page, &ModulePage::holdReleased, this, &ModulePanel::holdReleased);
-        connect(page, &ModulePage::settingsEdited, this, &ModulePanel::settingsEdited);
-    }
 }
 
-std::array<ModulePage*, 2> ModulePanel::pages() const {
-    return {m_servo, m_stepper};
+ModulePage& ModulePanel::servo() {
+    if (m_servo == nullptr)
+        adopt(m_servo = new ServoPanel(this));
+    return *m_servo;
+}
+
+ModulePage& ModulePanel::stepper() {
+    if (m_stepper == nullptr)
+        adopt(m_stepper = new StepPanel(this));
+    return *m_stepper;
+}
+
+void ModulePanel::adopt(ModulePage* page) {
+    addWidget(page);
+    m_pages.append(page);
+    keepTabOrder(m_generic, page);
+    if (m_holdInterval)
+        page->setHoldInterval(*m_holdInterval);
+    connect(page, &ModulePage::intentRequested, this, &ModulePanel::intentRequested);
+    connect(page, &ModulePage::holdRequested, this, &ModulePanel::holdRequested);
+    connect(page, &ModulePage::holdReleased, this, &ModulePanel::holdReleased);
+    connect(page, &ModulePage::settingsEdited, this, &ModulePanel::settingsEdited);
 }
 
 void ModulePanel::resetSpeeds() {
-    for (ModulePage* page : pages())
+    for (ModulePage* page : m_pages)
         page->resetSpeeds();
 }
 
 void ModulePanel::endHold() {
-    for (ModulePage* page : pages())
+    for (ModulePage* page : m_pages)
         page->endHold();
 }
 
 void ModulePanel::setHoldInterval(int milliseconds) {
-    for (ModulePage* page : pages())
+    m_holdInterval = milliseconds;
+    for (ModulePage* page : m_pages)
         page->setHoldInterval(milliseconds);
 }
 
@@ -68,19 +90,18 @@ void ModulePanel::bringUp(QWidget* page) {
 }
 
 void ModulePanel::showModule(const PanelView& view) {
-    if (view.module.isServo()) {
-        m_stepper->endHold();
-        m_servo->showModule(view);
-        bringUp(m_servo);
-    } else if (view.module.isStepper()) {
-        m_servo->endHold();
-        m_stepper->showModule(view);
-        bringUp(m_stepper);
-    } else {
+    if (!view.module.isServo() && !view.module.isStepper()) {
         endHold();
         m_generic->showModule(view);
         bringUp(m_generic);
+        return;
     }
+    ModulePage& page = view.module.isServo() ? servo() : stepper();
+    for (ModulePage* other : m_pages)
+        if (other != &page)
+            other->endHold();
+    page.showModule(view);
+    bringUp(&page);
 }
 
 void ModulePanel::showNothing(const QString& text) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QStackedWidget>
-#include <array>
+#include <optional>
 
 #include "widgets/panels/panelview.h"
 
@@ -12,8 +13,6 @@ namespace nmc {
 
 class GenericPanel;
 class ModulePage;
-class ServoPanel;
-class StepPanel;
 
 /// The middle of the window: the panel that fits the selected module, or what to do when there is none.
 class ModulePanel : public QStackedWidget {
@@ -40,14 +39,19 @@ signals:
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
-    [[nodiscard]] std::array<ModulePage*, 2> pages() const;
+    /// Built when the first module of its kind is shown: a window is there at once without them.
+    [[nodiscard]] ModulePage& servo();
+    [[nodiscard]] ModulePage& stepper();
+    void adopt(ModulePage* page);
     /// Only the page in sight decides how much room is needed.
     void bringUp(QWidget* page);
 
     QLabel* m_empty;
-    ServoPanel* m_servo;
-    StepPanel* m_stepper;
     GenericPanel* m_generic;
+    ModulePage* m_servo = nullptr;
+    ModulePage* m_stepper = nullptr;
+    QList<ModulePage*> m_pages;  ///< those that were built
+    std::optional<int> m_holdInterval;
 };
 
 }  // namespace nmc

@@ -16,7 +16,7 @@ QGridLayout* newGrid(QWidget* parent) {
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);
     // Wide enough for the titles, so that the fields of boxes below each other stand in line.
-    grid->setColumnMinimumWidth(0, unit * 10);
+    grid->setColumnMinimumWidth(0, unit * 14);
     grid->setColumnStretch(kButtonColumn - 1, 1);
     return grid;
 }
