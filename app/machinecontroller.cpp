@@ -71,10 +71,13 @@ void MachineController::start() {
 void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
     if (m_machine.axes.size() <= module.value())
         m_machine.axes.resize(module.value() + std::size_t{1});
-    AxisSettings& axis = m_machine.axes[module.value()];
-    axis = settings;
-    if (const ModuleState* state = m_store.module(module))
-        axis.expected = state->info.identity;
+    m_machine.axes[module.value()] = settings;
+    const bool nothingExpected =
+        std::none_of(m_machine.axes.begin(), m_machine.axes.end(),
+                     [](const AxisSettings& axis) { return axis.expected.has_value(); });
+    // Who gives names to a chain means the chain that is there.
+    if (nothingExpected && !chain().empty())
+        return acceptChain();
     changed();
 }
 

@@ -2322,10 +2322,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Den Grund meldet es nicht. Versorgung und Eingänge prüfen, dann wieder einschalten.</translation>
     </message>
     <message>
-        <source>Module %1 &quot;%2&quot;</source>
-        <translation>Modul %1 „%2“</translation>
-    </message>
-    <message>
         <source>Amplifier off</source>
         <translation>Verstärker aus</translation>
     </message>

@@ -167,6 +167,10 @@ TEST_F(ServoPage, MovesInTurns) {
     auto* unit = find<QComboBox>("axisUnitBox");
     unit->setCurrentIndex(unit->findText(u"turns"_s));
     type("countsPerUnitField", u"2000"_s);
+    find<QAction>("chainDoctorAction")->trigger();
+    EXPECT_EQ(find<QLabel>("chainFinding")->text(), u"All is well: 3 modules."_s)
+        << "who names one axis means the chain that is there";
+    find<QWidget>("chainDialog")->close();
     type("goalField", u"0.5"_s);
     type("velocityField", u"4"_s);  // turns/s: 4.096 counts/tick
     type("accelerationField", u"40"_s);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QTabWidget>
 
+#include "widgets/chain/chainmodel.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -47,6 +49,9 @@ TEST_F(Axis, ItsNameStandsEverywhere) {
     QTest::keyClicks(name, u"Z axis"_s);
     EXPECT_EQ(text(u"moduleName"_s), u"Module 1 \"Z axis\""_s);
     EXPECT_EQ(machine.axes.front().name, "Z axis");
+    const QModelIndex row = find<QAbstractItemView>(u"chainList"_s)->model()->index(0, 0);
+    EXPECT_EQ(row.data(ChainModel::Title).toString(), u"Z axis"_s) << "its number stands on the wire";
+    EXPECT_TRUE(row.data(Qt::AccessibleTextRole).toString().startsWith(u"Module 1 \"Z axis\""_s));
     EXPECT_EQ(name->text(), u"Z axis"_s);
 }
 

@@ -81,10 +81,17 @@ void ChainDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 
     painter->setFont(bold);
     painter->setPen(text);
-    painter->drawText(body, Qt::AlignVCenter | Qt::AlignLeft, index.data(ChainModel::Name).toString());
+    // The name goes before the type where there is no room for both.
+    const QFontMetrics boldMetrics(bold);
+    const QString name =
+        boldMetrics.elidedText(index.data(ChainModel::Title).toString(), Qt::ElideRight, body.width());
+    painter->drawText(body, Qt::AlignVCenter | Qt::AlignLeft, name);
     painter->setFont(option.font);
     painter->setPen(muted);
-    painter->drawText(body, Qt::AlignVCenter | Qt::AlignRight, index.data(ChainModel::TypeText).toString());
+    const int room = body.width() - boldMetrics.horizontalAdvance(name) - unit;
+    painter->drawText(body, Qt::AlignVCenter | Qt::AlignRight,
+                      option.fontMetrics.elidedText(index.data(ChainModel::TypeText).toString(),
+                                                    Qt::ElideRight, qMax(0, room)));
 
     body.translate(0, line);
     const int side = qRound(option.fontMetrics.ascent() * 1.05);

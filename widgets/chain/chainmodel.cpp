@@ -15,6 +15,7 @@ ChainModel::Row ChainModel::rowOf(const ModuleState& module, const AxisSettings&
     Row row;
     row.address = module.info.address.value();
     row.name = texts::moduleName(module.info.index);
+    row.title = settings.name.empty() ? row.name : QString::fromStdString(settings.name);
     row.type = texts::moduleType(module.info.identity);
     if (module.repliesPerSecond > 0.0)
         row.rate = tr("%1/s").arg(texts::readout(std::round(module.repliesPerSecond)));
@@ -79,6 +80,8 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case Name:
             return row.name;
+        case Title:
+            return row.title;
         case IsHost:
             return false;
         case Address:

@@ -17,7 +17,8 @@ public:
     enum Role {
         IsHost = Qt::UserRole,
         Address,   ///< int
-        Name,      ///< "Module 1"
+        Name,      ///< "Module 1 "X axis""
+        Title,     ///< "X axis"; "Module 1" without a name: its number stands on the wire
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
         ActivityText,  ///< "Holding · 92/s", with the status replies per second
@@ -38,6 +39,7 @@ private:
     struct Row {
         int address = 0;
         QString name;
+        QString title;
         QString type;
         QString rate;
         Activity activity = Activity::Unknown;
