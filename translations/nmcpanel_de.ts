@@ -431,10 +431,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 Schritte/s</translation>
     </message>
     <message>
-        <source>%1 of 255, %2 %3</source>
-        <translation>%1 von 255, %2 %3</translation>
-    </message>
-    <message>
         <source>%1x: %2 to %3 steps/s</source>
         <translation>%1x: %2 bis %3 Schritte/s</translation>
     </message>
@@ -2500,6 +2496,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>counts/s²</source>
         <translation>Ink./s²</translation>
     </message>
+    <message>
+        <source>%1 (%2 of 255)</source>
+        <translation>%1 (%2 von 255)</translation>
+    </message>
 </context>
 <context>
     <name>nmc</name>
@@ -3112,14 +3112,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rohdaten</translation>
     </message>
     <message>
-        <source>on</source>
-        <translation>ein</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
         <source>status %1</source>
         <translation>Status %1</translation>
     </message>
@@ -3136,8 +3128,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Löscht overcurrent, pos_error, pos_wrap und servo_overrun. Startet nichts.</translation>
     </message>
     <message>
-        <source>%1 (%2 of 255)</source>
-        <translation>%1 (%2 von 255)</translation>
+        <source>Save as home</source>
+        <translation>Als Referenz speichern</translation>
+    </message>
+    <message>
+        <source>Save the present position as home</source>
+        <translation>Die jetzige Position als Referenz speichern</translation>
+    </message>
+    <message>
+        <source>Keeps the present position as home. The motor does not move.</source>
+        <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -3966,10 +3966,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>missing</source>
         <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of 255)</source>
-        <translation>%1 (%2 von 255)</translation>
     </message>
     <message>
         <source>Sets the amplifier&apos;s enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does.</source>
@@ -5337,6 +5333,17 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::StatusTable</name>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StepByBox</name>
     <message>
         <source>Step by a distance</source>
@@ -5584,14 +5591,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Raw</source>
         <translation>Rohdaten</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>ein</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
     </message>
     <message>
         <source>%1, stands for %2</source>

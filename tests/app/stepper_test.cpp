@@ -303,7 +303,7 @@ TEST_F(StepperPanel, SwitchesOutputsAndShowsInputsUnderTheirNames) {
     }
     EXPECT_EQ(text("stepLimit1InputEffect"), QStringLiteral("blocks forward"));
     (void)sim.control(QStringLiteral("set 2 analog 51"));
-    EXPECT_TRUE(waitFor([&] { return text("stepIoAnalog") == QStringLiteral("51 of 255, 1 V"); }));
+    EXPECT_TRUE(waitFor([&] { return text("stepIoAnalog") == QStringLiteral("1 V (51 of 255)"); }));
 }
 
 TEST_F(StepperPanel, ALimitStopsItAndLeavesTheWayBackOpen) {

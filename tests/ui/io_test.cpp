@@ -134,5 +134,12 @@ TEST_F(IoPage, AVersionWithoutADataSheetIsOnlyLookedAt) {
     }
 }
 
+TEST_F(IoPage, TheDetailsKeepThePresentPositionAsHome) {
+    showServo();
+    showPage(u"Details"_s);
+    click(u"saveHomeButton"_s);
+    only<intent::SaveAsHome>();
+}
+
 }  // namespace
 }  // namespace nmc

@@ -146,12 +146,12 @@ TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
 TEST_F(StepPanelTest, ReadsTheTemperatureInTheUsersScale) {
     echoSettings();
     show(Stepper::holding());
-    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"200 of 255, 3.92 V"_s);
+    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"3.92 V (200 of 255)"_s);
     machine.axes.resize(1);
     machine.axes[0].analog = {0.5, -10.0, "°C"};
     window->showMachine(machine);
-    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"200 of 255, 90 °C"_s);
-    EXPECT_EQ(text(u"stepIoAnalog"_s), u"200 of 255, 90 °C"_s);
+    EXPECT_EQ(text(u"stepAnalogLabel"_s), u"90 °C (200 of 255)"_s);
+    EXPECT_EQ(text(u"stepIoAnalog"_s), u"90 °C (200 of 255)"_s);
 }
 
 TEST_F(StepPanelTest, SaysWhatBlocksADirection) {

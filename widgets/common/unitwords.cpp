@@ -99,4 +99,8 @@ QString analog(const AnalogScale& scale, int value) {
     return readout(scale.atZero + scale.perCount * value, 3) + u' ' + QString::fromStdString(scale.unit);
 }
 
+QString analogReading(const AnalogScale& scale, int value) {
+    return Units::tr("%1 (%2 of 255)").arg(analog(scale, value)).arg(value);
+}
+
 }  // namespace nmc::texts

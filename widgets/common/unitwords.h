@@ -28,5 +28,7 @@ namespace nmc::texts {
 
 /// "1.98 V": what an A/D value stands for.
 [[nodiscard]] QString analog(const AnalogScale& scale, int value);
+/// The same with the number itself: "1.98 V (101 of 255)".
+[[nodiscard]] QString analogReading(const AnalogScale& scale, int value);
 
 }  // namespace nmc::texts

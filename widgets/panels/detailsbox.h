@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-#include <array>
-#include <optional>
-
 #include "widgets/panels/panelview.h"
-
-class QGridLayout;
-class QLabel;
-class QPushButton;
+#include "widgets/panels/statustable.h"
 
 namespace nmc {
 
-class GlyphLabel;
-
-/// Every status bit by its data sheet name, the other status items, and the raw bytes.
-class DetailsBox : public QWidget {
+/// Every status bit of a PIC-SERVO by its data sheet name, the other status items, and the raw bytes.
+class DetailsBox : public StatusTable {
     Q_OBJECT
 
 public:
@@ -30,23 +21,17 @@ signals:
     void intentRequested(const nmc::Intent& intent);
 
 private:
-    struct Bit {
-        GlyphLabel* glyph = nullptr;
-        QLabel* value = nullptr;
-    };
-    void addBits(QGridLayout* grid, int column, const QString& title, bool aux);
-    QLabel* addValue(QGridLayout* grid, int line, const QString& label, const QString& objectName);
+    void showValues(const PanelView& view);
     void refresh();
-    static void showBit(const Bit& bit, std::optional<bool> set);
 
-    std::array<Bit, 8> m_status;
-    std::array<Bit, 8> m_aux;
-    QLabel* m_analog = nullptr;
-    QLabel* m_velocity = nullptr;
-    QLabel* m_home = nullptr;
-    QLabel* m_raw = nullptr;
+    QLabel* m_analog;
+    QLabel* m_velocity;
+    QLabel* m_home;
+    QLabel* m_raw;
     QPushButton* m_clear;
-    QString m_clearReason;
+    QPushButton* m_saveHome;
+    std::optional<Refusal> m_whyNotClear = Refusal::NotConnected;
+    std::optional<Refusal> m_whyNotHome = Refusal::NotConnected;
     bool m_busy = false;
 };
 

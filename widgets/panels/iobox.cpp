@@ -165,10 +165,7 @@ void IoBox::refresh() {
     show(m_index, index, tr("at the index"), tr("not at the index"));
     show(m_power, status([](auto s) { return s.powerOn(); }), tr("present"), tr("missing"));
     const bool analog = known && m_module->latest->analog;
-    look::setText(m_analog, analog ? tr("%1 (%2 of 255)")
-                                         .arg(texts::analog(m_scale, *m_module->latest->analog))
-                                         .arg(*m_module->latest->analog)
-                                   : u"–"_s);
+    look::setText(m_analog, analog ? texts::analogReading(m_scale, *m_module->latest->analog) : u"–"_s);
     const QSignalBlocker blocker(m_amplifier);
     m_amplifier->setChecked(m_module && m_module->amplifierEnabled);
     look::setPossible(m_amplifier, reasonFor(Request::SetAmplifier),

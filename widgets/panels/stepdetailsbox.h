@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-#include <array>
-
 #include "widgets/panels/panelview.h"
-
-class QGridLayout;
-class QLabel;
-class QPushButton;
+#include "widgets/panels/statustable.h"
 
 namespace nmc {
 
-class GlyphLabel;
-
 /// Every bit that a PIC-STEP tells by its data sheet name, the other status items, and the raw bytes.
-class StepDetailsBox : public QWidget {
+class StepDetailsBox : public StatusTable {
     Q_OBJECT
 
 public:
@@ -28,18 +20,9 @@ signals:
     void intentRequested(const nmc::Intent& intent);
 
 private:
-    struct Bit {
-        GlyphLabel* glyph = nullptr;
-        QLabel* value = nullptr;
-    };
-    void addBits(QGridLayout* grid, int column, const QString& title, bool inputs);
-    QLabel* addValue(QGridLayout* grid, int line, const QString& label, const QString& objectName);
-    static void showBit(const Bit& bit, std::optional<bool> set);
     void showValues(const PanelView& view);
     void refresh();
 
-    std::array<Bit, 8> m_status;
-    std::array<Bit, 8> m_inputs;
     QLabel* m_mode = nullptr;
     QLabel* m_timer = nullptr;
     QLabel* m_analog = nullptr;

@@ -11,6 +11,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/stepwords.h"
 

@@ -23,12 +23,6 @@ QString stepsPerSecond(double speed, const AxisScale& scale) {
     return u"%1 (%2 %3)"_s.arg(native, readout(scale.velocity(speed)), velocityUnitOf(scale));
 }
 
-QString analogReading(const AnalogScale& scale, int value) {
-    return StepWords::tr("%1 of 255, %2 %3")
-        .arg(QString::number(value), readout(scale.atZero + scale.perCount * value, 3),
-             QString::fromStdString(scale.unit));
-}
-
 QString speedMode(step::SpeedMode mode) {
     const StepSpeed speeds(mode);
     return StepWords::tr("%1x: %2 to %3 steps/s")

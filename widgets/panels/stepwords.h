@@ -21,8 +21,6 @@ namespace nmc::texts {
 [[nodiscard]] QString ramp(const StepSpeed& mode, int accelerationTime, const AxisScale& scale);
 /// "Takes 2.35 s, fastest 1 200 steps/s."
 [[nodiscard]] QString forecast(const StepForecast& forecast, const AxisScale& scale);
-/// "51 of 255, 1 V"
-[[nodiscard]] QString analogReading(const AnalogScale& scale, int value);
 /// "1 200 steps/s", and the user's unit behind it where that is another.
 [[nodiscard]] QString stepsPerSecond(double speed, const AxisScale& scale);
 

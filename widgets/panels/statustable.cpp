@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/statustable.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kColumnsOfByte = 3;
+constexpr int kColumns = 2 * kColumnsOfByte;
+constexpr int kFirstValue = 10;
+}  // namespace
+
+StatusTable::StatusTable(QWidget* parent)
+    : QWidget(parent), m_grid(new QGridLayout(this)), m_line(kFirstValue) {
+    const int unit = look::gridUnit(this);
+    m_grid->setContentsMargins(unit, unit, unit, unit);
+    m_grid->setHorizontalSpacing(unit);
+    m_grid->setVerticalSpacing(unit / 3);
+    m_grid->setRowMinimumHeight(kFirstValue - 1, unit);
+    m_grid->setColumnStretch(kColumnsOfByte - 1, 1);
+    m_grid->setColumnStretch(kColumns - 1, 1);
+}
+
+void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
+                          const QString& prefix) {
+    const int column = byte == Byte::First ? 0 : kColumnsOfByte;
+    auto* heading = new QLabel(title, this);
+    QFont bold = font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    m_grid->addWidget(heading, 0, column, 1, kColumnsOfByte);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i].empty())
+            continue;
+        const QString name = QString::fromLatin1(names[i].data(), static_cast<qsizetype>(names[i].size()));
+        Bit& bit = m_bits[static_cast<std::size_t>(byte)][i];
+        bit.glyph = new GlyphLabel(this);
+        bit.glyph->showBit(std::nullopt);
+        auto* label = new QLabel(name, this);
+        bit.value = look::newMutedLabel(u"–"_s, this);
+        bit.value->setObjectName(prefix + QString(name).replace(u' ', u'_'));
+        for (QWidget* widget : {static_cast<QWidget*>(bit.glyph), static_cast<QWidget*>(label),
+                                static_cast<QWidget*>(bit.value)})
+            widget->setToolTip(meaning(i));
+        const int line = static_cast<int>(i) + 1;
+        m_grid->addWidget(bit.glyph, line, column, Qt::AlignCenter);
+        m_grid->addWidget(label, line, column + 1);
+        m_grid->addWidget(bit.value, line, column + 2);
+    }
+}
+
+QLabel* StatusTable::addValue(const QString& label, const QString& objectName) {
+    m_grid->addWidget(new QLabel(label, this), m_line, 0, 1, kColumnsOfByte);
+    auto* value = new QLabel(u"–"_s, this);
+    value->setObjectName(objectName);
+    value->setFont(look::tabular(font()));
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_grid->addWidget(value, m_line++, kColumnsOfByte, 1, kColumnsOfByte);
+    return value;
+}
+
+void StatusTable::addButtons(std::initializer_list<QPushButton*> buttons) {
+    const int unit = look::gridUnit(this);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(unit);
+    for (QPushButton* button : buttons)
+        row->addWidget(button);
+    row->addStretch(1);
+    m_grid->setRowMinimumHeight(m_line++, unit);
+    m_grid->addLayout(row, m_line++, 0, 1, kColumns);
+    m_grid->setRowStretch(m_line, 1);
+}
+
+void StatusTable::showBits(Byte byte, std::optional<std::uint8_t> value) {
+    const auto& bits = m_bits[static_cast<std::size_t>(byte)];
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        if (bits[i].glyph == nullptr)
+            continue;
+        const auto set = value ? std::optional((unsigned{*value} >> i & 1U) != 0) : std::nullopt;
+        bits[i].glyph->showBit(set);
+        look::setText(bits[i].value, !set ? u"–"_s : *set ? tr("on") : tr("off"));
+    }
+}
+
+}  // namespace nmc
