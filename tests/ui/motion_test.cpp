@@ -204,5 +204,12 @@ TEST_F(Motion, StatusBitsHaveTheirDataSheetNames) {
     EXPECT_TRUE(std::holds_alternative<intent::ClearStickyBits>(sent()));
 }
 
+TEST_F(Motion, AStopByItsMnemonicDoesNotWaitForTheButtonToBeSeenPressed) {
+    showServo({.moveDone = false});
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::AltModifier);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::StopSmoothly>(sent()));
+}
+
 }  // namespace
 }  // namespace nmc
