@@ -15,6 +15,7 @@
 #include <QTest>
 
 #include "app/composition.h"
+#include "app/procedurecontroller.h"
 #include "tests/support/nmcsimprocess.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
@@ -120,6 +121,10 @@ protected:
     }
 
     NmcsimProcess sim{QStringLiteral("servo,step")};
+    /// A stop, wait, go is under way.
+    [[nodiscard]] bool changing() const {
+        return m_composition.findChild<ProcedureController*>()->anyRunning();
+    }
 
 private:
     QTemporaryDir m_directory;
@@ -221,6 +226,8 @@ TEST_F(StepperPanel, ReversesAndMovesOutOfARunByStopWaitGo) {
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
     click("stepRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() == -2'000; }));
+    // The panel learns of it a status later; until then another change is refused.
+    ASSERT_TRUE(waitFor([&] { return !changing(); }));
     choose("stepModeTrapezoidal");
     type("stepGoalField", QStringLiteral("100"));
     click("stepGoButton");
