@@ -19,7 +19,7 @@ void Composition::told(const bus::ChainFound& found) {
     const int modules = static_cast<int>(found.modules.size());
     const QString key = chainLengthKey();
     // The machine's own word goes before what was seen at this port.
-    const auto told = static_cast<int>(diagnose(m_machine.machine(), m_store.link()).expected);
+    const auto told = static_cast<int>(expectedModules(m_machine.machine()));
     const int expected = told > 0 ? told : m_settings.value(key, modules).toInt();
     if (modules < expected) {
         const std::string last =

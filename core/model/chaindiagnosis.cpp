@@ -34,14 +34,6 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
     return place;
 }
 
-unsigned expectedIn(const Machine& machine) {
-    unsigned last = 0;
-    for (std::size_t i = 0; i < machine.axes.size(); ++i)
-        if (machine.axes[i].expected)
-            last = static_cast<unsigned>(i) + 1;
-    return last;
-}
-
 std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, Verdict verdict) {
     const auto place = std::find_if(places.begin(), places.end(),
                                     [verdict](const ChainPlace& p) { return p.verdict == verdict; });
@@ -88,9 +80,17 @@ void conclude(ChainDiagnosis& chain) {
 
 }  // namespace
 
+unsigned expectedModules(const Machine& machine) {
+    unsigned last = 0;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i)
+        if (machine.axes[i].expected)
+            last = static_cast<unsigned>(i) + 1;
+    return last;
+}
+
 ChainDiagnosis diagnose(const Machine& machine, const LinkState& link) {
     ChainDiagnosis chain;
-    chain.expected = expectedIn(machine);
+    chain.expected = expectedModules(machine);
     chain.found = static_cast<unsigned>(link.modules.size());
     for (std::size_t i = 0; i < std::max(chain.expected, chain.found); ++i)
         chain.places.push_back(placeOf(i, machine, link));

@@ -54,6 +54,8 @@ struct ChainDiagnosis {
     bool operator==(const ChainDiagnosis&) const = default;
 };
 
+/// How long the chain is that the machine expects; 0: it expects nothing.
+[[nodiscard]] unsigned expectedModules(const Machine& machine);
 /// Pure.
 [[nodiscard]] ChainDiagnosis diagnose(const Machine& machine, const LinkState& link);
 

@@ -101,8 +101,9 @@ struct Machine {
     std::vector<GroupSettings> groups;
 
     /// The settings of a module that may not have any yet.
-    [[nodiscard]] AxisSettings axis(ModuleIndex module) const {
-        return module.value() < axes.size() ? axes[module.value()] : AxisSettings{};
+    [[nodiscard]] const AxisSettings& axis(ModuleIndex module) const {
+        static const AxisSettings none;
+        return module.value() < axes.size() ? axes[module.value()] : none;
     }
     bool operator==(const Machine&) const = default;
 };

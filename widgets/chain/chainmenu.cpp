@@ -10,8 +10,10 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainMenu::ChainMenu(QWidget* window)
+ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, QWidget* window)
     : QObject(window),
+      m_machine(machine),
+      m_link(link),
       m_window(window),
       m_doctor(newAction(u"chainDoctorAction"_s, tr("Chain &doctor…"), Qt::Key_F6,
                          tr("What is expected, what is there, and where the chain probably breaks."))),
@@ -29,7 +31,7 @@ ChainMenu::ChainMenu(QWidget* window)
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
     connect(m_scan, &QAction::triggered, this, &ChainMenu::scanRequested);
     connect(m_restart, &QAction::triggered, this, &ChainMenu::restartRequested);
-    showChain({}, {});
+    refresh();
 }
 
 QAction* ChainMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
@@ -47,13 +49,11 @@ void ChainMenu::addTo(QMenu& menu) {
     menu.addActions({m_scan, m_restart});
 }
 
-void ChainMenu::showChain(const Machine& machine, const LinkState& link) {
-    m_machine = machine;
-    m_link = link;
-    m_scan->setEnabled(link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost);
-    m_restart->setEnabled(link.phase != LinkPhase::Disconnected);
+void ChainMenu::refresh() {
+    m_scan->setEnabled(m_link.phase == LinkPhase::Connected || m_link.phase == LinkPhase::Lost);
+    m_restart->setEnabled(m_link.phase != LinkPhase::Disconnected);
     if (m_dialog != nullptr && m_dialog->isVisible())
-        m_dialog->showChain(machine, link);
+        m_dialog->showChain(m_machine, m_link);
 }
 
 void ChainMenu::openDoctor() {

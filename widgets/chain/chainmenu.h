@@ -20,11 +20,12 @@ class ChainMenu : public QObject {
     Q_OBJECT
 
 public:
-    explicit ChainMenu(QWidget* window);
+    /// `machine` and `link` are the window's own, and outlive this.
+    ChainMenu(const Machine& machine, const LinkState& link, QWidget* window);
 
     void addTo(QMenu& menu);
-    /// Emits nothing.
-    void showChain(const Machine& machine, const LinkState& link);
+    /// They have changed. Emits nothing.
+    void refresh();
     void openDoctor();
 
 signals:
@@ -43,6 +44,8 @@ private:
                        const QString& tip);
     void open(int page);
 
+    const Machine& m_machine;
+    const LinkState& m_link;
     QWidget* m_window;
     ChainDialog* m_dialog = nullptr;  ///< from its first opening on
     QAction* m_doctor;
@@ -50,8 +53,6 @@ private:
     QAction* m_rate;
     QAction* m_scan;
     QAction* m_restart;
-    Machine m_machine;
-    LinkState m_link;
 };
 
 }  // namespace nmc

@@ -43,7 +43,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
       m_machineMenu(new MachineMenu(this)),
-      m_chainMenu(new ChainMenu(this)) {
+      m_chainMenu(new ChainMenu(m_machine, m_link, this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
@@ -164,7 +164,7 @@ void MainWindow::showLink(const LinkState& state) {
     m_chain->showLink(state, m_machine);
     m_simulator->showLink(state);
     m_monitor->showLink(state);
-    m_chainMenu->showChain(m_machine, state);
+    m_chainMenu->refresh();
     showSelected();
 }
 
