@@ -6214,14 +6214,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save and close</source>
-        <translation>Speichern und schließen</translation>
-    </message>
-    <message>
-        <source>Save them</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>&amp;Close: the next start offers them again</source>
         <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
     </message>
@@ -6232,10 +6224,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>S&amp;tay</source>
         <translation>&amp;Bleiben</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,9 @@
 
 #include <QDialog>
 
+class QHBoxLayout;
+class QPushButton;
+
 namespace nmc {
 
 /// A question before something that cannot be undone, with one button that does it and says so, and one that
@@ -19,8 +22,16 @@ public:
         QString goName;  ///< object name of that button
         QString stay;
         QString stayName;
+        QString textName = QStringLiteral("closeText");  ///< object name of the text
     };
     AskDialog(const Question& question, QWidget* parent);
+
+protected:
+    /// Another way to go on, before the button that leaves all as it is. It accepts, too.
+    QPushButton* addChoice(const QString& text, const QString& objectName);
+
+private:
+    QHBoxLayout* m_buttons;
 };
 
 }  // namespace nmc

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
+#include "widgets/common/askdialog.h"
 
 namespace nmc {
 
 /// "The changes to "mill" are not saved." Save first, go on without, or stay. Esc stays, and stops the
 /// motors.
-class UnsavedDialog : public QDialog {
+class UnsavedDialog : public AskDialog {
     Q_OBJECT
 
 public:

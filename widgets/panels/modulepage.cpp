@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/modulepage.h"
 
+#include <QHBoxLayout>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+
 namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
+    pages->setDocumentMode(true);
+    pages->tabBar()->setAccessibleName(pages->accessibleName());
+    pages->tabBar()->setObjectName(pages->objectName() + u"Bar"_s);
+    const int unit = look::gridUnit(this);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(unit * 3 / 2);
+    columns->addLayout(motions, 5);
+    columns->addWidget(pages, 4);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, unit / 2, unit, unit);
+    layout->setSpacing(unit / 2);
+    layout->addWidget(head);
+    layout->addLayout(columns, 1);
+}
 
 void ModulePage::pass(const Intent& intent) {
     if (!isStop(intent) && !std::holds_alternative<intent::CancelProcedure>(intent)) {

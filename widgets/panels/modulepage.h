@@ -6,6 +6,9 @@
 
 #include "widgets/panels/panelview.h"
 
+class QLayout;
+class QTabWidget;
+
 namespace nmc {
 
 /// What the panels of both chips have in common: clicks become intents of the module that is shown, one at a
@@ -31,6 +34,8 @@ signals:
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 protected:
+    /// The head above; motions in sight at the left, the pages beside them.
+    void layOut(QWidget* head, QLayout* motions, QTabWidget* pages);
     void pass(const Intent& intent);
     void passSettings(const AxisSettings& settings);
     virtual void showBoxes(const PanelView& view) = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/servopanel.h"
 
-#include <QHBoxLayout>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -37,32 +35,20 @@ ServoPanel::ServoPanel(QWidget* parent)
       m_details(new DetailsBox(this)) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
     look::name(m_pages, u"servoPages"_s, tr("Pages of the module"));
-    m_pages->setDocumentMode(true);
     m_pages->addTab(m_gains, tr("Gains"));
     m_pages->addTab(m_io, tr("Limits && I/O"));
     m_pages->addTab(m_homing, tr("Homing"));
     m_pages->addTab(m_pwm, tr("PWM"));
     m_pages->addTab(m_axis, tr("Axis"));
     m_pages->addTab(m_details, tr("Details"));
-    m_pages->tabBar()->setAccessibleName(tr("Pages of the module"));
-    m_pages->tabBar()->setObjectName(u"servoPagesBar"_s);
 
-    const int unit = look::gridUnit(this);
     auto* left = new QVBoxLayout;
-    left->setSpacing(unit / 2);
+    left->setSpacing(look::gridUnit(this) / 2);
     left->addWidget(m_motion);
     left->addWidget(m_jog);
     left->addWidget(m_step);
     left->addStretch(1);
-    auto* columns = new QHBoxLayout;
-    columns->setSpacing(unit * 3 / 2);
-    columns->addLayout(left, 5);
-    columns->addWidget(m_pages, 4);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit / 2, unit, unit);
-    layout->setSpacing(unit / 2);
-    layout->addWidget(m_head);
-    layout->addLayout(columns, 1);
+    layOut(m_head, left, m_pages);
     connectBoxes();
 }
 

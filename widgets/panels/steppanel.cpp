@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/steppanel.h"
 
-#include <QHBoxLayout>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -31,25 +29,15 @@ StepPanel::StepPanel(QWidget* parent)
       m_details(new StepDetailsBox(this)) {
     look::name(this, u"stepPanel"_s, tr("Stepper module"));
     look::name(m_pages, u"stepPages"_s, tr("Pages of the module"));
-    m_pages->setDocumentMode(true);
     m_pages->addTab(m_parameters, tr("Parameters"));
     m_pages->addTab(m_io, tr("I/O"));
     m_pages->addTab(m_homing, tr("Homing"));
     m_pages->addTab(m_axis, tr("Axis"));
     m_pages->addTab(m_details, tr("Details"));
-    m_pages->tabBar()->setAccessibleName(tr("Pages of the module"));
-    m_pages->tabBar()->setObjectName(u"stepPagesBar"_s);
 
-    const int unit = look::gridUnit(this);
-    auto* columns = new QHBoxLayout;
-    columns->setSpacing(unit * 3 / 2);
-    columns->addWidget(m_motion, 5);
-    columns->addWidget(m_pages, 4);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit / 2, unit, unit);
-    layout->setSpacing(unit / 2);
-    layout->addWidget(m_head);
-    layout->addLayout(columns, 1);
+    auto* motion = new QVBoxLayout;
+    motion->addWidget(m_motion);
+    layOut(m_head, motion, m_pages);
 
     connect(m_head, &PanelHead::intentRequested, this, &StepPanel::pass);
     connect(m_motion, &StepMotionBox::intentRequested, this, &StepPanel::pass);
