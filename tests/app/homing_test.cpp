@@ -201,7 +201,7 @@ TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     EXPECT_TRUE(panel.waitFor([&] {
         return !panel.module().latest->servoStatus().homeInProgress() && !testing_support::moves(sim);
     }));
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_EQ(sim.state(1)[u"servo_on"_s].toBool(), on);
     EXPECT_LT(sim.state(1)[u"position"_s].toInt(), -50) << "it had moved, and nothing made it zero";
@@ -262,7 +262,7 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     emit panel.window().stopAllRequested();
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
-    QTest::qWait(500);
+    ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_FALSE(testing_support::moves(sim)) << "nothing starts again";
     EXPECT_TRUE(sim.violations().isEmpty());
 }
@@ -283,7 +283,7 @@ TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
     ASSERT_TRUE(panel.waitFor([&] { return frozen; }));
     const int there = sim.state(1)[u"position"_s].toInt();
     EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), there, 4);
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_TRUE(sim.violations().isEmpty());

@@ -123,10 +123,10 @@ TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
                                  QStringLiteral("Module 1: Name"), QStringLiteral("Module 1: Gains"),
                                  QStringLiteral("Module 1: Limit pins"), QStringLiteral("Module 2: Name"),
                                  QStringLiteral("Module 2: Gains")}));
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(told(sim), before);
     click(panel, "cancelDifferencesButton");
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(told(sim), before);
     EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - ") + sim.terminal());
     EXPECT_FALSE(panel.module().gains.has_value());
@@ -142,7 +142,7 @@ TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
     tickOnly(panel, {QStringLiteral("Module 1: Name"), QStringLiteral("Module 2: Gains")});
     click(panel, "applyDifferencesButton");
     ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(told(sim).substr(0, before.find('}')), before.substr(0, before.find('}')));
     EXPECT_EQ(told(sim).size(), before.size() + std::string(",\"set_gain\":1").size()) << told(sim);
     EXPECT_EQ(sim.state(2)[QStringLiteral("gains")].toObject()[QStringLiteral("kp")].toInt(), 111);
@@ -194,7 +194,7 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
                     ->isEnabled();
     }));
     emit menu(panel).applyRequested({{ModuleIndex(0), MachinePart::Io}});
-    QTest::qWait(300);
+    ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(executed(sim, 1, "io_control"), 0);
     ASSERT_NE(table(panel), nullptr);
     EXPECT_TRUE(moves(sim));
@@ -393,7 +393,7 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     ASSERT_NE(table(panel), nullptr);
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
-    QTest::qWait(200);
+    ASSERT_TRUE(panel.answersFor(0.2));
     EXPECT_EQ(told(sim), before);
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
 }

@@ -45,6 +45,11 @@ public:
     bool waitFor(Predicate predicate) {
         return QTest::qWaitFor(predicate, 20'000);
     }
+    /// The first module has answered for so much longer: what was on its way to it has come.
+    bool answersFor(double seconds) {
+        const TimePoint until = module().latestTime + fromSeconds(seconds);
+        return waitFor([&] { return module().latestTime >= until; });
+    }
     void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
 
     /// Headlines of the message list, newest first.

@@ -116,6 +116,11 @@ protected:
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     }
     void choose(const char* mode) { click(mode); }
+    /// The stepper has answered for so much longer: what was on its way to it has come.
+    bool answersFor(double seconds) {
+        const TimePoint until = module().latestTime + fromSeconds(seconds);
+        return waitFor([&] { return module().latestTime >= until; });
+    }
     bool standsAt(int goal) {
         return waitFor([&] { return !module().moving() && *module().latest->position == goal; });
     }
@@ -240,7 +245,7 @@ TEST_F(StepperPanel, ReversesAndMovesOutOfARunByStopWaitGo) {
     click("stepRunReverseButton");
     QTest::keyClick(&find("stepSpeedField"), Qt::Key_Escape);
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
-    QTest::qWait(500);
+    ASSERT_TRUE(answersFor(0.5));
     EXPECT_EQ(rate(), 0);
 }
 
@@ -252,7 +257,7 @@ TEST_F(StepperPanel, LoadsNowAndStartsLater) {
     click("stepLoadOnlyBox");
     click("stepGoButton");
     ASSERT_TRUE(waitFor([&] { return module().loadWaiting; }));
-    QTest::qWait(200);
+    ASSERT_TRUE(answersFor(0.2));
     EXPECT_EQ(position(), 0);
     click("stepStartLoadedButton");
     ASSERT_TRUE(standsAt(400));
