@@ -17,7 +17,7 @@ namespace nmc {
 
 namespace {
 
-constexpr int kFrameIntervalMs = 33;
+constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
 
 bool isSimulator(const QString& port) {
@@ -130,6 +130,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
+    connect(&m_window, &MainWindow::scopeFrameWanted, this, &Composition::showFrameSoon);
     connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_window, &MainWindow::messageAction, this, &Composition::act);
     connect(&m_window, &MainWindow::closeConfirmed, this, &Composition::stopAndQuit);
@@ -268,14 +269,18 @@ void Composition::clearTrip(const QString& key) {
 void Composition::showFrame() {
     m_window.showPackets(m_worker.takeRecords());
     const auto selected = m_window.selectedModule();
-    if (!selected)
-        return;
-    if (selected != m_watched) {
+    if (selected && selected != m_watched) {
         m_watched = selected;
         m_worker.watch({*selected});
     }
-    if (const ModuleHistory* history = m_store.history(*selected))
-        m_window.showHistory(*history, monotonicNow());
+    // When nothing more comes in, time stands where it ended.
+    const History& history = m_store.history();
+    m_window.showHistory(history, m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{}));
+}
+
+void Composition::showFrameSoon() {
+    if (!m_frameTimer.isActive())
+        QTimer::singleShot(0, this, &Composition::showFrame);
 }
 
 void Composition::checkSettings() {

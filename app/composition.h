@@ -70,6 +70,7 @@ private:
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
     void showFrame();
+    void showFrameSoon();
 
     void tell(const StoreEvent& event);
     void told(const bus::ChainFound& found);

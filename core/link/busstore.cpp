@@ -37,10 +37,6 @@ const ModuleState* BusStore::module(ModuleIndex index) const {
     return known(index) ? &m_link.modules[index.value()] : nullptr;
 }
 
-const ModuleHistory* BusStore::history(ModuleIndex index) const {
-    return index.value() < m_records.size() ? &m_records[index.value()].history : nullptr;
-}
-
 int BusStore::movingMotors() const {
     return static_cast<int>(std::count_if(m_link.modules.begin(), m_link.modules.end(),
                                           [](const ModuleState& module) { return module.moving(); }));
@@ -108,7 +104,7 @@ void BusStore::take(const bus::Event& event) {
     } else if (const auto* executed = std::get_if<bus::CommandExecuted>(&event)) {
         if (known(executed->module)) {
             m_link.modules[executed->module.value()].apply(*executed);
-            m_records[executed->module.value()].command.apply(*executed);
+            m_records[executed->module.value()].feed.apply(*executed);
         }
     } else if (const auto* progress = std::get_if<bus::ConnectProgress>(&event)) {
         m_link.phase = LinkPhase::Connecting;
@@ -126,6 +122,9 @@ void BusStore::take(const bus::Event& event) {
         m_link.phase = LinkPhase::Lost;
         emit happened(*lost);
     } else if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
+        // It may have been carried out or not.
+        if (finished->outcome == bus::Outcome::NoAnswer && known(finished->module))
+            m_records[finished->module.value()].feed.doubt();
         emit happened(*finished);
     } else if (const auto* stopped = std::get_if<bus::StopFinished>(&event)) {
         emit happened(*stopped);
@@ -140,8 +139,10 @@ void BusStore::take(const bus::Event& event) {
     } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
         if (restarted->quiet)
             m_link.phase = LinkPhase::Lost;
-        if (known(restarted->module))
+        if (known(restarted->module)) {
             m_link.modules[restarted->module.value()].restarted();
+            m_records[restarted->module.value()].feed.doubt();
+        }
         emit happened(*restarted);
     } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
         emit happened(*suspect);
@@ -166,21 +167,10 @@ void BusStore::take(const bus::Sample& sample) {
     ++record.samples;
     const bool wasOff = module.switchedItselfOff;
     module.apply(sample);
-    record.command.apply(sample);
+    if (const auto kept = record.feed.take(sample))
+        m_history.append(sample.module, *kept);
     if (module.switchedItselfOff && !wasOff)
         emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
-
-    if (!sample.report.position)
-        return;
-    const double position = *sample.report.position;
-    record.history.position.append(sample.time, position);
-    if (const auto command = record.command.at(sample.time)) {
-        record.history.command.append(sample.time, *command);
-        record.history.error.append(sample.time, *command - position);
-    } else {
-        record.history.command.breakHere();
-        record.history.error.breakHere();
-    }
 }
 
 void BusStore::found(const bus::ChainFound& chain) {
@@ -195,15 +185,29 @@ void BusStore::found(const bus::ChainFound& chain) {
         m_link.modules.push_back(module);
     }
     m_records.resize(chain.modules.size());
+    beginHistory(chain);
+}
+
+/// The same chain at the same port goes on with its history, behind a gap: what led to the trouble is still
+/// there to be looked at.
+void BusStore::beginHistory(const bus::ChainFound& chain) {
+    std::vector<ModuleIdentity> identities;
+    for (const bus::ModuleInfo& info : chain.modules)
+        identities.push_back(info.identity);
+    if (m_historyPort == m_link.port && m_historyOf == identities)
+        return;
+    m_history = History(identities.size());
+    m_historyPort = m_link.port;
+    m_historyOf = std::move(identities);
 }
 
 void BusStore::silence(const bus::ModuleSilence& silence) {
     if (known(silence.module)) {
         m_link.modules[silence.module.value()].silent = silence.silent;
         Record& record = m_records[silence.module.value()];
-        record.history.position.breakHere();
+        record.feed.breakHere();
         if (silence.silent)
-            record.command.forget();
+            record.feed.doubt();
         else if (m_link.phase == LinkPhase::Lost)
             m_link.phase = LinkPhase::Connected;
     }

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "link/busworker.h"
-#include "model/commandposition.h"
+#include "model/history.h"
 #include "model/linkstate.h"
-#include "model/series.h"
+#include "model/scopefeed.h"
 
 namespace nmc {
 
@@ -41,7 +41,8 @@ public:
 
     [[nodiscard]] const LinkState& link() const { return m_link; }
     [[nodiscard]] const ModuleState* module(ModuleIndex index) const;
-    [[nodiscard]] const ModuleHistory* history(ModuleIndex index) const;
+    /// What the modules of this connection said, or of the last one: it stays until another chain is found.
+    [[nodiscard]] const History& history() const { return m_history; }
     [[nodiscard]] int movingMotors() const;
 
     /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
@@ -57,8 +58,7 @@ signals:
 
 private:
     struct Record {
-        CommandPosition command;
-        ModuleHistory history;
+        ScopeFeed feed;
         std::uint64_t samples = 0;
         std::uint64_t samplesPulled = 0;  ///< when the figures were pulled last
     };
@@ -71,12 +71,17 @@ private:
     void closed(const PortClosed& closed);
     void pullRates(double seconds);
     void forgetChain();
+    void beginHistory(const bus::ChainFound& chain);
     [[nodiscard]] bool known(ModuleIndex index) const { return index.value() < m_link.modules.size(); }
 
     BusWorker& m_worker;
     QTimer m_drainTimer;
     LinkState m_link;
     std::vector<Record> m_records;
+    History m_history;
+    /// Whose history it is.
+    std::string m_historyPort;
+    std::vector<ModuleIdentity> m_historyOf;
     bus::LinkStatistics m_lastStatistics;
     TimePoint m_lastPull;
 };

@@ -71,7 +71,7 @@ public:
         return *m_composition.store().module(ModuleIndex(index));
     }
     [[nodiscard]] const ModuleHistory& history(std::uint8_t index) const {
-        return *m_composition.store().history(ModuleIndex(index));
+        return *m_composition.store().history().module(ModuleIndex(index));
     }
     [[nodiscard]] bool found(std::size_t count) const {
         return m_composition.store().link().phase == LinkPhase::Connected && modules() == count;
@@ -114,26 +114,20 @@ public:
     }
     /// The trace rises from 0 to the goal, and the calculated error settles with the motor.
     void expectHonestTraces() {
-        const ModuleHistory& h = history(1);
         double highest = 0;
-        const TimePoint end = h.position.last()->time;
-        // Columns of 0.1 ms: every point is there, not only the extremes of some seconds.
-        const TimePoint begin = end - std::chrono::seconds(100);
-        const auto everyPoint = [&](const Series& series) { return series.window(begin, end, 1'000'000); };
-        for (const auto& segment : everyPoint(h.position))
-            for (const SeriesPoint& point : segment)
-                highest = std::max(highest, point.value);
-        EXPECT_NEAR(highest, 20'000, 50);
-        ASSERT_FALSE(h.error.empty());
         int all = 0;
         int small = 0;
         double worst = 0;
-        for (const auto& segment : everyPoint(h.error))
-            for (const SeriesPoint& point : segment) {
-                ++all;
-                small += std::abs(point.value) < 60 ? 1 : 0;
-                worst = std::max(worst, std::abs(point.value));
-            }
+        for (const ScopeSample& sample : history(1).samples(TimePoint::min(), TimePoint::max())) {
+            highest = std::max(highest, static_cast<double>(sample.position));
+            if (!sample.errorKnown())
+                continue;
+            const double error = std::abs(static_cast<double>(sample.error));
+            ++all;
+            small += error < 60 ? 1 : 0;
+            worst = std::max(worst, error);
+        }
+        EXPECT_NEAR(highest, 20'000, 50);
         // With these gains the motor lags some 25 counts at 8 counts/tick, and the sample's own time is
         // uncertain by half a tick, which is another 4. A machine that is busy with something else delays a
         // byte now and then, and such a sample is off by as much as the motor went meanwhile.

@@ -31,11 +31,10 @@ TEST(BusWorker, RunsAChainInThisProcess) {
     ASSERT_TRUE(connection.waitUntil([&] { return !connection.module(0).moving(); }));
     EXPECT_TRUE(
         connection.waitUntil([&] { return std::abs(*connection.module(0).latest->position - 2'000) <= 5; }));
-    const ModuleHistory* history = connection.store().history(ModuleIndex(0));
+    const ModuleHistory* history = connection.store().history().module(ModuleIndex(0));
     ASSERT_NE(history, nullptr);
-    EXPECT_GT(history->position.size(), 20U);
-    ASSERT_FALSE(history->command.empty());
-    EXPECT_EQ(history->command.last()->value, 2'000);
+    EXPECT_GT(history->count(), 20U);
+    EXPECT_EQ(history->last()->command(), 2'000);
 }
 
 TEST(BusWorker, DoesNotNeedTheGuiThreadToPollOrToStop) {

@@ -31,8 +31,7 @@ TEST_P(Look, TextContrastIsFourAndAHalf) {
 }
 
 TEST_P(Look, TracesStandOutFromTheirBackground) {
-    for (look::TraceColour trace :
-         {look::TraceColour::Position, look::TraceColour::Command, look::TraceColour::Error})
+    for (int trace = 0; trace < look::kTraceColours; ++trace)
         EXPECT_GE(look::contrast(look::traceColour(trace, palette), palette.color(QPalette::Base)), 3.0);
 }
 

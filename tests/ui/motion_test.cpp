@@ -187,7 +187,7 @@ TEST_F(Motion, AnOldPositionIsStruckOutWithItsAge) {
     ModuleState module = Servo{.position = 5}.state();
     module.silent = true;
     window->showLink(connectedTo({module}));
-    window->showHistory(ModuleHistory(), module.latestTime + fromSeconds(2.3));
+    window->showHistory(History(), module.latestTime + fromSeconds(2.3));
     EXPECT_TRUE(find<QLabel>(u"positionLabel"_s)->font().strikeOut());
     EXPECT_TRUE(text(u"positionUnit"_s).contains(u"2.3 s old"_s)) << text(u"positionUnit"_s).toStdString();
     EXPECT_EQ(text(u"stateLabel"_s), u"No answer"_s);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scopehistory.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "windowtest.h"
@@ -11,22 +12,15 @@
 namespace nmc {
 namespace {
 
-TimePoint at(double seconds) {
-    return TimePoint(std::chrono::seconds(1000)) + fromSeconds(seconds);
-}
-
 class Scope : public WindowTest {
 protected:
-    Scope() {
-        showServo();
-        window->showHistory(ModuleHistory(), at(0));  // time begins here
-    }
-    ScopePlot* plot(const QString& name = u"positionPlot"_s) { return find<ScopePlot>(name); }
-    void show(const ModuleHistory& history, double now) {
-        window->showHistory(history, at(now));
-        QApplication::processEvents();
-        window->showHistory(history, at(now));
-        QApplication::processEvents();
+    Scope() { showServo(); }
+    ScopePlot* plot(const QString& name = u"scopePlot1"_s) { return find<ScopePlot>(name); }
+    void show(HandMadeHistory& made, double now) {
+        for (int i = 0; i < 2; ++i) {  // the first one lays the labels out
+            window->showHistory(made.history(), HandMadeHistory::at(now));
+            QApplication::processEvents();
+        }
     }
     /// Rows of the plot area that a trace colours, at a time within the visible 0..10 s. Axes and grid are
     /// grey.
@@ -51,109 +45,108 @@ protected:
 };
 
 TEST_F(Scope, DrawsASpikeOfOneSample) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 4800; ++i)
-        history.position.append(at(i / 480.0), i == 2400 ? 1000 : 0);
+        history.add(i / 480.0, i == 2400 ? 1000 : 0);
     show(history, 10);
     const QRectF area = plot()->plotArea();
     const AxisRange::Range range = plot()->valueRange();
     const double top = area.bottom() - (1000 - range.min) / (range.max - range.min) * area.height();
-    const QList<int> rows = rowsAt(u"positionPlot"_s, 5, 1);
+    const QList<int> rows = rowsAt(u"scopePlot1"_s, 5, 1);
     ASSERT_FALSE(rows.isEmpty());
     EXPECT_NEAR(rows.first(), top, 3);
     EXPECT_GT(rows.size(), area.height() / 4) << "a line from the floor to the tip";
-    EXPECT_LT(rowsAt(u"positionPlot"_s, 3).size(), 6);
+    EXPECT_LT(rowsAt(u"scopePlot1"_s, 3).size(), 6);
 }
 
 TEST_F(Scope, AGapIsAGap) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i) {
         const double t = i / 100.0;
-        if (t > 4 && t < 6) {
-            history.position.breakHere();
+        if (t > 4 && t < 6)
             continue;
-        }
-        history.position.append(at(t), 500);
+        history.add(t, 500).gapBefore = t == 6;
     }
     show(history, 10);
-    EXPECT_FALSE(rowsAt(u"positionPlot"_s, 3).isEmpty());
-    EXPECT_TRUE(rowsAt(u"positionPlot"_s, 5, 20).isEmpty());
-    EXPECT_FALSE(rowsAt(u"positionPlot"_s, 7).isEmpty());
+    EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 3).isEmpty());
+    EXPECT_TRUE(rowsAt(u"scopePlot1"_s, 5, 20).isEmpty());
+    EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 7).isEmpty());
 }
 
 TEST_F(Scope, CalculatedTracesAreDashedAndSaySo) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
-        history.error.append(at(i / 100.0), 3);
+        history.add(i / 100.0, 0).error = 3;
     show(history, 10);
     int drawn = 0;
     int empty = 0;
     for (double t = 2; t < 4; t += 0.01)
-        (rowsAt(u"errorPlot"_s, t, 0).isEmpty() ? empty : drawn)++;
+        (rowsAt(u"scopePlot2"_s, t, 0).isEmpty() ? empty : drawn)++;
     EXPECT_GT(drawn, 60);
     EXPECT_GT(empty, 30);
-    EXPECT_TRUE(plot(u"errorPlot"_s)->legendText(0).contains(u"calculated"_s));
+    EXPECT_TRUE(plot(u"scopePlot2"_s)->legendText(0).contains(u"calculated"_s));
     EXPECT_TRUE(plot()->legendText(1).contains(u"calculated"_s));
 }
 
 TEST_F(Scope, LegendSaysTheAchievedRate) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1200; ++i)
-        history.position.append(at(i / 120.0), i % 7);
+        history.add(i / 120.0, i % 7);
     show(history, 10);
     EXPECT_TRUE(plot()->legendText(0).contains(u"120 samples/s"_s)) << plot()->legendText(0).toStdString();
 }
 
 TEST_F(Scope, StripsShareTheTimeAxis) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i) {
-        history.position.append(at(i / 100.0), i * 100000);
-        history.error.append(at(i / 100.0), i % 3);
+        history.add(i / 100.0, i * 100000).error = static_cast<float>(i % 3);
     }
     for (int frame = 0; frame < 4; ++frame)
         show(history, 10 + 0.01 * frame);
-    EXPECT_NEAR(plot()->plotArea().left(), plot(u"errorPlot"_s)->plotArea().left(), 2);
-    EXPECT_NEAR(plot()->plotArea().right(), plot(u"errorPlot"_s)->plotArea().right(), 2);
+    EXPECT_NEAR(plot()->plotArea().left(), plot(u"scopePlot2"_s)->plotArea().left(), 2);
+    EXPECT_NEAR(plot()->plotArea().right(), plot(u"scopePlot2"_s)->plotArea().right(), 2);
 }
 
 TEST_F(Scope, PauseHoldsThePictureStill) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
-        history.position.append(at(i / 100.0), i % 50);
+        history.add(i / 100.0, i % 50);
     show(history, 10);
     find<QAbstractButton>(u"scopePauseButton"_s)->click();
+    show(history, 10);
     const QImage before = plot()->grab().toImage();
     for (int i = 1001; i <= 2000; ++i)
-        history.position.append(at(i / 100.0), 900);
+        history.add(i / 100.0, 900);
     show(history, 20);
     EXPECT_EQ(plot()->grab().toImage(), before);
 }
 
 TEST_F(Scope, NothingIsBuiltUntilItIsSeen) {
     MainWindow hidden(settings);
-    EXPECT_EQ(hidden.findChild<ScopePlot*>(u"positionPlot"_s), nullptr);
+    EXPECT_EQ(hidden.findChild<ScopePlot*>(u"scopePlot1"_s), nullptr);
     ScopePanel panel;
-    panel.showHistory(ModuleIndex(0), ModuleHistory(), at(0));
-    EXPECT_EQ(panel.findChild<ScopePlot*>(u"positionPlot"_s), nullptr);
+    panel.showHistory(History(), HandMadeHistory::at(0));
+    EXPECT_EQ(panel.findChild<ScopePlot*>(u"scopePlot1"_s), nullptr);
 }
 
 TEST_F(Scope, FollowsADarkPalette) {
     window->setPalette(darkPalette());
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
-        history.position.append(at(i / 100.0), 10);
+        history.add(i / 100.0, 10);
     show(history, 10);
     const QImage image = plot()->grab().toImage();
     EXPECT_EQ(image.pixelColor(2, 2), darkPalette().color(QPalette::Base));
-    EXPECT_FALSE(rowsAt(u"positionPlot"_s, 5).isEmpty());
+    EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 5).isEmpty());
 }
 
 TEST_F(Scope, ShowsTheChosenLengthOfTime) {
-    ModuleHistory history;
+    HandMadeHistory history;
     for (int i = 0; i <= 6000; ++i)
-        history.position.append(at(i / 100.0), i < 5700 ? 0 : 100);
+        history.add(i / 100.0, i < 5700 ? 0 : 100);
     auto* box = find<QComboBox>(u"scopeWindowBox"_s);
-    box->setCurrentIndex(0);
+    box->setCurrentIndex(box->findText(u"2 s"_s));
+    emit box->activated(box->currentIndex());
     show(history, 60);
     EXPECT_GE(plot()->valueRange().min, 90) << "the step is out of sight in a 2 s window";
 }

@@ -8,6 +8,7 @@
 #include <QIcon>
 #include <QLabel>
 #include <QStyleFactory>
+#include <array>
 #include <cmath>
 
 #include "widgets/common/icons.h"
@@ -128,17 +129,13 @@ QColor severityTint(Severity severity, const QPalette& palette) {
     return window;
 }
 
-QColor traceColour(TraceColour trace, const QPalette& palette) {
-    const bool dark = isDark(palette);
-    switch (trace) {
-        case TraceColour::Position:
-            return dark ? QColor(0x56, 0xB4, 0xE9) : QColor(0x00, 0x72, 0xB2);
-        case TraceColour::Command:
-            return dark ? QColor(0xE6, 0x9F, 0x00) : QColor(0xA8, 0x6A, 0x00);
-        case TraceColour::Error:
-            return dark ? QColor(0xCC, 0x79, 0xA7) : QColor(0xA3, 0x4D, 0x7C);
-    }
-    return {};
+QColor traceColour(int trace, const QPalette& palette) {
+    // Okabe and Ito, darkened upon white until they keep 3:1; vermillion is left to faults.
+    static const std::array<QRgb, kTraceColours> light{0x0072B2, 0xA86A00, 0xA34D7C,
+                                                       0x00795A, 0x6A6A6A, 0x3B6FD4};
+    static const std::array<QRgb, kTraceColours> dark{0x56B4E9, 0xE69F00, 0xCC79A7,
+                                                      0x2FC7A0, 0xB8B8B8, 0xF0E442};
+    return {(isDark(palette) ? dark : light)[static_cast<std::size_t>(trace % kTraceColours)]};
 }
 
 QFont tabular(const QFont& base) {

@@ -32,8 +32,9 @@ void setUp(QApplication& application);
 /// A tint of a severity behind ordinary text; the text keeps 4.5:1.
 [[nodiscard]] QColor severityTint(Severity severity, const QPalette& palette);
 
-enum class TraceColour : std::uint8_t { Position, Command, Error };
-[[nodiscard]] QColor traceColour(TraceColour trace, const QPalette& palette);
+/// Of the curves of a plot, from 0 on; they begin anew after kTraceColours.
+inline constexpr int kTraceColours = 6;
+[[nodiscard]] QColor traceColour(int trace, const QPalette& palette);
 
 /// `base` where its digits are all equally wide, else the system's fixed font at that size.
 [[nodiscard]] QFont tabular(const QFont& base);

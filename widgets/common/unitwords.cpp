@@ -52,7 +52,11 @@ QString unitOf(const AxisScale& scale) {
 }
 
 QString velocityUnitOf(const AxisScale& scale) {
-    return scale.native() ? nativeVelocityUnit(scale) : Units::tr("%1/s").arg(unitOf(scale));
+    return scale.native() ? nativeVelocityUnit(scale) : measuredVelocityUnitOf(scale);
+}
+
+QString measuredVelocityUnitOf(const AxisScale& scale) {
+    return Units::tr("%1/s").arg(unitOf(scale));
 }
 
 QString accelerationUnitOf(const AxisScale& scale) {

@@ -13,6 +13,8 @@ namespace nmc::texts {
 [[nodiscard]] QString unitOf(const AxisScale& scale);
 /// "counts/tick" (PIC-STEP: "steps/s"), or the user's unit per second.
 [[nodiscard]] QString velocityUnitOf(const AxisScale& scale);
+/// "counts/s", "turns/s": of a speed that was measured, whatever the chip counts in.
+[[nodiscard]] QString measuredVelocityUnitOf(const AxisScale& scale);
 [[nodiscard]] QString accelerationUnitOf(const AxisScale& scale);
 /// Digits for a readout that changes all the time: as many decimals as counts can tell apart, always.
 [[nodiscard]] QString fixedPosition(const AxisScale& scale, double counts);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "model/modulescale.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
@@ -133,6 +134,9 @@ void MainWindow::connectParts() {
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
+    connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
+    connect(m_scope, &ScopePanel::setupChanged, this,
+            [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
@@ -153,7 +157,6 @@ void MainWindow::showLink(const LinkState& state) {
     m_link = state;
     if (connecting) {
         m_panel->resetSpeeds();
-        m_scope->forget();
         m_procedures.clear();
         m_now.reset();
     }
@@ -226,6 +229,20 @@ void MainWindow::showSelected() {
         m_panel->showNothing(nothingText());
     }
     m_simulator->showSelected(selectedModule());
+    showScopeModules();
+}
+
+/// Without a connection the scope still shows what was, and whose it was.
+void MainWindow::showScopeModules() {
+    if (m_link.modules.empty())
+        return;
+    std::vector<ScopeModule> modules;
+    for (const ModuleState& module : m_link.modules) {
+        const AxisSettings& axis = m_machine.axis(module.info.index);
+        modules.push_back(
+            {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
+    }
+    m_scope->showModules(modules, selectedModule());
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -259,12 +276,9 @@ void MainWindow::showProcedure(const ProcedureReport& report) {
     showSelected();
 }
 
-void MainWindow::showHistory(const ModuleHistory& history, TimePoint now) {
+void MainWindow::showHistory(const History& history, TimePoint now) {
     m_now = now;
-    const std::optional<ModuleIndex> selected = selectedModule();
-    if (!selected.has_value())
-        return;
-    m_scope->showHistory(*selected, history, now);
+    m_scope->showHistory(history, now);
     if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
         showSelected();
 }

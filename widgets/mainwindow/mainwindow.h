@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "link/linktypes.h"
+#include "model/history.h"
 #include "model/intent.h"
 #include "model/linkstate.h"
 #include "model/machine.h"
 #include "model/packetlog.h"
 #include "model/procedure.h"
-#include "model/series.h"
 #include "widgets/common/texts.h"
 
 class QDockWidget;
@@ -52,8 +52,8 @@ public:
     void showLink(const LinkState& state);
     /// Once a second.
     void showFigures(const LinkFigures& figures);
-    /// The selected module's history, at most 60 times a second.
-    void showHistory(const ModuleHistory& history, TimePoint now);
+    /// What the modules have said so far, at most 60 times a second, and after scopeFrameWanted().
+    void showHistory(const History& history, TimePoint now);
     /// What the user has told about the machine: names, units, values kept for each axis.
     void showMachine(const Machine& machine);
     /// How a procedure of some module goes, or went.
@@ -101,6 +101,8 @@ signals:
     void simulatorLineEntered(const QString& line);
     /// The packet monitor wants every exchange from now on, or no more.
     void packetRecordingWanted(bool wanted);
+    /// The scope is to show something else, whether anything came in or not: showHistory() soon.
+    void scopeFrameWanted();
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
@@ -130,6 +132,7 @@ private:
     void showSafetyOnce();
     void showSession();
     void showSelected();
+    void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
     void takeMessageAction(const QString& key, const QString& actionId);

@@ -35,6 +35,7 @@ void MainWindow::buildDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_chain = new ChainView(this);
     m_scope = new ScopePanel(this);
+    m_scope->setSetup(ScopeSetup::fromText(m_settings.value(kScope).toString()));
     m_messages = new MessageList(this);
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
     QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);

@@ -2,7 +2,9 @@
 #include "widgets/scope/axislabels.h"
 
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/common/words.h"
@@ -13,14 +15,21 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString valueText(double value) {
-    return texts::grouped(std::llround(value));
+/// As many decimals as the interval has, so that no 0.30000000004 appears.
+int decimalsOf(double interval) {
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(interval) - 1e-6)), 0, 9);
+}
+
+QString numberText(double value, double interval) {
+    const int decimals = decimalsOf(interval);
+    if (decimals == 0)
+        return texts::grouped(std::llround(value));
+    const double rounded = std::round(value / interval) * interval;
+    return QLocale().toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
 }
 
 QString timeText(double seconds, double interval) {
-    // Whole tenths, so that no 0.30000000004 appears.
-    const double rounded = interval < 1 ? std::round(seconds * 10) / 10 : std::round(seconds);
-    return rounded == 0.0 ? u"0 s"_s : texts::readout(rounded, 8) + u" s"_s;
+    return numberText(seconds, interval) + u" s"_s;
 }
 
 }  // namespace
@@ -54,6 +63,8 @@ void AxisLabels::setValues(double bottom, double top, double interval) {
 }
 
 void AxisLabels::setTimes(double left, double right, double interval) {
+    if (left == m_left && right == m_right && interval == m_timeInterval)
+        return;
     m_left = left;
     m_right = right;
     m_timeInterval = interval;
@@ -66,8 +77,8 @@ double AxisLabels::gap() const {
 
 int AxisLabels::widthNeeded() const {
     const QFontMetricsF metrics(m_font);
-    const double widest =
-        std::max(metrics.horizontalAdvance(valueText(m_bottom)), metrics.horizontalAdvance(valueText(m_top)));
+    const double widest = std::max(metrics.horizontalAdvance(numberText(m_bottom, m_valueInterval)),
+                                   metrics.horizontalAdvance(numberText(m_top, m_valueInterval)));
     return static_cast<int>(std::ceil(widest + gap()));
 }
 
@@ -83,7 +94,7 @@ void AxisLabels::paintValues(QPainter& painter) const {
         const double y = m_area.bottom() - m_area.height() * i / count;
         const QRectF place(m_area.left() - widthNeeded(), y - height / 2, widthNeeded() - gap(), height);
         painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         valueText(m_bottom + i * m_valueInterval));
+                         numberText(m_bottom + i * m_valueInterval, m_valueInterval));
     }
 }
 

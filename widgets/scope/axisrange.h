@@ -13,15 +13,18 @@ public:
         double step = 1;  ///< one division: 1, 2 or 5 times a power of ten
         bool operator==(const Range&) const = default;
     };
+    /// Counts: rounding noise is not worth the whole strip.
+    static constexpr double kSmallestSpan = 4.0;
 
-    /// What is visible now, and when (s, any origin).
-    const Range& fit(double low, double high, double seconds);
+    /// What is visible now, and when (s, any origin). Never less than `smallest` from end to end.
+    const Range& fit(double low, double high, double seconds, double smallest = kSmallestSpan);
     /// Nothing is visible: keeps the range.
     [[nodiscard]] const Range& range() const { return m_range; }
     void reset();
 
     /// The smallest range of whole divisions around low..high, with about `divisions` of them.
-    [[nodiscard]] static Range around(double low, double high, int divisions = 4);
+    [[nodiscard]] static Range around(double low, double high, double smallest = kSmallestSpan,
+                                      int divisions = 4);
 
 private:
     Range m_range;

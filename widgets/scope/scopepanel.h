@@ -2,54 +2,95 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
-#include "base/strong.h"
-#include "model/series.h"
+#include "widgets/scope/scoperecord.h"
+#include "widgets/scope/scopesetup.h"
 
+class QAction;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
 namespace nmc {
 
-class ScopePlot;
+class CursorTable;
+class ScopeStrips;
 
-/// The scope of the selected module: strips that share one time axis. Rolls, or stands while paused. The
-/// charts are built when the panel is first seen, and painted only while it is.
+/// The scope: its tool bar, the strips, and what cursors read. Rolls with the present, stands while paused,
+/// or shows a record that is over. The charts are built when the panel is first seen, and painted only while
+/// it is.
 class ScopePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ScopePanel(QWidget* parent = nullptr);
 
+    /// How to read the live samples, and whose are "the selected module's".
+    void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
     /// At most 60 times a second. Nothing is kept of `history` but what this frame shows.
-    void showHistory(ModuleIndex module, const ModuleHistory& history, TimePoint now);
-    /// A new connection, or none: time starts again.
-    void forget();
-
+    void showHistory(const History& history, TimePoint now);
+    /// Instead of what is live, until backToLive().
+    void showRecord(std::shared_ptr<const ScopeRecord> record);
+    void backToLive();
+    [[nodiscard]] bool showsRecord() const { return m_record != nullptr; }
+    /// What the user has arranged.
+    void setSetup(const ScopeSetup& setup);
+    [[nodiscard]] const ScopeSetup& setup() const { return m_setup; }
     [[nodiscard]] bool paused() const;
+
+signals:
+    void setupChanged(const nmc::ScopeSetup& setup);
+    /// Something else is to be seen: a call of showHistory() soon, though nothing may have come in.
+    void frameWanted();
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    void build();
-    void align();
-    void measureRates(const ModuleHistory& history, TimePoint now);
-    [[nodiscard]] double windowSeconds() const;
+    void buildBar();
+    void buildStrips();
+    QAction* newAction(const QString& objectName, const QString& text, const QString& meaning,
+                       const QList<QKeySequence>& keys = {});
+    QToolButton* addButton(QAction* action, const QString& objectName);
+    void buildMoves();
+    void setPaused(bool paused);
+    void setWidth(int index);
+    void setCursorsShown(bool shown);
+    void moveCursor(int cursor, double seconds);
+    void chooseSignals();
+    void addLaneBits(QMenu& menu);
+    void change(const ScopeSetup& setup);
+    void applyModules();
+    void showTime();
+    /// The next frame is drawn whether it rolls or not.
+    void touch();
+    void draw(const History& history, double now);
 
     QVBoxLayout* m_layout;
+    QHBoxLayout* m_bar;
     QComboBox* m_window;
-    QToolButton* m_pause;
     QLabel* m_which;
-    ScopePlot* m_position = nullptr;
-    ScopePlot* m_error = nullptr;
-    std::optional<ModuleIndex> m_module;
-    std::optional<TimePoint> m_origin;
-    std::optional<TimePoint> m_ratesAt;
+    QLabel* m_recordLabel;
+    QToolButton* m_back;
+    QAction* m_pause;
+    QAction* m_cursors;
+    QAction* m_lane;
+    QList<QAction*> m_menuActions;
+    ScopeStrips* m_strips = nullptr;
+    CursorTable* m_table = nullptr;
+    ScopeSetup m_setup = ScopeSetup::usual();
+    std::vector<ScopeModule> m_modules;
+    std::optional<ModuleIndex> m_selected;
+    std::shared_ptr<const ScopeRecord> m_record;
+    std::optional<TimePoint> m_zero;  ///< of the history that was shown last
+    bool m_touched = true;
+    bool m_everythingWanted = false;
 };
 
 }  // namespace nmc

@@ -2,182 +2,229 @@
 #include "widgets/scope/scopeplot.h"
 
 #include <QEvent>
-#include <QGraphicsLayout>
-#include <QtCharts/QChart>
-#include <QtCharts/QLegend>
-#include <QtCharts/QLineSeries>
-#include <QtCharts/QValueAxis>
+#include <QMouseEvent>
+#include <QPainter>
 #include <cmath>
 #include <limits>
 
+#include "widgets/common/look.h"
 #include "widgets/common/words.h"
-#include "widgets/scope/axislabels.h"
-#include "widgets/scope/traceitem.h"
+#include "widgets/scope/timewindow.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ScopePlot::ScopePlot(std::vector<TraceStyle> traces, bool timeLabels, QWidget* parent)
-    : QChartView(new QChart, parent),
-      m_styles(std::move(traces)),
-      m_timeAxis(new QValueAxis(this)),
-      m_valueAxis(new QValueAxis(this)),
-      m_item(new TraceItem(chart())),
-      m_labels(new AxisLabels(chart())),
-      m_timeLabels(timeLabels) {
-    setRenderHint(QPainter::Antialiasing);
-    setInteractive(false);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFocusPolicy(Qt::NoFocus);
-    setRubberBand(QChartView::NoRubberBand);
-    chart()->addAxis(m_timeAxis, Qt::AlignBottom);
-    chart()->addAxis(m_valueAxis, Qt::AlignLeft);
-    for (const TraceStyle& style : m_styles) {
-        auto* series = new QLineSeries(chart());
-        series->setName(style.label);
-        chart()->addSeries(series);
-        m_legend.push_back(series);
-    }
-    m_timeAxis->setTickType(QValueAxis::TicksDynamic);
-    m_timeAxis->setTickAnchor(0);
-    m_timeAxis->setTickInterval(m_view.division);
-    m_timeAxis->setRange(m_view.left, m_view.right);
-    m_timeAxis->setLabelsVisible(false);
-    m_valueAxis->setLabelsVisible(false);
-    m_valueAxis->setRange(m_range.range().min, m_range.range().max);
+namespace {
+constexpr double kWheelZoom = 1.25;     ///< for each notch
+constexpr double kWheelPan = 0.1;       ///< of what is seen, for each notch
+constexpr double kSmallestPart = 1e-4;  ///< of a count: zooming ends here
+}  // namespace
+
+ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     leaveLeft(0);
-    chart()->layout()->setContentsMargins(0, 0, 0, 0);
-    chart()->setBackgroundRoundness(0);
-    chart()->legend()->setAlignment(Qt::AlignTop);
-    chart()->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
-    m_item->traces().resize(m_styles.size());
-    connect(chart(), &QChart::plotAreaChanged, this, [this](const QRectF& area) {
-        m_item->setArea(area);
-        m_labels->setArea(area);
-        fitTicks();
-    });
     adoptPalette();
-    fitTicks();
 }
 
 void ScopePlot::adoptPalette() {
-    const QColor text = palette().color(QPalette::Active, QPalette::Text);
-    const QColor faint = look::faintLine(palette());
-    chart()->setBackgroundBrush(palette().color(QPalette::Active, QPalette::Base));
-    chart()->setBackgroundPen(Qt::NoPen);
-    setBackgroundBrush(palette().color(QPalette::Active, QPalette::Base));
-    const QFont font = look::tabular(look::scaled(this->font(), 0.9));
-    for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
-        axis->setGridLinePen(QPen(faint, 1));
-        axis->setLinePen(QPen(look::mutedText(palette()), 1));
-    }
-    m_labels->setLook(font, text);
-    chart()->legend()->setLabelColor(text);
-    chart()->legend()->setFont(font);
-    for (std::size_t i = 0; i < m_styles.size(); ++i) {
-        const QColor colour = look::traceColour(m_styles[i].colour, palette());
-        m_legend[i]->setPen(QPen(colour, 2, m_styles[i].dashed ? Qt::DashLine : Qt::SolidLine));
-        m_item->traces()[i].colour = colour;
-        m_item->traces()[i].dashed = m_styles[i].dashed;
-    }
+    m_backdrop.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+    setTraces(m_traces);
 }
 
-void ScopePlot::showTraces(const View& view, const std::vector<const Series*>& series, TimePoint now) {
-    const auto columns =
-        static_cast<std::size_t>(qMax(1.0, std::ceil(plotArea().width() * devicePixelRatioF())));
-    const TimePoint from = view.origin + fromSeconds(view.left);
-    const TimePoint to = view.origin + fromSeconds(view.right);
-    for (std::size_t i = 0; i < m_styles.size(); ++i)
-        m_item->traces()[i].segments = series[i]->window(from, to, columns);
-    if (!(view == m_view)) {
-        m_view = view;
-        m_timeAxis->setTickInterval(view.division);
-        m_timeAxis->setRange(view.left, view.right);
-        m_labels->setTimes(view.left, view.right, m_timeLabels ? view.division : 0);
+void ScopePlot::setTraces(std::vector<Trace> traces) {
+    const bool same = std::equal(
+        traces.begin(), traces.end(), m_traces.begin(), m_traces.end(), [](const Trace& a, const Trace& b) {
+            return a.module == b.module && a.signal == b.signal && a.scale == b.scale;
+        });
+    if (!same)
+        forget();
+    m_traces = std::move(traces);
+    m_drawings.resize(m_traces.size());
+    std::vector<ChartBackdrop::LegendEntry> legend;
+    for (std::size_t i = 0; i < m_traces.size(); ++i) {
+        const Trace& trace = m_traces[i];
+        TraceDrawing& drawing = m_drawings[i];
+        drawing.colour =
+            look::traceColour(static_cast<int>(m_traces.front().signal) + static_cast<int>(i), palette());
+        drawing.dashed = isCalculated(trace.signal);
+        drawing.tag = trace.tag;
+        const QString rate = texts::readout(std::round(trace.samplesPerSecond));
+        const QString label = drawing.dashed && trace.samplesPerSecond == 0
+                                  ? tr("%1 · not known now").arg(trace.label)
+                                  : tr("%1 · %2 samples/s").arg(trace.label, rate);
+        legend.push_back({label, drawing.colour, drawing.dashed});
     }
-    fitValues(toSeconds(now - view.origin));
-    m_item->setTimeAxis(view.origin, view.left, view.right);
-    m_item->update();
+    m_backdrop.setLegend(legend);
 }
 
-void ScopePlot::fitValues(double seconds) {
+void ScopePlot::setTimeLabels(bool shown) {
+    m_timeLabels = shown;
+}
+
+void ScopePlot::showFrame(const View& view, const History& history, double now) {
+    m_view = view;
+    m_geometry.area = plotArea();
+    m_geometry.left = view.left;
+    m_geometry.right = view.right;
+    for (std::size_t i = 0; i < m_traces.size(); ++i) {
+        if (const ModuleHistory* module = history.module(m_traces[i].module))
+            m_drawings[i].take(*module, m_traces[i].signal, m_traces[i].scale, view.zero, m_geometry,
+                               devicePixelRatioF());
+        else
+            m_drawings[i].clear();
+    }
+    m_backdrop.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
+    fitValues(now);
+    update();
+}
+
+/// In the unit of the axis.
+double ScopePlot::smallestSpan() const {
+    double count = std::numeric_limits<double>::infinity();
+    for (const Trace& trace : m_traces)
+        count = std::min(count, std::abs(trace.scale.factor));
+    return std::isfinite(count) && count > 0 ? AxisRange::kSmallestSpan * count : AxisRange::kSmallestSpan;
+}
+
+void ScopePlot::fitValues(double now) {
+    if (m_manual)
+        return setValueAxis(*m_manual);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (const Trace& trace : m_item->traces()) {
-        for (const Series::Segment& segment : trace.segments) {
-            for (const SeriesPoint& point : segment) {
-                low = std::min(low, point.value);
-                high = std::max(high, point.value);
-            }
-        }
+    for (const TraceDrawing& drawing : m_drawings) {
+        low = std::min(low, drawing.lowest());
+        high = std::max(high, drawing.highest());
     }
-    if (low > high)
-        return;
-    m_range.fit(low, high, seconds);
-    fitTicks();
+    setValueAxis(low > high ? m_range.range() : m_range.fit(low, high, now, smallestSpan()));
 }
 
-/// As many labels as there is room for: Qt Charts shows dots in place of those that it finds too close. The
-/// number of ticks is given, not their distance: a distance that is small beside a range that has just grown
-/// hangs Qt Charts.
-void ScopePlot::fitTicks() {
-    const AxisRange::Range& range = m_range.range();
-    const double room = plotArea().height() / (fontMetrics().height() * 1.7);
+/// As many labels as there is room for.
+void ScopePlot::setValueAxis(const AxisRange::Range& range) {
+    const double room = std::max(1.0, plotArea().height() / (fontMetrics().height() * 1.7));
     double interval = range.step;
-    for (double factor : {1.0, 2.0, 5.0, 10.0}) {
+    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
         interval = range.step * factor;
         if ((range.max - range.min) / interval <= room)
             break;
     }
-    const double bottom = std::floor(range.min / interval) * interval;
-    const double top = std::ceil(range.max / interval) * interval;
-    const int ticks = qMax(2, qRound((top - bottom) / interval) + 1);
-    if (m_valueAxis->tickCount() != ticks)
-        m_valueAxis->setTickCount(ticks);
-    if (m_valueAxis->min() != bottom || m_valueAxis->max() != top)
-        m_valueAxis->setRange(bottom, top);
-    m_item->setValueAxis(bottom, top);
-    m_labels->setValues(bottom, top, interval);
-}
-
-void ScopePlot::showRate(std::size_t trace, double samplesPerSecond) {
-    const QString text =
-        tr("%1 · %2 samples/s").arg(m_styles[trace].label, texts::readout(std::round(samplesPerSecond)));
-    if (m_legend[trace]->name() != text)
-        m_legend[trace]->setName(text);
+    m_geometry.bottom = std::floor(range.min / interval + 1e-9) * interval;
+    m_geometry.top = std::ceil(range.max / interval - 1e-9) * interval;
+    m_backdrop.setValueAxis(m_geometry.bottom, m_geometry.top, interval);
 }
 
 void ScopePlot::forget() {
     m_range.reset();
-    for (Trace& trace : m_item->traces())
-        trace.segments.clear();
-    m_item->update();
+    m_manual.reset();
+    for (TraceDrawing& drawing : m_drawings)
+        drawing.clear();
+    update();
 }
 
-int ScopePlot::labelWidth() const {
-    return m_labels->widthNeeded();
+void ScopePlot::showCursors(const std::optional<CursorTimes>& cursors) {
+    if (m_cursors == cursors)
+        return;
+    m_cursors = cursors;
+    update();
+}
+
+void ScopePlot::showLevel(const std::optional<double>& level) {
+    if (m_level == level)
+        return;
+    m_level = level;
+    update();
+}
+
+void ScopePlot::fit() {
+    m_manual.reset();
+    m_range.reset();
+}
+
+void ScopePlot::zoomValues(double factor, double at) {
+    const double share = (at - m_geometry.bottom) / (m_geometry.top - m_geometry.bottom);
+    const double span =
+        std::clamp((m_geometry.top - m_geometry.bottom) * factor, smallestSpan() * kSmallestPart, 1e13);
+    const double bottom = at - share * span;
+    m_manual = AxisRange::Range{bottom, bottom + span, TimeWindow::nice(span / 8)};
+}
+
+void ScopePlot::panValues(double share) {
+    const double by = share * (m_geometry.top - m_geometry.bottom);
+    const AxisRange::Range now = valueRange();
+    m_manual = AxisRange::Range{now.min + by, now.max + by, now.step};
 }
 
 void ScopePlot::leaveLeft(int width) {
     const int em = fontMetrics().height();
-    const QMargins margins(width, 0, em * 3 / 2, m_timeLabels ? em : em / 2);
-    if (margins != chart()->margins())
-        chart()->setMargins(margins);
-}
-
-QRectF ScopePlot::plotArea() const {
-    return chart()->plotArea();
+    m_backdrop.setMargins(width, em * 3 / 2, m_timeLabels ? em : em / 2);
 }
 
 AxisRange::Range ScopePlot::valueRange() const {
-    return {m_valueAxis->min(), m_valueAxis->max(), m_range.range().step};
+    return {m_geometry.bottom, m_geometry.top, m_manual ? m_manual->step : m_range.range().step};
 }
 
-QString ScopePlot::legendText(std::size_t trace) const {
-    return m_legend[trace]->name();
+// ---- painting ----
+
+void ScopePlot::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
+    paintOver(painter);
+}
+
+void ScopePlot::renderTo(QPainter& painter) {
+    m_backdrop.render(painter);
+    paintOver(painter);
+}
+
+void ScopePlot::paintOver(QPainter& painter) {
+    m_geometry.area = plotArea();
+    if (m_geometry.empty())
+        return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look::scaled(font(), 0.9));
+    painter.setClipRect(m_geometry.area);
+    for (const TraceDrawing& drawing : m_drawings)
+        drawing.paint(painter, m_geometry);
+    if (m_level) {
+        painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashDotLine));
+        painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(*m_level), m_geometry.area.right(),
+                                m_geometry.y(*m_level)));
+    }
+    paintCursors(painter);
+    if (m_drag == Drag::Choose) {
+        QColor fill = palette().color(QPalette::Highlight);
+        fill.setAlpha(60);
+        painter.fillRect(QRectF(QPointF(m_dragFrom.x(), m_geometry.area.top()),
+                                QPointF(m_dragTo.x(), m_geometry.area.bottom())),
+                         fill);
+    }
+    painter.restore();
+}
+
+void ScopePlot::paintCursors(QPainter& painter) const {
+    if (!m_cursors)
+        return;
+    for (std::size_t i = 0; i < m_cursors->size(); ++i) {
+        const double x = m_geometry.x((*m_cursors)[i]);
+        painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
+        painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
+        painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),
+                         QString::number(i + 1));
+    }
+}
+
+void ScopePlot::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_backdrop.resize(size());
+    m_geometry.area = plotArea();
+}
+
+void ScopePlot::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        adoptPalette();
 }
 
 QSize ScopePlot::sizeHint() const {
@@ -185,13 +232,88 @@ QSize ScopePlot::sizeHint() const {
 }
 
 QSize ScopePlot::minimumSizeHint() const {
-    return {fontMetrics().height() * 16, fontMetrics().height() * 6};
+    return {fontMetrics().height() * 16, fontMetrics().height() * 5};
 }
 
-void ScopePlot::changeEvent(QEvent* event) {
-    QChartView::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        adoptPalette();
+// ---- the mouse ----
+
+std::optional<int> ScopePlot::cursorAt(const QPointF& position) const {
+    if (!m_cursors)
+        return std::nullopt;
+    std::optional<int> nearest;
+    double distance = fontMetrics().height() / 2.0;
+    for (int i = 0; i < 2; ++i) {
+        const double away = std::abs(m_geometry.x((*m_cursors)[static_cast<std::size_t>(i)]) - position.x());
+        if (away < distance) {
+            nearest = i;
+            distance = away;
+        }
+    }
+    return nearest;
+}
+
+void ScopePlot::mousePressEvent(QMouseEvent* event) {
+    emit focusWanted();
+    if (event->button() != Qt::LeftButton || m_geometry.empty())
+        return QWidget::mousePressEvent(event);
+    m_dragFrom = m_dragTo = event->position();
+    const std::optional<int> cursor = cursorAt(event->position());
+    m_drag = cursor                                   ? (*cursor == 0 ? Drag::Cursor1 : Drag::Cursor2)
+             : event->modifiers() & Qt::ShiftModifier ? Drag::Choose
+                                                      : Drag::Pan;
+}
+
+void ScopePlot::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF here = event->position();
+    switch (m_drag) {
+        case Drag::None:
+            break;
+        case Drag::Pan: {
+            const double seconds = m_geometry.seconds(m_dragTo.x()) - m_geometry.seconds(here.x());
+            if (m_manual)
+                panValues((here.y() - m_dragTo.y()) / m_geometry.area.height());
+            m_dragTo = here;
+            if (seconds != 0)
+                emit timePanned(seconds);
+            break;
+        }
+        case Drag::Cursor1:
+        case Drag::Cursor2:
+            emit cursorMoved(m_drag == Drag::Cursor1 ? 0 : 1, m_geometry.seconds(here.x()));
+            break;
+        case Drag::Choose:
+            m_dragTo = here;
+            update();
+            break;
+    }
+}
+
+void ScopePlot::mouseReleaseEvent(QMouseEvent* event) {
+    const Drag drag = std::exchange(m_drag, Drag::None);
+    if (drag != Drag::Choose)
+        return QWidget::mouseReleaseEvent(event);
+    update();
+    const auto [from, to] = std::minmax(m_dragFrom.x(), m_dragTo.x());
+    if (to - from >= fontMetrics().height() / 2.0)
+        emit timeChosen(m_geometry.seconds(from), m_geometry.seconds(to));
+}
+
+void ScopePlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
+    emit everythingWanted();
+}
+
+void ScopePlot::wheelEvent(QWheelEvent* event) {
+    const QPoint delta = event->angleDelta();
+    const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
+    event->accept();
+    if (notches == 0 || m_geometry.empty())
+        return;
+    if (event->modifiers() & Qt::ControlModifier)
+        zoomValues(std::pow(kWheelZoom, -notches), m_geometry.value(event->position().y()));
+    else if (event->modifiers() & Qt::ShiftModifier || delta.y() == 0)
+        emit timePanned(-notches * kWheelPan * (m_geometry.right - m_geometry.left));
+    else
+        emit timeZoomed(std::pow(kWheelZoom, -notches), m_geometry.seconds(event->position().x()));
 }
 
 }  // namespace nmc

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "model/scopesample.h"
+
+namespace nmc {
+
+/// What the scope draws as a curve.
+enum class ScopeSignal : std::uint8_t {
+    Position,
+    Command,  ///< calculated command position
+    Error,    ///< calculated position error
+    Velocity,
+    Analog  ///< A/D: motor current where the sense resistor is fitted (DS-V 3)
+};
+
+inline constexpr std::size_t kScopeSignals = 5;
+
+/// Calculated from what was sent, because the chip does not report it: drawn dashed.
+[[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
+    return signal == ScopeSignal::Command || signal == ScopeSignal::Error;
+}
+
+/// Counts, counts/s or A/D counts; nothing if unknown.
+[[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
+    double value = 0;
+    switch (signal) {
+        case ScopeSignal::Position:
+            value = sample.position;
+            break;
+        case ScopeSignal::Command:
+            value = sample.command();
+            break;
+        case ScopeSignal::Error:
+            value = static_cast<double>(sample.error);
+            break;
+        case ScopeSignal::Velocity:
+            value = static_cast<double>(sample.velocity);
+            break;
+        case ScopeSignal::Analog:
+            value = sample.analog;
+            break;
+    }
+    if (std::isnan(value))
+        return std::nullopt;
+    return value;
+}
+
+}  // namespace nmc

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/scopefeed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "servofixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr std::uint8_t kHolds = kMoveDone | kPower;
+
+TEST(ScopeFeed, GivesNothingOfAStatusWithoutPosition) {
+    ScopeFeed feed;
+    bus::Sample sample = sampleOf(0, kHolds, kServoOn);
+    sample.report.position.reset();
+    EXPECT_FALSE(feed.take(sample).has_value());
+}
+
+TEST(ScopeFeed, VelocityIsTheWayOfTheLast20Milliseconds) {
+    ScopeFeed feed;
+    // 2 ms apart, 3 counts each: 1500 counts/s.
+    for (int i = 0; i <= 20; ++i) {
+        const auto sample = feed.take(sampleOf(i * 0.002, kHolds, kServoOn, 3 * i));
+        ASSERT_TRUE(sample.has_value());
+        if (i < 10)
+            EXPECT_TRUE(std::isnan(sample->velocity)) << i;
+        else
+            EXPECT_NEAR(sample->velocity, 1'500, 0.01) << i;
+    }
+}
+
+TEST(ScopeFeed, WherePollsAreRareVelocityIsTheWayOfOnePoll) {
+    ScopeFeed feed;
+    static_cast<void>(feed.take(sampleOf(0, kHolds, kServoOn, 0)));
+    static_cast<void>(feed.take(sampleOf(1, kHolds, kServoOn, 100)));
+    EXPECT_NEAR(feed.take(sampleOf(2, kHolds, kServoOn, 300))->velocity, 200, 0.001);
+}
+
+TEST(ScopeFeed, DataIsMissingAfterThreeUsualIntervals) {
+    ScopeFeed feed;
+    double time = 0;
+    const auto next = [&](double interval) {
+        time += interval;
+        return feed.take(sampleOf(time, kHolds, kServoOn, 0))->gapBefore;
+    };
+    EXPECT_TRUE(next(0)) << "the first has nothing before it";
+    for (int i = 0; i < 50; ++i)
+        EXPECT_FALSE(next(0.01));
+    EXPECT_FALSE(next(0.045)) << "a busy moment: 3 x 10 ms + 20 ms";
+    for (int i = 0; i < 50; ++i)
+        EXPECT_FALSE(next(0.01));
+    EXPECT_TRUE(next(0.1));
+    for (int i = 0; i < 50; ++i)
+        EXPECT_FALSE(next(0.1)) << "that is the usual interval now";
+}
+
+TEST(ScopeFeed, APositionThatGoesRoundIsAGapAndNoVelocity) {
+    ScopeFeed feed;
+    constexpr std::int32_t kTop = std::numeric_limits<std::int32_t>::max();
+    for (int i = 0; i < 20; ++i)
+        static_cast<void>(feed.take(sampleOf(i * 0.01, kHolds, kServoOn, kTop)));
+    const auto round = feed.take(sampleOf(0.2, kHolds, kServoOn, std::numeric_limits<std::int32_t>::min()));
+    EXPECT_TRUE(round->gapBefore);
+    EXPECT_TRUE(std::isnan(round->velocity));
+}
+
+TEST(ScopeFeed, TheErrorIsTheShortWayRound) {
+    ScopeFeed feed;
+    constexpr std::int32_t kTop = std::numeric_limits<std::int32_t>::max();
+    static_cast<void>(feed.take(sampleOf(-1, kMoveDone | kPosError | kPower, 0, kTop)));
+    feed.apply(executedAt(0, stopWith(servo::StopManner::Abruptly)));
+    static_cast<void>(feed.take(sampleOf(0, kHolds, kServoOn, kTop)));  // held here
+    const auto pushed = feed.take(sampleOf(0.01, kHolds, kServoOn, std::numeric_limits<std::int32_t>::min()));
+    EXPECT_EQ(pushed->error, -1.0F);
+}
+
+TEST(ScopeFeed, TheErrorIsKnownOnceTheServoHoldsAndNotAfterADoubt) {
+    ScopeFeed feed;
+    EXPECT_FALSE(feed.take(sampleOf(-1, kMoveDone | kPosError | kPower, 0, 90))->errorKnown());
+    feed.apply(executedAt(0, stopWith(servo::StopManner::Abruptly)));
+    EXPECT_EQ(feed.take(sampleOf(0, kHolds, kServoOn, 100))->error, 0.0F);
+    EXPECT_EQ(feed.take(sampleOf(0.01, kHolds, kServoOn, 97))->error, 3.0F);
+    feed.doubt();
+    EXPECT_FALSE(feed.take(sampleOf(0.02, kHolds, kServoOn, 97))->errorKnown());
+}
+
+TEST(ScopeFeed, CarriesTheLastAuxiliaryStatusOn) {
+    ScopeFeed feed;
+    static_cast<void>(feed.take(sampleOf(0, kHolds, kServoOn)));
+    bus::Sample without = sampleOf(0.01, kHolds, 0);
+    without.report.aux.reset();
+    EXPECT_EQ(feed.take(without)->aux, kServoOn);
+}
+
+}  // namespace
+}  // namespace nmc

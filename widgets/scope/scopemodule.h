@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "model/axisscale.h"
+#include "model/history.h"
+#include "model/machine.h"
+#include "widgets/scope/tracedrawing.h"
+
+namespace nmc {
+
+/// How the scope reads the samples of one module.
+struct ScopeModule {
+    QString name;  ///< "Module 2", or the user's
+    ModuleIdentity identity;
+    AxisScale scale;
+    AnalogScale analog;
+
+    [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
+        if (signal == ScopeSignal::Analog)
+            return {analog.perCount, analog.atZero};
+        return {scale.position(1.0), 0.0};
+    }
+    bool operator==(const ScopeModule&) const = default;
+};
+
+/// A signal in a strip; no module: that of the module that is selected in the window.
+struct SignalRef {
+    std::optional<ModuleIndex> module;
+    ScopeSignal signal = ScopeSignal::Position;
+    auto operator<=>(const SignalRef&) const = default;
+};
+
+}  // namespace nmc

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopesetup.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "widgets/scope/timewindow.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// Words of the settings file: never translated, never changed.
+const std::array<QString, kScopeSignals> kSignalWords{u"position"_s, u"command"_s, u"error"_s, u"velocity"_s,
+                                                      u"analog"_s};
+
+QString toWord(const SignalRef& signal) {
+    const QString word = kSignalWords[static_cast<std::size_t>(signal.signal)];
+    return signal.module ? u"%1.%2"_s.arg(signal.module->value() + 1).arg(word) : word;
+}
+
+std::optional<SignalRef> signalOf(const QString& text) {
+    SignalRef signal;
+    QString word = text.trimmed();
+    if (const qsizetype dot = word.indexOf(u'.'); dot >= 0) {
+        const int number = word.left(dot).toInt();
+        if (number < 1 || number > 32)
+            return std::nullopt;
+        signal.module = ModuleIndex(static_cast<std::uint8_t>(number - 1));
+        word = word.mid(dot + 1);
+    }
+    const auto found = std::find(kSignalWords.begin(), kSignalWords.end(), word);
+    if (found == kSignalWords.end())
+        return std::nullopt;
+    signal.signal = static_cast<ScopeSignal>(found - kSignalWords.begin());
+    return signal;
+}
+
+QString toWords(const std::vector<LaneBit>& bits) {
+    QStringList words;
+    for (const LaneBit& bit : bits)
+        words << QString::number(bit.bit + (bit.second ? 8 : 0));
+    return words.join(u',');
+}
+
+std::vector<LaneBit> bitsIn(const QString& text) {
+    std::vector<LaneBit> bits;
+    for (const QString& word : text.split(u',', Qt::SkipEmptyParts)) {
+        bool ok = false;
+        const int number = word.toInt(&ok);
+        if (ok && number >= 0 && number < 16)
+            bits.push_back({number >= 8, number % 8});
+    }
+    return bits;
+}
+
+}  // namespace
+
+ScopeSetup ScopeSetup::usual() {
+    ScopeSetup setup;
+    setup.strips[0] = {{std::nullopt, ScopeSignal::Position}, {std::nullopt, ScopeSignal::Command}};
+    setup.strips[1] = {{std::nullopt, ScopeSignal::Error}};
+    return setup;
+}
+
+QString ScopeSetup::toText() const {
+    QStringList parts;
+    for (const auto& strip : strips) {
+        QStringList words;
+        for (const SignalRef& signal : strip)
+            words << toWord(signal);
+        parts << u"strip="_s + words.join(u',');
+    }
+    parts << u"lane="_s + (lane ? u"1"_s : u"0"_s) << u"seconds="_s + QString::number(seconds);
+    for (const auto& [type, chosen] : bits)
+        parts << (type == ModuleType::Step ? u"stepbits="_s : u"servobits="_s) + toWords(chosen);
+    return parts.join(u';');
+}
+
+ScopeSetup ScopeSetup::fromText(const QString& text) {
+    ScopeSetup setup;
+    std::size_t strip = 0;
+    for (const QString& part : text.split(u';')) {
+        const QString key = part.section(u'=', 0, 0);
+        const QString value = part.section(u'=', 1);
+        if (key == u"strip"_s && strip < kStrips) {
+            for (const QString& word : value.split(u',', Qt::SkipEmptyParts))
+                if (const auto signal = signalOf(word); signal && !setup.shows(strip, *signal))
+                    setup.strips[strip].push_back(*signal);
+            ++strip;
+        } else if (key == u"lane"_s) {
+            setup.lane = value == u"1"_s;
+        } else if (key == u"seconds"_s) {
+            if (const double seconds = value.toDouble();
+                seconds >= TimeWindow::kShortest && seconds <= TimeWindow::kLongest)
+                setup.seconds = seconds;
+        } else if (key == u"servobits"_s || key == u"stepbits"_s) {
+            setup.bits[key == u"stepbits"_s ? ModuleType::Step : ModuleType::Servo] = bitsIn(value);
+        }
+    }
+    const bool nothing = std::all_of(setup.strips.begin(), setup.strips.end(),
+                                     [](const auto& shown) { return shown.empty(); });
+    if (nothing && !setup.lane)
+        setup.strips = usual().strips;
+    return setup;
+}
+
+bool ScopeSetup::shows(std::size_t strip, const SignalRef& signal) const {
+    return std::find(strips[strip].begin(), strips[strip].end(), signal) != strips[strip].end();
+}
+
+void ScopeSetup::set(std::size_t strip, const SignalRef& signal, bool shown) {
+    std::erase(strips[strip], signal);
+    if (!shown)
+        return;
+    // In the order of the table they are chosen from.
+    const auto place = std::lower_bound(strips[strip].begin(), strips[strip].end(), signal);
+    strips[strip].insert(place, signal);
+}
+
+std::vector<LaneBit> ScopeSetup::bitsOf(ModuleType type) const {
+    const auto chosen = bits.find(type);
+    return chosen != bits.end() ? chosen->second : usualLaneBits(type);
+}
+
+std::vector<ModuleIndex> ScopeSetup::fixedModules() const {
+    std::vector<ModuleIndex> modules;
+    for (const auto& strip : strips)
+        for (const SignalRef& signal : strip)
+            if (signal.module && std::find(modules.begin(), modules.end(), *signal.module) == modules.end())
+                modules.push_back(*signal.module);
+    return modules;
+}
+
+}  // namespace nmc

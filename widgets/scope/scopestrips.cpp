@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopestrips.h"
+
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/look.h"
+#include "widgets/scope/statuslane.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr double kRateTime = 1.0;  ///< s over which samples are counted, and between two counts
+const std::array<QString, ScopeSetup::kStrips> kPlotNames{u"scopePlot1"_s, u"scopePlot2"_s, u"scopePlot3"_s,
+                                                          u"scopePlot4"_s};
+}  // namespace
+
+ScopeStrips::ScopeStrips(QWidget* parent)
+    : QWidget(parent), m_layout(new QVBoxLayout(this)), m_lane(new StatusLane(this)) {
+    look::name(this, u"scopeStrips"_s, tr("Plots; arrow keys move, plus and minus zoom"));
+    setFocusPolicy(Qt::StrongFocus);
+    m_layout->setContentsMargins(2, 2, 2, 2);
+    m_layout->setSpacing(0);
+    m_layout->addWidget(m_lane);
+}
+
+/// Strips are built when they are first needed: each takes a chart with it.
+ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
+    auto* plot = new ScopePlot(this);
+    const auto above = std::count_if(m_plots.begin(), m_plots.begin() + static_cast<std::ptrdiff_t>(strip),
+                                     [](const ScopePlot* other) { return other != nullptr; });
+    m_layout->insertWidget(static_cast<int>(above), plot, strip == 0 ? 3 : 2);
+    look::name(plot, kPlotNames[strip], tr("Strip %1 of the scope").arg(strip + 1));
+    connect(plot, &ScopePlot::timeZoomed, this, [this](double factor, double at) {
+        m_time.zoom(factor, at);
+        emit timeChanged();
+    });
+    connect(plot, &ScopePlot::timePanned, this, [this](double seconds) {
+        m_time.pan(seconds);
+        emit timeChanged();
+    });
+    connect(plot, &ScopePlot::timeChosen, this, [this](double left, double right) {
+        m_time.show(left, right);
+        emit timeChanged();
+    });
+    connect(plot, &ScopePlot::cursorMoved, this, &ScopeStrips::cursorMoved);
+    connect(plot, &ScopePlot::everythingWanted, this, &ScopeStrips::everythingWanted);
+    connect(plot, &ScopePlot::focusWanted, this, [this] { setFocus(Qt::MouseFocusReason); });
+    plot->showCursors(m_cursors);
+    return plot;
+}
+
+void ScopeStrips::setSetup(const ScopeSetup& setup) {
+    if (setup == m_setup)
+        return;
+    m_setup = setup;
+    arrange();
+}
+
+void ScopeStrips::setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
+    if (modules == m_modules && selected == m_selected)
+        return;
+    m_modules = modules;
+    m_selected = selected;
+    arrange();
+}
+
+void ScopeStrips::arrange() {
+    m_labelled.reset();
+    ScopePlot* lowest = nullptr;
+    for (std::size_t i = 0; i < m_plots.size(); ++i) {
+        const bool shown = !m_setup.strips[i].empty();
+        if (shown && m_plots[i] == nullptr)
+            m_plots[i] = newPlot(i);
+        if (m_plots[i] != nullptr)
+            m_plots[i]->setVisible(shown);
+        if (shown)
+            lowest = m_plots[i];
+    }
+    for (ScopePlot* plot : shownPlots())
+        plot->setTimeLabels(plot == lowest);
+    m_lane->setVisible(m_setup.lane);
+    const ModuleType type = m_selected && m_selected->value() < m_modules.size()
+                                ? m_modules[m_selected->value()].identity.type
+                                : ModuleType::Servo;
+    m_lane->setBits(type, m_setup.bitsOf(type));
+}
+
+QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
+    const QString words =
+        tr("%1, %2").arg(texts::signalName(signal.signal), texts::signalUnit(signal.signal, module));
+    return signal.module ? tr("%1: %2").arg(module.name, words) : words;
+}
+
+/// Names, units and the achieved rates.
+void ScopeStrips::label(const History& history, double now) {
+    if (m_labelled && std::abs(now - *m_labelled) < kRateTime)
+        return;
+    m_labelled = now;
+    const bool live = m_time.rolls();
+    const double to = live ? now : m_time.right();
+    const double from = live ? now - kRateTime : m_time.left();
+    const TimePoint zero = history.zero().value_or(TimePoint{});
+    for (std::size_t i = 0; i < m_plots.size(); ++i) {
+        std::vector<ScopePlot::Trace> traces;
+        const auto& strip = m_setup.strips[i];
+        const bool mixed = std::any_of(strip.begin(), strip.end(), [&](const SignalRef& signal) {
+            return signal.module != strip.front().module;
+        });
+        for (const SignalRef& signal : strip) {
+            const std::optional<ModuleIndex> index = signal.module ? signal.module : m_selected;
+            if (!index || index->value() >= m_modules.size())
+                continue;
+            const ScopeModule& module = m_modules[index->value()];
+            ScopePlot::Trace trace{*index, signal.signal, module.scaleOf(signal.signal),
+                                   labelOf(signal, module),
+                                   mixed ? QString::number(index->value() + 1) : QString()};
+            if (const ModuleHistory* samples = history.module(*index))
+                trace.samplesPerSecond =
+                    static_cast<double>(samples->countBetween(zero + fromSeconds(from),
+                                                              zero + fromSeconds(to), signal.signal)) /
+                    (to - from);
+            traces.push_back(trace);
+        }
+        if (m_plots[i] != nullptr)
+            m_plots[i]->setTraces(std::move(traces));
+    }
+}
+
+void ScopeStrips::showFrame(const History& history, double now) {
+    m_time.follow(now);
+    label(history, now);
+    const ScopePlot::View view{history.zero().value_or(TimePoint{}), m_time.left(), m_time.right(),
+                               m_time.division()};
+    for (ScopePlot* plot : shownPlots()) {
+        plot->showFrame(view, history, now);
+        std::optional<double> level;
+        if (m_level)
+            for (const ScopePlot::Trace& trace : plot->traces())
+                if (trace.signal == m_level->first.signal && m_level->first.module == trace.module)
+                    level = trace.scale(m_level->second);
+        plot->showLevel(level);
+    }
+    align();
+    if (m_setup.lane)
+        m_lane->showFrame(view, m_selected ? history.module(*m_selected) : nullptr);
+}
+
+/// The strips share one time axis, so their plot areas begin at the same place.
+void ScopeStrips::align() {
+    const std::vector<ScopePlot*> plots = shownPlots();
+    int width = m_setup.lane ? m_lane->labelWidth() : 0;
+    for (const ScopePlot* plot : plots)
+        width = std::max(width, plot->labelWidth());
+    for (ScopePlot* plot : plots)
+        plot->leaveLeft(width);
+    const QRectF area = plots.empty() ? QRectF(QPointF(width, 0), m_lane->size()) : plots.front()->plotArea();
+    m_lane->setArea(area.left(), std::min<double>(area.right(), m_lane->width()));
+}
+
+void ScopeStrips::forget() {
+    for (ScopePlot* plot : findChildren<ScopePlot*>())
+        plot->forget();
+    m_labelled.reset();
+    m_time.roll();
+}
+
+void ScopeStrips::showCursors(const std::optional<CursorTimes>& cursors) {
+    m_cursors = cursors;
+    for (ScopePlot* plot : findChildren<ScopePlot*>())
+        plot->showCursors(cursors);
+    m_lane->showCursors(cursors);
+}
+
+void ScopeStrips::showLevel(std::optional<std::pair<SignalRef, double>> level) {
+    m_level = level;
+}
+
+void ScopeStrips::fitValues() {
+    for (ScopePlot* plot : findChildren<ScopePlot*>())
+        plot->fit();
+}
+
+void ScopeStrips::zoomValues(double factor) {
+    for (ScopePlot* plot : shownPlots())
+        plot->zoomValues(factor, (plot->valueRange().min + plot->valueRange().max) / 2);
+}
+
+void ScopeStrips::panValues(double share) {
+    for (ScopePlot* plot : shownPlots())
+        plot->panValues(share);
+}
+
+void ScopeStrips::showEverything(const History& history) {
+    fitValues();
+    if (const auto begin = history.begin())
+        m_time.show(toSeconds(*begin - *history.zero()), toSeconds(*history.end() - *history.zero()));
+}
+
+std::vector<ScopePlot*> ScopeStrips::shownPlots() const {
+    std::vector<ScopePlot*> shown;
+    for (std::size_t i = 0; i < m_plots.size(); ++i)
+        if (!m_setup.strips[i].empty())
+            shown.push_back(m_plots[i]);
+    return shown;
+}
+
+void ScopeStrips::renderTo(QPainter& painter) {
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    const auto render = [&](auto* part) {
+        painter.save();
+        painter.translate(part->pos());
+        part->renderTo(painter);
+        painter.restore();
+    };
+    for (ScopePlot* plot : shownPlots())
+        render(plot);
+    if (m_setup.lane)
+        render(m_lane);
+}
+
+void ScopeStrips::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void ScopeStrips::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void ScopeStrips::paintEvent(QPaintEvent* /*event*/) {
+    if (!hasFocus())
+        return;
+    QPainter painter(this);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+}  // namespace nmc

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "widgets/scope/scopeplot.h"
+#include "widgets/scope/scopesetup.h"
+#include "widgets/scope/timewindow.h"
+
+class QVBoxLayout;
+
+namespace nmc {
+
+class StatusLane;
+
+/// The strips and the lane of status bits, one below the other over the same time, and what mouse and wheel
+/// do there.
+class ScopeStrips : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ScopeStrips(QWidget* parent = nullptr);
+
+    void setSetup(const ScopeSetup& setup);
+    /// How to read the samples; `selected`: whose signals stand for "the selected module's".
+    void setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
+    /// One frame; `now` in seconds since the history's zero. The rates are counted anew once a second.
+    void showFrame(const History& history, double now);
+    /// Other data.
+    void forget();
+
+    [[nodiscard]] TimeWindow& time() { return m_time; }
+    [[nodiscard]] const TimeWindow& time() const { return m_time; }
+    void showCursors(const std::optional<CursorTimes>& cursors);
+    [[nodiscard]] const std::optional<CursorTimes>& cursors() const { return m_cursors; }
+    /// A trigger's level, in the strips that show this signal.
+    void showLevel(std::optional<std::pair<SignalRef, double>> level);
+
+    void fitValues();
+    void zoomValues(double factor);
+    void panValues(double share);
+    /// All that there is of `history`.
+    void showEverything(const History& history);
+
+    [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
+    [[nodiscard]] std::optional<ModuleIndex> selected() const { return m_selected; }
+    [[nodiscard]] std::vector<ScopePlot*> shownPlots() const;
+    void renderTo(QPainter& painter);
+
+signals:
+    /// Mouse or wheel have changed what is to be seen, and the next frame shows it.
+    void timeChanged();
+    void everythingWanted();
+    void cursorMoved(int cursor, double seconds);
+
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] ScopePlot* newPlot(std::size_t strip);
+    void arrange();
+    void label(const History& history, double now);
+    [[nodiscard]] QString labelOf(const SignalRef& signal, const ScopeModule& module) const;
+    void align();
+
+    QVBoxLayout* m_layout;
+    std::array<ScopePlot*, ScopeSetup::kStrips> m_plots{};
+    StatusLane* m_lane;
+    ScopeSetup m_setup;
+    std::vector<ScopeModule> m_modules;
+    std::optional<ModuleIndex> m_selected;
+    TimeWindow m_time;
+    std::optional<CursorTimes> m_cursors;
+    std::optional<std::pair<SignalRef, double>> m_level;
+    std::optional<double> m_labelled;  ///< s, when the rates were counted
+};
+
+}  // namespace nmc

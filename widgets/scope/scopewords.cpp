@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopewords.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+namespace {
+
+class Scope {
+    Q_DECLARE_TR_FUNCTIONS(Scope)
+};
+
+std::string_view nameOf(const LaneBit& bit, ModuleType type) {
+    const auto index = static_cast<std::size_t>(bit.bit);
+    if (type == ModuleType::Step)
+        return (bit.second ? step::kInputBitNames : step::kStatusBitNames)[index];
+    return (bit.second ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
+}
+
+}  // namespace
+
+namespace texts {
+
+QString signalName(ScopeSignal signal) {
+    switch (signal) {
+        case ScopeSignal::Position:
+            return Scope::tr("position");
+        case ScopeSignal::Command:
+            return Scope::tr("command position, calculated");
+        case ScopeSignal::Error:
+            return Scope::tr("position error, calculated");
+        case ScopeSignal::Velocity:
+            return Scope::tr("velocity, from position");
+        case ScopeSignal::Analog:
+            return Scope::tr("A/D");
+    }
+    return {};
+}
+
+QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
+    switch (signal) {
+        case ScopeSignal::Position:
+        case ScopeSignal::Command:
+        case ScopeSignal::Error:
+            return unitOf(module.scale);
+        case ScopeSignal::Velocity:
+            return measuredVelocityUnitOf(module.scale);
+        case ScopeSignal::Analog:
+            return QString::fromStdString(module.analog.unit);
+    }
+    return {};
+}
+
+QString signalValue(double value, ScopeSignal signal, const ScopeModule& module) {
+    const double one = std::abs(module.scaleOf(signal).factor);
+    // A tenth of a count for what is calculated, whole counts for what was reported.
+    const double finest = isCalculated(signal) ? one / 10 : one;
+    const int decimals =
+        finest > 0 ? qBound(0, static_cast<int>(std::ceil(-std::log10(finest) - 1e-6)), 9) : 0;
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString stretch(double seconds) {
+    return std::abs(seconds) < 1 ? Scope::tr("%1 ms").arg(readout(seconds * 1e3))
+                                 : Scope::tr("%1 s").arg(readout(seconds));
+}
+
+QString bitName(const LaneBit& bit, ModuleType type) {
+    const std::string_view name = nameOf(bit, type);
+    return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+}  // namespace texts
+
+std::vector<LaneBit> laneBits(ModuleType type) {
+    std::vector<LaneBit> bits;
+    for (const bool second : {false, true})
+        for (int bit = 0; bit < 8; ++bit)
+            if (const LaneBit one{second, bit}; !nameOf(one, type).empty())
+                bits.push_back(one);
+    return bits;
+}
+
+std::vector<LaneBit> usualLaneBits(ModuleType type) {
+    if (type == ModuleType::Step)  // moving, power, homing; E-stop, limits, home switch
+        return {{false, 0}, {false, 3}, {false, 7}, {true, 0}, {true, 3}, {true, 4}, {true, 5}};
+    // move_done, power_on, servo_on, pos_error, overcurrent, limits, home_in_progress
+    return {{false, 0}, {false, 3}, {true, 2}, {false, 4}, {false, 2}, {false, 5}, {false, 6}, {false, 7}};
+}
+
+}  // namespace nmc

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/signalsdialog.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/look.h"
+#include "widgets/scope/scopewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kModuleRole = Qt::UserRole;  ///< -1: the selected one
+constexpr int kSignalRole = Qt::UserRole + 1;
+
+SignalRef signalOf(const QTreeWidgetItem& item) {
+    SignalRef signal;
+    if (const int module = item.data(0, kModuleRole).toInt(); module >= 0)
+        signal.module = ModuleIndex(static_cast<std::uint8_t>(module));
+    signal.signal = static_cast<ScopeSignal>(item.data(0, kSignalRole).toInt());
+    return signal;
+}
+}  // namespace
+
+SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeModule>& modules,
+                             QWidget* parent)
+    : QDialog(parent), m_setup(setup), m_table(new QTreeWidget(this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Signals of the scope"));
+    look::name(this, u"scopeSignalsDialog"_s, windowTitle());
+    look::name(m_table, u"scopeSignalsTable"_s, tr("Signals, and the strips they stand in"));
+    QStringList titles{tr("Signal")};
+    for (std::size_t strip = 1; strip <= ScopeSetup::kStrips; ++strip)
+        titles << tr("Strip %1").arg(strip);
+    m_table->setHeaderLabels(titles);
+    m_table->setToolTip(tr("A tick puts the signal into that strip. A strip without a tick is not shown."));
+    addRows(tr("The selected module"), std::nullopt);
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)));
+    m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->header()->setStretchLastSection(false);
+    connect(m_table, &QTreeWidget::itemChanged, this, &SignalsDialog::take);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* usual = buttons->addButton(tr("&Usual signals"), QDialogButtonBox::ResetRole);
+    look::name(usual, u"scopeUsualSignalsButton"_s, tr("Usual signals"));
+    usual->setToolTip(tr("Position with its command position, and the error below."));
+    connect(usual, &QPushButton::clicked, this, [this] {
+        m_setup.strips = ScopeSetup::usual().strips;
+        showSetup();
+        emit setupChosen(m_setup);
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_table);
+    layout->addWidget(buttons);
+    showSetup();
+    const int em = fontMetrics().height();
+    resize(em * 34, em * 24);
+}
+
+void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> module) {
+    auto* group = new QTreeWidgetItem(m_table, {title});
+    bool used = !module;
+    for (std::size_t i = 0; i < kScopeSignals; ++i) {
+        const auto signal = static_cast<ScopeSignal>(i);
+        auto* row = new QTreeWidgetItem(group, {texts::signalName(signal)});
+        row->setData(0, kModuleRole, module ? static_cast<int>(module->value()) : -1);
+        row->setData(0, kSignalRole, static_cast<int>(signal));
+        row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+        for (std::size_t strip = 0; strip < ScopeSetup::kStrips; ++strip) {
+            used = used || m_setup.shows(strip, {module, signal});
+            row->setToolTip(static_cast<int>(strip) + 1,
+                            tr("%1: %2 in strip %3").arg(title, texts::signalName(signal)).arg(strip + 1));
+        }
+    }
+    group->setExpanded(used);
+}
+
+void SignalsDialog::showSetup() {
+    const QSignalBlocker blocker(m_table);
+    for (int i = 0; i < m_table->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = m_table->topLevelItem(i);
+        for (int k = 0; k < group->childCount(); ++k)
+            for (std::size_t strip = 0; strip < ScopeSetup::kStrips; ++strip)
+                group->child(k)->setCheckState(
+                    static_cast<int>(strip) + 1,
+                    m_setup.shows(strip, signalOf(*group->child(k))) ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+void SignalsDialog::take(QTreeWidgetItem* item, int column) {
+    if (column < 1 || item->parent() == nullptr)
+        return;
+    m_setup.set(static_cast<std::size_t>(column - 1), signalOf(*item),
+                item->checkState(column) == Qt::Checked);
+    emit setupChosen(m_setup);
+}
+
+}  // namespace nmc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "widgets/scope/scopesetup.h"
+
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace nmc {
+
+/// Which signals of which modules stand in which strip: a table to tick. What is ticked shows at once.
+class SignalsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeModule>& modules, QWidget* parent);
+
+signals:
+    void setupChosen(const nmc::ScopeSetup& setup);
+
+private:
+    void addRows(const QString& title, std::optional<ModuleIndex> module);
+    void take(QTreeWidgetItem* item, int column);
+    void showSetup();
+
+    ScopeSetup m_setup;
+    QTreeWidget* m_table;
+};
+
+}  // namespace nmc

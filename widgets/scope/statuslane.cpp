@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/statuslane.h"
+
+#include <QPainter>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"scopeStatusLane"_s, tr("Status bits over time"));
+    setFont(look::scaled(font(), 0.9));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_geometry.bottom = 0;
+    m_geometry.top = 1;
+}
+
+void StatusLane::setBits(ModuleType type, std::vector<LaneBit> bits) {
+    if (m_type == type && m_bits == bits)
+        return;
+    m_type = type;
+    m_bits = std::move(bits);
+    updateGeometry();
+    update();
+}
+
+int StatusLane::rowHeight() const {
+    return fontMetrics().height() + 2;
+}
+
+int StatusLane::labelWidth() const {
+    int width = 0;
+    for (const LaneBit& bit : m_bits)
+        width = qMax(width, fontMetrics().horizontalAdvance(texts::bitName(bit, m_type)));
+    return width + fontMetrics().height() / 2;
+}
+
+QSize StatusLane::sizeHint() const {
+    return {fontMetrics().height() * 20, rowHeight() * static_cast<int>(m_bits.size())};
+}
+
+void StatusLane::setArea(double left, double right) {
+    m_geometry.area = QRectF(left, 0, right - left, height());
+}
+
+void StatusLane::showFrame(const ScopePlot::View& view, const ModuleHistory* history) {
+    m_geometry.left = view.left;
+    m_geometry.right = view.right;
+    m_pieces.clear();
+    if (history != nullptr && !m_geometry.area.isEmpty()) {
+        const Duration widest =
+            fromSeconds((view.right - view.left) / (m_geometry.area.width() * devicePixelRatioF()));
+        history->visit(
+            view.zero + fromSeconds(view.left), view.zero + fromSeconds(view.right), widest,
+            [&](const ScopeSpan& span) {
+                m_pieces.push_back({toSeconds(span.first - view.zero), toSeconds(span.last - view.zero),
+                                    span.statusAll | unsigned{span.auxAll} << 8U,
+                                    span.statusAny | unsigned{span.auxAny} << 8U,
+                                    !span.gapBefore && !m_pieces.empty()});
+            });
+    }
+    update();
+}
+
+void StatusLane::showCursors(const std::optional<CursorTimes>& cursors) {
+    if (m_cursors == cursors)
+        return;
+    m_cursors = cursors;
+    update();
+}
+
+void StatusLane::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    renderTo(painter);
+}
+
+void StatusLane::renderTo(QPainter& painter) {
+    painter.save();
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    painter.setFont(font());
+    for (std::size_t i = 0; i < m_bits.size(); ++i) {
+        const QRectF row(m_geometry.area.left(), rowHeight() * static_cast<double>(i),
+                         m_geometry.area.width(), rowHeight());
+        painter.setClipping(false);
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(QRectF(0, row.top(), row.left() - fontMetrics().height() / 3.0, row.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, texts::bitName(m_bits[i], m_type));
+        painter.setClipRect(row);
+        paintBit(painter, m_bits[i], row);
+    }
+    if (m_cursors && !m_geometry.empty()) {
+        painter.setClipRect(m_geometry.area);
+        painter.setPen(palette().color(QPalette::Text));
+        for (const double seconds : *m_cursors)
+            painter.drawLine(QLineF(m_geometry.x(seconds), 0, m_geometry.x(seconds), height()));
+    }
+    painter.restore();
+}
+
+void StatusLane::paintBit(QPainter& painter, const LaneBit& bit, const QRectF& row) const {
+    const unsigned mask = 1U << static_cast<unsigned>(bit.bit + (bit.second ? 8 : 0));
+    const double high = row.top() + 2.5;
+    const double low = row.bottom() - 2.5;
+    const QColor line = look::traceColour(0, palette());
+    QColor fill = line;
+    fill.setAlpha(60);
+    painter.setPen(line);
+    const auto level = [&](unsigned bits) { return (bits & mask) != 0 ? high : low; };
+    for (std::size_t begin = 0; begin < m_pieces.size();) {
+        // As far as the bit stays as it is.
+        const Piece& first = m_pieces[begin];
+        std::size_t end = begin + 1;
+        while (end < m_pieces.size() && m_pieces[end].joined &&
+               ((m_pieces[end].all ^ first.all) & mask) == 0 && ((m_pieces[end].any ^ first.any) & mask) == 0)
+            ++end;
+        const bool goesOn = end < m_pieces.size() && m_pieces[end].joined;
+        const double left = m_geometry.x(first.left);
+        const double right =
+            std::max(m_geometry.x(goesOn ? m_pieces[end].left : m_pieces[end - 1].right), left + 1);
+        const bool both = ((first.all ^ first.any) & mask) != 0;
+        if (both || level(first.all) == high)
+            painter.fillRect(QRectF(QPointF(left, high), QPointF(right, low)), both ? line : fill);
+        if (!both)
+            painter.drawLine(QLineF(left, level(first.all), right, level(first.all)));
+        if (first.joined && !both)
+            painter.drawLine(QLineF(left, high, left, low));
+        begin = end;
+    }
+}
+
+}  // namespace nmc
