@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "model/recordingcells.h"
 #include "model/recordingcomments.h"
@@ -18,7 +19,8 @@ constexpr std::string_view kComment = "# ";
 constexpr std::array kRequired{RecordingColumn::Module, RecordingColumn::Time, RecordingColumn::Position};
 constexpr cells::Bounds kPositions{std::numeric_limits<std::int32_t>::min(),
                                    std::numeric_limits<std::int32_t>::max()};
-constexpr cells::Bounds kFloats{std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()};
+constexpr auto kMostFloat = static_cast<double>(std::numeric_limits<float>::max());
+constexpr cells::Bounds kFloats{-kMostFloat, kMostFloat};
 
 std::string_view nameOf(RecordingColumn column) {
     return kRecordingColumns[static_cast<std::size_t>(column)];
@@ -53,13 +55,13 @@ bool RecordingReader::feed(std::string_view chunk) {
 const std::optional<RecordingProblem>& RecordingReader::finish() {
     if (m_problem)
         return m_problem;
-    if (m_line == 0 && m_begun.empty())
+    const std::string rest = std::exchange(m_begun, {});
+    if (m_line == 0 && rest.empty()) {
         refuse({.kind = Kind::Empty});
-    else if (m_line == 0)
-        takeLine(m_begun);
-    if (m_problem)
-        return m_problem;
-    if (!m_begun.empty()) {
+    } else if (m_line == 0) {
+        takeLine(rest);
+        refuse({.kind = Kind::Truncated});
+    } else if (!rest.empty()) {
         // Whether digits are missing at its end cannot be seen.
         ++m_line;
         refuse({.kind = Kind::Truncated});

@@ -167,6 +167,7 @@ TEST(RecordingReader, KeepsWhatIsAboveACutAndTellsOfIt) {
     const auto read = readRecording(kRecording + "1,2.5,1024,,1024.5,0.5,0,1,17,9,4,0");
     EXPECT_EQ(read.samples.size(), 2U);
     EXPECT_EQ(read.problem, at(kRowLine + 4, {.kind = Kind::Truncated}));
+    EXPECT_EQ(problemOf("# NMC Panel recording 1"), at(1, {.kind = Kind::Truncated}));
     for (std::size_t length = 1; length < kRecording.size(); ++length) {
         const std::string text = kRecording.substr(0, length);
         const bool betweenRows = text.ends_with('\n') && length > kRecordingHead.size();
@@ -204,7 +205,7 @@ TEST(RecordingReader, RefusesWhatNoSampleCanBe) {
                   {.kind = Kind::OutOfRange, .field = field, .found = found, .min = min, .max = max});
     };
     constexpr double kTenYears = 315'360'000;
-    constexpr double kFloat = std::numeric_limits<float>::max();
+    constexpr auto kFloat = static_cast<double>(std::numeric_limits<float>::max());
     EXPECT_EQ(problemOf(withRow("0,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "0", 1, 255));
     EXPECT_EQ(problemOf(withRow("256,1,1,,,,,,0,0,0,0\n")), outOfRange("module", "256", 1, 255));
     EXPECT_EQ(problemOf(withRow("1,1e300,1,,,,,,0,0,0,0\n")),
