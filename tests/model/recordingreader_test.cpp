@@ -13,8 +13,6 @@ namespace {
 using namespace testing_support;
 using Kind = RecordingProblem::Kind;
 
-constexpr float kNothing = ScopeSample::kUnknown;
-
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
