@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <optional>
 
@@ -48,6 +49,21 @@ inline constexpr std::size_t kScopeSignals = 5;
     if (std::isnan(value))
         return std::nullopt;
     return value;
+}
+
+/// One bit of what the module says of itself (DS-V 5.3, DS-S 5.2).
+struct ScopeBit {
+    /// The second byte: auxiliary status, inputs of a PIC-STEP.
+    enum class Byte : std::uint8_t { Status, Aux };
+    Byte byte = Byte::Status;
+    std::uint8_t bit = 0;  ///< 0..7
+
+    auto operator<=>(const ScopeBit&) const = default;
+};
+
+[[nodiscard]] constexpr bool isSet(const ScopeSample& sample, ScopeBit bit) {
+    const unsigned byte = bit.byte == ScopeBit::Byte::Status ? sample.status : sample.aux;
+    return ((byte >> (bit.bit & 7U)) & 1U) != 0;
 }
 
 }  // namespace nmc

@@ -5,36 +5,19 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <memory>
 
+#include "asnobody.h"
 #include "link/unsavedwork.h"
 
 namespace nmc {
 namespace {
 
-/// The superuser may do everything; tests of what is not allowed are somebody else meanwhile.
-class AsNobody {
-public:
-    AsNobody() : m_root(geteuid() == 0) {
-        if (m_root)
-            m_changed = seteuid(65'534) == 0;
-    }
-    ~AsNobody() {
-        if (m_changed) [[maybe_unused]]
-            const int back = seteuid(0);
-    }
-    AsNobody(const AsNobody&) = delete;
-    AsNobody& operator=(const AsNobody&) = delete;
-
-private:
-    bool m_root;
-    bool m_changed = false;
-};
+using testing_support::AsNobody;
 
 class MachineIo : public testing::Test {
 protected:

@@ -223,14 +223,14 @@ void ScopePanel::addLaneBits(QMenu& menu) {
         return;
     const ModuleType type = m_strips->modules()[m_strips->selected()->value()].identity.type;
     QMenu* bits = menu.addMenu(tr("Bits of the lane"));
-    const std::vector<LaneBit> shown = m_setup.bitsOf(type);
-    for (const LaneBit& bit : laneBits(type)) {
+    const std::vector<ScopeBit> shown = m_setup.bitsOf(type);
+    for (const ScopeBit& bit : laneBits(type)) {
         QAction* action = bits->addAction(texts::bitName(bit, type));
         action->setCheckable(true);
         action->setChecked(std::find(shown.begin(), shown.end(), bit) != shown.end());
         connect(action, &QAction::toggled, this, [this, bit, type](bool wanted) {
             ScopeSetup setup = m_setup;
-            std::vector<LaneBit> chosen = setup.bitsOf(type);
+            std::vector<ScopeBit> chosen = setup.bitsOf(type);
             std::erase(chosen, bit);
             if (wanted)
                 chosen.push_back(bit);

@@ -38,20 +38,21 @@ std::optional<SignalRef> signalOf(const QString& text) {
     return signal;
 }
 
-QString toWords(const std::vector<LaneBit>& bits) {
+QString toWords(const std::vector<ScopeBit>& bits) {
     QStringList words;
-    for (const LaneBit& bit : bits)
-        words << QString::number(bit.bit + (bit.second ? 8 : 0));
+    for (const ScopeBit& bit : bits)
+        words << QString::number(bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8 : 0));
     return words.join(u',');
 }
 
-std::vector<LaneBit> bitsIn(const QString& text) {
-    std::vector<LaneBit> bits;
+std::vector<ScopeBit> bitsIn(const QString& text) {
+    std::vector<ScopeBit> bits;
     for (const QString& word : text.split(u',', Qt::SkipEmptyParts)) {
         bool ok = false;
         const int number = word.toInt(&ok);
         if (ok && number >= 0 && number < 16)
-            bits.push_back({number >= 8, number % 8});
+            bits.push_back({number >= 8 ? ScopeBit::Byte::Aux : ScopeBit::Byte::Status,
+                            static_cast<std::uint8_t>(number % 8)});
     }
     return bits;
 }
@@ -120,7 +121,7 @@ void ScopeSetup::set(std::size_t strip, const SignalRef& signal, bool shown) {
     strips[strip].insert(place, signal);
 }
 
-std::vector<LaneBit> ScopeSetup::bitsOf(ModuleType type) const {
+std::vector<ScopeBit> ScopeSetup::bitsOf(ModuleType type) const {
     const auto chosen = bits.find(type);
     return chosen != bits.end() ? chosen->second : usualLaneBits(type);
 }

@@ -20,7 +20,7 @@ struct ScopeSetup {
     bool lane = false;  ///< of status bits
     double seconds = 10;
     /// Of each kind of module, where they are not the usual ones.
-    std::map<ModuleType, std::vector<LaneBit>> bits{};
+    std::map<ModuleType, std::vector<ScopeBit>> bits{};
 
     /// Position with its command, and the error below.
     [[nodiscard]] static ScopeSetup usual();
@@ -31,7 +31,7 @@ struct ScopeSetup {
 
     [[nodiscard]] bool shows(std::size_t strip, const SignalRef& signal) const;
     void set(std::size_t strip, const SignalRef& signal, bool shown);
-    [[nodiscard]] std::vector<LaneBit> bitsOf(ModuleType type) const;
+    [[nodiscard]] std::vector<ScopeBit> bitsOf(ModuleType type) const;
     /// Modules that are shown whichever is selected.
     [[nodiscard]] std::vector<ModuleIndex> fixedModules() const;
 

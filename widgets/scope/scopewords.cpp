@@ -16,11 +16,11 @@ class Scope {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
-std::string_view nameOf(const LaneBit& bit, ModuleType type) {
+std::string_view nameOf(const ScopeBit& bit, ModuleType type) {
     const auto index = static_cast<std::size_t>(bit.bit);
     if (type == ModuleType::Step)
-        return (bit.second ? step::kInputBitNames : step::kStatusBitNames)[index];
-    return (bit.second ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
+        return (bit.byte == ScopeBit::Byte::Aux ? step::kInputBitNames : step::kStatusBitNames)[index];
+    return (bit.byte == ScopeBit::Byte::Aux ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
 }
 
 }  // namespace
@@ -71,27 +71,30 @@ QString stretch(double seconds) {
                                  : Scope::tr("%1 s").arg(readout(seconds));
 }
 
-QString bitName(const LaneBit& bit, ModuleType type) {
+QString bitName(const ScopeBit& bit, ModuleType type) {
     const std::string_view name = nameOf(bit, type);
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 }  // namespace texts
 
-std::vector<LaneBit> laneBits(ModuleType type) {
-    std::vector<LaneBit> bits;
-    for (const bool second : {false, true})
-        for (int bit = 0; bit < 8; ++bit)
-            if (const LaneBit one{second, bit}; !nameOf(one, type).empty())
+std::vector<ScopeBit> laneBits(ModuleType type) {
+    std::vector<ScopeBit> bits;
+    for (const ScopeBit::Byte byte : {ScopeBit::Byte::Status, ScopeBit::Byte::Aux})
+        for (std::uint8_t bit = 0; bit < 8; ++bit)
+            if (const ScopeBit one{byte, bit}; !nameOf(one, type).empty())
                 bits.push_back(one);
     return bits;
 }
 
-std::vector<LaneBit> usualLaneBits(ModuleType type) {
+std::vector<ScopeBit> usualLaneBits(ModuleType type) {
+    constexpr auto kStatus = ScopeBit::Byte::Status;
+    constexpr auto kAux = ScopeBit::Byte::Aux;
     if (type == ModuleType::Step)  // moving, power, homing; E-stop, limits, home switch
-        return {{false, 0}, {false, 3}, {false, 7}, {true, 0}, {true, 3}, {true, 4}, {true, 5}};
+        return {{kStatus, 0}, {kStatus, 3}, {kStatus, 7}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
     // move_done, power_on, servo_on, pos_error, overcurrent, limits, home_in_progress
-    return {{false, 0}, {false, 3}, {true, 2}, {false, 4}, {false, 2}, {false, 5}, {false, 6}, {false, 7}};
+    return {{kStatus, 0}, {kStatus, 3}, {kAux, 2},    {kStatus, 4},
+            {kStatus, 2}, {kStatus, 5}, {kStatus, 6}, {kStatus, 7}};
 }
 
 }  // namespace nmc

@@ -18,25 +18,16 @@ namespace nmc::texts {
 /// "0.5 s", "12 ms": a stretch of time.
 [[nodiscard]] QString stretch(double seconds);
 
+/// The data sheet's own name.
+[[nodiscard]] QString bitName(const ScopeBit& bit, ModuleType type);
+
 }  // namespace nmc::texts
 
 namespace nmc {
 
-/// A bit of a module's two status bytes.
-struct LaneBit {
-    bool second = false;  ///< auxiliary status; inputs of a PIC-STEP
-    int bit = 0;
-    auto operator<=>(const LaneBit&) const = default;
-};
-
-namespace texts {
-/// The data sheet's own name.
-[[nodiscard]] QString bitName(const LaneBit& bit, ModuleType type);
-}  // namespace texts
-
 /// All that have a name.
-[[nodiscard]] std::vector<LaneBit> laneBits(ModuleType type);
+[[nodiscard]] std::vector<ScopeBit> laneBits(ModuleType type);
 /// Those that tell an operator most.
-[[nodiscard]] std::vector<LaneBit> usualLaneBits(ModuleType type);
+[[nodiscard]] std::vector<ScopeBit> usualLaneBits(ModuleType type);
 
 }  // namespace nmc

@@ -17,7 +17,7 @@ StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
     m_geometry.top = 1;
 }
 
-void StatusLane::setBits(ModuleType type, std::vector<LaneBit> bits) {
+void StatusLane::setBits(ModuleType type, std::vector<ScopeBit> bits) {
     if (m_type == type && m_bits == bits)
         return;
     m_type = type;
@@ -32,7 +32,7 @@ int StatusLane::rowHeight() const {
 
 int StatusLane::labelWidth() const {
     int width = 0;
-    for (const LaneBit& bit : m_bits)
+    for (const ScopeBit& bit : m_bits)
         width = qMax(width, fontMetrics().horizontalAdvance(texts::bitName(bit, m_type)));
     return width + fontMetrics().height() / 2;
 }
@@ -99,8 +99,8 @@ void StatusLane::renderTo(QPainter& painter) {
     painter.restore();
 }
 
-void StatusLane::paintBit(QPainter& painter, const LaneBit& bit, const QRectF& row) const {
-    const unsigned mask = 1U << static_cast<unsigned>(bit.bit + (bit.second ? 8 : 0));
+void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const {
+    const unsigned mask = 1U << (bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U));
     const double high = row.top() + 2.5;
     const double low = row.bottom() - 2.5;
     const QColor line = look::traceColour(0, palette());

@@ -18,8 +18,8 @@ class StatusLane : public QWidget {
 public:
     explicit StatusLane(QWidget* parent = nullptr);
 
-    void setBits(ModuleType type, std::vector<LaneBit> bits);
-    [[nodiscard]] const std::vector<LaneBit>& bits() const { return m_bits; }
+    void setBits(ModuleType type, std::vector<ScopeBit> bits);
+    [[nodiscard]] const std::vector<ScopeBit>& bits() const { return m_bits; }
     /// Null: nothing to show.
     void showFrame(const ScopePlot::View& view, const ModuleHistory* history);
     void showCursors(const std::optional<CursorTimes>& cursors);
@@ -43,10 +43,10 @@ private:
         bool joined;
     };
     [[nodiscard]] int rowHeight() const;
-    void paintBit(QPainter& painter, const LaneBit& bit, const QRectF& row) const;
+    void paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const;
 
     ModuleType m_type = ModuleType::Servo;
-    std::vector<LaneBit> m_bits;
+    std::vector<ScopeBit> m_bits;
     std::vector<Piece> m_pieces;
     PlotGeometry m_geometry;
     std::optional<CursorTimes> m_cursors;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <clocale>
+#include <locale>
+
+#include "recordings.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// What de_DE does to programs that do not ask for the C locale; of the system's own locales as well, where
+/// it has that one.
+class UnderGermanLocale {
+public:
+    UnderGermanLocale()
+        : m_before(std::locale::global(std::locale(std::locale::classic(), new DecimalComma))) {
+        for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE"})
+            if (std::setlocale(LC_ALL, name) != nullptr)
+                break;
+    }
+    ~UnderGermanLocale() {
+        std::setlocale(LC_ALL, "C");
+        std::locale::global(m_before);
+    }
+    UnderGermanLocale(const UnderGermanLocale&) = delete;
+    UnderGermanLocale& operator=(const UnderGermanLocale&) = delete;
+
+private:
+    struct DecimalComma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    std::locale m_before;
+};
+
+TimePoint at(std::int64_t nanoseconds) {
+    return TimePoint(Duration(nanoseconds));
+}
+
+ScopeSample sampleOf(TimePoint time, std::int32_t position) {
+    ScopeSample sample;
+    sample.time = time;
+    sample.position = position;
+    return sample;
+}
+
+std::uint32_t bits(float number) {
+    return std::bit_cast<std::uint32_t>(number);
+}
+
+TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
+    const UnderGermanLocale german;
+    const TimePoint zero = at(5'000'000'000);
+    RecordingHeader header = recordingHeader();
+    header.zero = zero;
+    const std::string head = recordingHead(header);
+    EXPECT_THAT(head, StartsWith(kRecordingHead));
+    EXPECT_TRUE(head.ends_with('\n' + kRecordingColumnLine));
+
+    ScopeSample first = sampleOf(zero - Duration(1), 1'024);
+    first.error = 0.5F;
+    first.errorLow = 0.0F;
+    first.errorHigh = 1.0F;
+    first.analog = 17;
+    first.status = 9;
+    first.aux = 4;
+    ScopeSample second = sampleOf(zero + Duration(600'000'001), -2'147'483'647 - 1);
+    second.velocity = -12.25F;
+    second.analog = 255;
+    second.aux = 63;
+    second.gapBefore = true;
+    std::string rows;
+    appendRow(rows, ModuleIndex(0), first, zero);
+    appendGains(rows, ModuleIndex(0), {100, 1'000, 0, 0, 255, 0, 2'000, 1, std::uint8_t{3}},
+                at(5'500'000'000), zero);
+    appendRow(rows, ModuleIndex(1), second, zero);
+    appendNote(rows, "the motors were told to stop", at(5'750'000'000), zero);
+    EXPECT_EQ(rows, kRecordingRows);
+}
+
+TEST(Recording, ARealSessionSaysSo) {
+    RecordingHeader header = recordingHeader();
+    header.simulated = false;
+    EXPECT_THAT(recordingHead(header), HasSubstr("\n# simulated: no\n"));
+    EXPECT_FALSE(readRecording(recordingHead(header)).header.simulated);
+}
+
+TEST(Recording, HeadLinesStartWithAHashSoThatOtherReadersCanPassThemOver) {
+    const std::string head = recordingHead(recordingHeader());
+    std::size_t from = 0;
+    for (; from < head.size() - kRecordingColumnLine.size(); from = head.find('\n', from) + 1)
+        EXPECT_EQ(head[from], '#') << "at byte " << from;
+    EXPECT_EQ(head.substr(from), kRecordingColumnLine);
+}
+
+TEST(Recording, WhatAModuleIsCalledStaysOnItsLine) {
+    RecordingHeader header = recordingHeader();
+    header.modules[0].name = "a\n2,1,1\r";
+    header.modules[1].name = " Kräfte, \"B\"; #3: x ";
+    const auto read = readRecording(recordingHead(header));
+    EXPECT_FALSE(read.problem.has_value());
+    EXPECT_EQ(read.header.modules[0].name, "a?2,1,1?");
+    EXPECT_EQ(read.header.modules[1].name, header.modules[1].name);
+    EXPECT_TRUE(read.samples.empty());
+}
+
+TEST(Recording, TheHeadIsReadBack) {
+    RecordingHeader header = recordingHeader();
+    header.modules[0].unit.countsPerUnit = 0.1 + 0.2;
+    header.modules[1].unit = {UnitKind::Own, 1e-6, "inch"};
+    header.modules[1].analog.unit = "";
+    header.modules[1].identity = {static_cast<ModuleType>(77), 255};
+    EXPECT_EQ(readRecording(recordingHead(header)).header, header);
+}
+
+TEST(Recording, GainsOfBothKindsAreReadBack) {
+    const std::vector<ReadRecording::Gains> gains{
+        {ModuleIndex(0), at(-1), {1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
+        {ModuleIndex(31), at(1'234'567'890), {0x7FFF, 0x7FFF, 0x7FFF, 0x7FFF, 255, 255, 0x3FFF, 255, 255}}};
+    std::string text = recordingHead(recordingHeader());
+    for (const auto& [module, time, values] : gains)
+        appendGains(text, module, values, time, TimePoint{});
+    const auto read = readRecording(text);
+    EXPECT_FALSE(read.problem.has_value());
+    EXPECT_EQ(read.gains, gains);
+}
+
+// ---- any samples ----
+
+/// Any number there is but the infinities, which nothing measures; NaN stands for all that are not known.
+rc::Gen<float> anyFloat() {
+    return rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t pattern) {
+        const float number = std::bit_cast<float>(pattern);
+        return std::isfinite(number) ? number : ScopeSample::kUnknown;
+    });
+}
+
+rc::Gen<ScopeSample> anySample() {
+    using std::chrono::nanoseconds;
+    constexpr std::int64_t kYear = 31'536'000'000'000'000;
+    return rc::gen::build<ScopeSample>(
+        rc::gen::set(&ScopeSample::time, rc::gen::map(rc::gen::inRange<std::int64_t>(-kYear, kYear), at)),
+        rc::gen::set(&ScopeSample::position, rc::gen::arbitrary<std::int32_t>()),
+        rc::gen::set(&ScopeSample::error, anyFloat()), rc::gen::set(&ScopeSample::errorLow, anyFloat()),
+        rc::gen::set(&ScopeSample::errorHigh, anyFloat()), rc::gen::set(&ScopeSample::velocity, anyFloat()),
+        rc::gen::set(&ScopeSample::analog), rc::gen::set(&ScopeSample::status),
+        rc::gen::set(&ScopeSample::aux), rc::gen::set(&ScopeSample::gapBefore));
+}
+
+void requireSame(const ScopeSample& read, const ScopeSample& written, Duration later) {
+    RC_ASSERT(read.time == written.time + later);
+    RC_ASSERT(read.position == written.position);
+    RC_ASSERT(bits(read.error) == bits(written.error));
+    RC_ASSERT(bits(read.errorLow) == bits(written.errorLow));
+    RC_ASSERT(bits(read.errorHigh) == bits(written.errorHigh));
+    RC_ASSERT(bits(read.velocity) == bits(written.velocity));
+    RC_ASSERT(read.analog == written.analog);
+    RC_ASSERT(read.status == written.status);
+    RC_ASSERT(read.aux == written.aux);
+    RC_ASSERT(read.gapBefore == written.gapBefore);
+}
+
+RC_GTEST_PROP(Recording, AnySamplesAreReadBackToTheLastBitUnderAnyLocale, ()) {
+    const UnderGermanLocale german;
+    auto samples = *rc::gen::container<std::vector<ScopeSample>>(anySample());
+    std::sort(samples.begin(), samples.end(),
+              [](const ScopeSample& a, const ScopeSample& b) { return a.time < b.time; });
+    const auto module = ModuleIndex(*rc::gen::inRange<std::uint8_t>(0, 255));
+    const TimePoint zero = at(*rc::gen::inRange<std::int64_t>(-1'000'000'000'000, 1'000'000'000'000));
+    std::string text = recordingHead(recordingHeader());
+    for (const ScopeSample& sample : samples)
+        appendRow(text, module, sample, zero);
+    const auto read = readRecording(text, *rc::gen::inRange<std::size_t>(1, 3'000));
+    RC_ASSERT(!read.problem.has_value());
+    RC_ASSERT(read.samples.size() == samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        RC_ASSERT(read.samples[i].first == module);
+        requireSame(read.samples[i].second, samples[i], TimePoint{} - zero);
+    }
+}
+
+}  // namespace
+}  // namespace nmc
