@@ -46,7 +46,9 @@ StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const 
 
 void setBand(StepRun& run, double bandPercent) {
     run.bandPercent = bandPercent;
-    run.metrics = measureStep(run.points, run.taken.from, run.taken.goal, run.band(), toSeconds(kTimeDoubt));
+    // Positions are whole counts: the edge is half-way from the last one inside to the first one outside.
+    const double edge = std::floor(run.band()) + 0.5;
+    run.metrics = measureStep(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
 }
 
 }  // namespace nmc
