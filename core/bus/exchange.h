@@ -33,6 +33,8 @@ inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems:
 inline constexpr BusAddress kEverybody{0xFF};
 
 inline constexpr StatusItems kAllItems{StatusItems::All};
+/// Every second poll of a module in focus; with the standing items it makes two lengths (link.md 2.2).
+inline constexpr StatusItems kBriefItems{StatusItems::Position};
 inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 
 /// The layout of a reply, which the request and the module's defined items determine: there is no length on
