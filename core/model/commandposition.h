@@ -6,38 +6,10 @@
 
 #include "base/time.h"
 #include "bus/types.h"
+#include "model/profilecurve.h"
 #include "protocol/commands.h"
 
 namespace nmc {
-
-/// A profile as the chip would run it, in continuous time: accelerate, slew, decelerate (DS-V 4.4).
-/// Positions in counts, time in seconds from the start, velocities in counts/s.
-class ProfileCurve {
-public:
-    /// Rests at a position.
-    static ProfileCurve rest(double position);
-    /// From standstill at `from` exactly to `goal`; triangular when the distance is too short for the
-    /// velocity.
-    static ProfileCurve trapezoid(double from, double goal, double velocity, double acceleration);
-    /// From `velocity` to `goalVelocity` at `acceleration`, then on at it for ever.
-    static ProfileCurve velocityChange(double from, double velocity, double goalVelocity,
-                                       double acceleration);
-
-    [[nodiscard]] double position(double s) const;
-    [[nodiscard]] double velocity(double s) const;
-    /// Until the last phase with a changing velocity has ended; infinite when it never ends.
-    [[nodiscard]] double duration() const { return m_accelTime + m_slewTime + m_decelTime; }
-    [[nodiscard]] double goalVelocity() const { return m_endVelocity; }
-    /// The same curve in a time that runs slower by `factor`; for a changed servo rate divisor.
-    [[nodiscard]] ProfileCurve stretched(double factor) const;
-
-private:
-    double m_from = 0, m_startVelocity = 0;
-    double m_accelTime = 0, m_slewTime = 0, m_decelTime = 0;
-    double m_accel = 0, m_decel = 0;  ///< signed, counts/s^2
-    double m_endVelocity = 0;
-    std::optional<double> m_goal;  ///< where it ends exactly
-};
 
 /// The command position of one PIC-SERVO v1-v4, rebuilt from what was sent, because the chip reports neither
 /// it nor the position error (scope.md). Independent of the simulator. Nothing where it cannot be known.
