@@ -92,6 +92,7 @@ struct ReplyEnd {
     StatusReport report;  ///< of Accepted and Refused
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
     TimePoint latchedBy;  ///< not later than this, however late this machine was
+    Duration late{};      ///< as in Sample
     ReplyBytes bytes;
     ReplyBytes early;  ///< what came while the command was still leaving, and is no answer
     TimePoint sent;

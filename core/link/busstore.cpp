@@ -175,8 +175,8 @@ void BusStore::take(const bus::Sample& sample) {
     const double position = *sample.report.position;
     record.history.position.append(sample.time, position);
     if (const auto command = record.command.at(sample.time)) {
-        record.history.command.append(sample.time, *command);
-        record.history.error.append(sample.time, *command - position);
+        record.history.command.append(sample.time, command->position);
+        record.history.error.append(sample.time, command->position - position);
     } else {
         record.history.command.breakHere();
         record.history.error.breakHere();

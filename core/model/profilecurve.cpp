@@ -61,9 +61,39 @@ ProfileCurve ProfileCurve::stretched(double factor) const {
     return curve;
 }
 
+ProfileCurve ProfileCurve::shifted(double counts) const {
+    ProfileCurve curve = *this;
+    curve.m_from += counts;
+    return curve;
+}
+
+double ProfileCurve::endOf(Phase phase) const {
+    switch (phase) {
+        case Phase::Acceleration:
+            return m_accelTime;
+        case Phase::Slew:
+            return m_accelTime + m_slewTime;
+        case Phase::Last:
+            break;
+    }
+    return m_accelTime + m_slewTime + m_decelTime;
+}
+
+ProfileCurve::Range ProfileCurve::range(double from, double to) const {
+    const auto [low, high] = std::minmax({position(from), position(to)});
+    Range range{low, high};
+    // It turns around at most once, while it accelerates.
+    const double turn = m_accel != 0.0 ? -m_startVelocity / m_accel : 0.0;
+    if (turn > std::max(0.0, from) && turn < std::min(m_accelTime, to)) {
+        range.low = std::min(range.low, position(turn));
+        range.high = std::max(range.high, position(turn));
+    }
+    return range;
+}
+
 double ProfileCurve::position(double s) const {
     if (s <= 0.0)
-        return m_from;
+        return m_from + m_startVelocity * s;
     if (m_goal && s >= duration())
         return *m_goal;
     const double accelerating = std::min(s, m_accelTime);
