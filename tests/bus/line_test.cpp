@@ -68,6 +68,21 @@ TEST(Line, ReckonsFromWhatIsStillLeaving) {
     EXPECT_EQ(end->latchedBy, now + 20ms - Duration(8 * 520'833));
 }
 
+TEST(Line, TellsHowMuchLaterAReplyCameThanIsExplained) {
+    // 4 bytes out, a tick, 8 bytes back, half a tick for this machine: 12 x 520.833 us + 768 us.
+    const Duration prompt = Duration(12 * 520'833) + 768us;
+    for (const Duration latency : {Duration(0ms), Duration(16ms)}) {
+        for (const Duration late : {Duration(-1ms), Duration(0ms), Duration(3ms)}) {
+            Line line(latency, 10ms);
+            line.begin(nop(), TimePoint(1s));
+            line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), TimePoint(1s) + prompt + latency + late);
+            const auto end = endOf(line);
+            ASSERT_TRUE(end);
+            EXPECT_EQ(end->late, std::max(late, Duration{}));
+        }
+    }
+}
+
 TEST(Line, TakesAReplyInPieces) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));
