@@ -42,10 +42,11 @@ protected:
 
     /// scope.md: "Measured against the simulator's ground truth".
     void TearDown() override {
-        m_rig.comparison.print(testing::UnitTest::GetInstance()->current_test_info()->name());
-        EXPECT_GE(m_rig.comparison.inside(), 0.99);
-        EXPECT_GT(m_rig.comparison.samples(), 80U);
-        EXPECT_EQ(m_rig.comparison.unknown(), 0U);
+        m_rig.comparison.figures.print(testing::UnitTest::GetInstance()->current_test_info()->name());
+        EXPECT_GE(m_rig.comparison.figures.inside(), 0.99);
+        EXPECT_GT(m_rig.comparison.figures.samples(), 80U);
+        EXPECT_EQ(m_rig.comparison.figures.unknown(), 0U);
+        EXPECT_EQ(m_rig.comparison.figures.unmatched(), 0U);
         m_rig.bus.expectNoViolations();
     }
 
@@ -70,13 +71,13 @@ protected:
         perform({velocityMode(raw, acceleration, countsPerTick < 0)});
     }
     void expectCloseAtRestAndInMotion() const {
-        EXPECT_LE(m_rig.comparison.standing(), 1.0);
-        EXPECT_LE(m_rig.comparison.moving(), 1.0);
+        EXPECT_LE(m_rig.comparison.figures.standing(), 1.0);
+        EXPECT_LE(m_rig.comparison.figures.moving(), 1.0);
     }
     /// A band that is always right and says nothing would be worthless.
     void expectNarrowBand() const {
         if (prompt()) {
-            EXPECT_LE(m_rig.comparison.halfBand(0.99), 2.5);
+            EXPECT_LE(m_rig.comparison.figures.halfBand(0.99), 2.5);
         }
     }
 
@@ -94,8 +95,8 @@ TEST_P(CommandTruth, HoldsInTrapezoidalMovesOfTenSpeeds) {
         goal = (i % 2 == 0 ? -1 : 1) * 700 * i;
         const auto raw = static_cast<std::uint32_t>(velocity * 65'536);
         perform({trapezoid(goal, raw, acceleration), StartMotion{}});
-        m_rig.runTicks(2 * 7'000 / velocity + 2 * velocity * 65'536 / acceleration + 100);
-        const auto calculated = m_rig.command.at(m_rig.bus.now);
+        m_rig.runTicks(1'400 * i / velocity + velocity * 65'536 / acceleration + 100);
+        const auto calculated = m_rig.comparison.command.at(m_rig.bus.now);
         ASSERT_TRUE(calculated);
         EXPECT_EQ(*calculated, (CommandEstimate{1.0 * goal, 1.0 * goal, 1.0 * goal}));
         EXPECT_EQ(m_rig.truth(), goal);
@@ -136,10 +137,10 @@ TEST_P(CommandTruth, HoldsInStepsOfVelocityOfBothSigns) {
         // A move ends exactly where it was told to, and every doubt with it.
         perform({trapezoid(100, 20 << 16, 9'000), StartMotion{}});
         m_rig.runTicks(900);
-        EXPECT_EQ(m_rig.command.at(m_rig.bus.now), (CommandEstimate{100, 100, 100}));
+        EXPECT_EQ(m_rig.comparison.command.at(m_rig.bus.now), (CommandEstimate{100, 100, 100}));
     }
-    EXPECT_LE(m_rig.comparison.standing(), 1.0);
-    EXPECT_LE(m_rig.comparison.movingOfFastest(), 1.0);
+    EXPECT_LE(m_rig.comparison.figures.standing(), 1.0);
+    EXPECT_LE(m_rig.comparison.figures.movingOfFastest(), 1.0);
 }
 
 TEST_P(CommandTruth, HoldsWhileDoubtsAddUp) {
@@ -203,6 +204,23 @@ TEST_P(CommandTruth, HoldsWhenTheServoRateChangesInMotion) {
     }
     perform({stopWith(StopManner::Smoothly)});
     m_rig.runTicks(800);
+}
+
+TEST_P(CommandTruth, HoldsAgainAfterTheServoWentOff) {
+    velocity(2.0);
+    m_rig.runTicks(1'000);
+    m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, m_rig.bus.now);
+    m_rig.runTicks(500);
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "it follows the motor";
+    m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 1.0, m_rig.bus.now);
+    m_rig.runTicks(500);
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "and stays off";
+    perform({stopWith(StopManner::Abruptly)});
+    m_rig.runTicks(1'000);
+    ASSERT_TRUE(m_rig.comparison.command.at(m_rig.bus.now).has_value());
+    EXPECT_EQ(m_rig.comparison.command.at(m_rig.bus.now)->position, m_rig.truth());
+    velocity(-2.0);
+    m_rig.runTicks(1'000);
 }
 
 INSTANTIATE_TEST_SUITE_P(
