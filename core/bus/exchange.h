@@ -110,6 +110,9 @@ struct LineTiming {
         return byteTime * static_cast<Duration::rep>(count);
     }
     [[nodiscard]] Duration adapter() const { return std::max(latency, kMinLatency); }
+    /// Of it, what is known of the adapter: the shortest one to count with is an allowance, and explains
+    /// nothing.
+    [[nodiscard]] Duration knownAdapter() const { return latency > kMinLatency ? latency : Duration{}; }
     /// From the first byte of the command to giving up.
     [[nodiscard]] Duration timeout(std::size_t txBytes, std::size_t rxBytes) const {
         return bytes(txBytes) + kTurnaround + bytes(rxBytes) + adapter() + margin;

@@ -110,8 +110,9 @@ struct Sample {
     /// When the module latched the status: end of its command on the wire plus half a tick, +-half a tick.
     TimePoint time;
     StatusReport report;
-    /// Its reply came so much later than wire, tick, the adapter's latency and kPromptWithin explain. Whether
-    /// the command or the reply was held up cannot be known: it was latched up to so much later than `time`.
+    /// Its reply came so much later than wire, tick, the adapter's known latency and kPromptWithin explain.
+    /// Whether the command or the reply was held up cannot be known: it was latched up to so much later than
+    /// `time`.
     Duration late{};
     /// The status byte as it came; `report` withholds what permits until another reply confirms it.
     std::optional<std::uint8_t> heard{};

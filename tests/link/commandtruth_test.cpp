@@ -58,8 +58,7 @@ private:
 class CommandTruthInRealTime : public testing::Test {
 protected:
     void SetUp() override {
-        bus::EngineConfig config{115'200};
-        config.adapterLatency = Duration{};  // a terminal has none
+        const bus::EngineConfig config{115'200};
         m_worker.open([this] { return std::make_unique<SerialTransport>(m_servo.terminal()); }, config);
         ASSERT_TRUE(waitFor<bus::ChainFound>());
         ASSERT_TRUE(perform(gainsAndEnable(0)));
