@@ -238,7 +238,8 @@ bool Engine::Private::dispatchVerification(TimePoint now) {
         case Carried::Out:
             belief(step.module).onExecuted(step.command);
             m_attempts = 0;
-            events.emplace_back(CommandExecuted{step.module, verification.end.latched, step.command});
+            events.emplace_back(
+                CommandExecuted{step.module, verification.end.latched, step.command, verification.end.late});
             if (auto finished = m_commands.accepted())
                 events.emplace_back(std::move(*finished));
             return true;
