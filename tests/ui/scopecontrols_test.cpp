@@ -160,7 +160,7 @@ TEST_F(ScopeControls, CursorsReadTimesValuesAndDifferences) {
     ASSERT_TRUE(table->isVisible());
     EXPECT_EQ(table->item(0, 1)->text(), u"12.0000 s"_s);
     EXPECT_EQ(table->item(0, 3)->text(), u"4 s (0.25 Hz)"_s);
-    EXPECT_EQ(table->item(1, 0)->text(), u"position, counts"_s);
+    EXPECT_EQ(table->item(1, 0)->text(), u"position"_s);
     EXPECT_EQ(table->item(1, 1)->text(), u"120"_s);
     EXPECT_EQ(table->item(1, 2)->text(), u"160"_s);
     EXPECT_EQ(table->item(1, 3)->text(), u"40"_s);

@@ -53,7 +53,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
         const QString label = drawing.dashed && trace.samplesPerSecond == 0
                                   ? tr("%1 · not known now").arg(trace.label)
-                                  : tr("%1 · %2 samples/s").arg(trace.label, rate);
+                                  : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});
     }
     m_backdrop.setLegend(legend);
