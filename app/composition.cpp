@@ -212,6 +212,10 @@ void Composition::disconnectFromPort() {
 }
 
 void Composition::act(const QString& key, const QString& action) {
+    if (action == texts::action::kShowRecord) {
+        m_flight.show(key);
+        return;  // it is still the case
+    }
     if (m_machine.act(action))
         ;  // done
     else if (action == texts::action::kRetry && m_target)
@@ -275,7 +279,9 @@ void Composition::showFrame() {
     }
     // When nothing more comes in, time stands where it ended.
     const History& history = m_store.history();
-    m_window.showHistory(history, m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{}));
+    const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
+    m_flight.keep(now);
+    m_window.showHistory(history, now);
 }
 
 void Composition::showFrameSoon() {

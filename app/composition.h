@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/commandline.h"
+#include "app/flightcontroller.h"
 #include "app/machinecontroller.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
@@ -73,6 +74,8 @@ private:
     void showFrameSoon();
 
     void tell(const StoreEvent& event);
+    /// A message whose cause can be looked at in the scope afterwards.
+    void tellIncident(Message message, std::optional<ModuleIndex> module = {});
     void told(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
@@ -102,6 +105,7 @@ private:
         m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
     MachineController m_machine;
+    FlightController m_flight{m_window, m_store};
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;

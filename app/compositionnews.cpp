@@ -14,6 +14,11 @@ void Composition::tell(const StoreEvent& event) {
     std::visit([this](const auto& news) { told(news); }, event);
 }
 
+void Composition::tellIncident(Message message, std::optional<ModuleIndex> module) {
+    m_flight.note(message.key, message.headline, module, monotonicNow());
+    m_window.showMessage(texts::withRecord(std::move(message)));
+}
+
 void Composition::told(const bus::ChainFound& found) {
     m_window.endMessage(texts::key::link());
     const int modules = static_cast<int>(found.modules.size());
@@ -46,6 +51,7 @@ void Composition::told(const bus::OperationFinished& finished) {
 }
 
 void Composition::told(const bus::StopFinished& finished) {
+    m_flight.note(texts::key::stop(), texts::stopOfAll(), {}, monotonicNow() - finished.took);
     m_window.showStopResult(finished);
 }
 
@@ -59,7 +65,7 @@ void Composition::told(const bus::ModuleSilence& silence) {
     if (module == nullptr)
         return;
     const double seconds = toSeconds(monotonicNow() - module->latestTime);
-    m_window.showMessage(texts::moduleSilent(silence.module, seconds, module->moving()));
+    tellIncident(texts::moduleSilent(silence.module, seconds, module->moving()), silence.module);
 }
 
 void Composition::told(const bus::CommandRefused& refused) {
@@ -70,27 +76,28 @@ void Composition::told(const bus::LinkLost&) {
     // One text for one cause: the modules' own silences are part of it.
     for (const ModuleState& module : m_store.link().modules)
         m_window.endMessage(texts::key::silent(module.info.index));
-    m_window.showMessage(texts::linkLost(m_target->port, m_store.movingMotors()));
+    tellIncident(texts::linkLost(m_target->port, m_store.movingMotors()));
 }
 
 void Composition::told(const bus::HoldExpired& expired) {
-    m_window.showMessage(texts::holdExpired(expired.module));
+    tellIncident(texts::holdExpired(expired.module), expired.module);
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Good)
         m_window.endMessage(texts::key::badLink());
     else
-        m_window.showMessage(texts::badLink(changed));
+        tellIncident(texts::badLink(changed), changed.module);
 }
 
 void Composition::told(const bus::ModuleRestarted& restarted) {
     m_window.endMessage(texts::key::silent(restarted.module));
-    m_window.showMessage(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())));
+    tellIncident(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())),
+                 restarted.module);
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {
-    m_window.showMessage(texts::motionSuspect(suspect));
+    tellIncident(texts::motionSuspect(suspect), suspect.module);
 }
 
 void Composition::told(const bus::GroupFinished& finished) {
@@ -108,6 +115,7 @@ void Composition::told(const bus::RateChangeFailed& failed) {
 
 void Composition::told(const PortClosed& closed) {
     m_window.showPackets(m_worker.takeRecords());
+    m_flight.keepAll();
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});
@@ -141,17 +149,17 @@ void Composition::told(const MachineSlept& slept) {
 void Composition::told(const ServoWentOff& off) {
     const ModuleState* gone = m_store.module(off.module);
     if (gone != nullptr && gone->isStepper()) {
-        m_window.showMessage(texts::amplifierWentOff(off.module, off.activity));
+        tellIncident(texts::amplifierWentOff(off.module, off.activity), off.module);
         return;
     }
     if (off.activity == Activity::PowerLost) {
-        m_window.showMessage(texts::powerLost(off.module));
+        tellIncident(texts::powerLost(off.module), off.module);
         return;
     }
     const ModuleState* module = m_store.module(off.module);
     const auto limit =
         module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
-    m_window.showMessage(texts::tripped(off.module, limit));
+    tellIncident(texts::tripped(off.module, limit), off.module);
 }
 
 }  // namespace nmc

@@ -219,9 +219,9 @@ TEST(History, KeepsTenMinutesOfTheFastestModuleInFull) {
     for (int i = 0; i < 11 * 60 * 660; ++i)
         history.append(ModuleIndex(0), sampleAt(i / 660.0, i));
     EXPECT_LE(history.bytes(), History::kBudget);
-    EXPECT_EQ(
-        history.module(ModuleIndex(0))->countBetween(atSeconds(60.0), atSeconds(700), ScopeSignal::Position),
-        10U * 60 * 660);
+    EXPECT_EQ(history.module(ModuleIndex(0))
+                  ->countBetween(atSeconds(59.9999), atSeconds(700), ScopeSignal::Position),
+              10U * 60 * 660);
 }
 
 TEST(History, KnowsTheSamplesAroundATime) {

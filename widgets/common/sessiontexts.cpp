@@ -67,4 +67,17 @@ Message settingsNotSaved(const QString& file) {
                     .arg(file)};
 }
 
+Message withRecord(Message message) {
+    message.actions.prepend({action::kShowRecord, Texts::tr("Show the last 2 s")});
+    return message;
+}
+
+QString recordTitle(const QString& headline, const QTime& when) {
+    return Texts::tr("%1 (%2)").arg(headline, when.toString(u"HH:mm:ss"_s));
+}
+
+QString stopOfAll() {
+    return Texts::tr("Stop of all motors");
+}
+
 }  // namespace nmc::texts

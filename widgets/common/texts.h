@@ -4,6 +4,7 @@
 #include <QList>
 #include <QString>
 #include <QStringList>
+#include <QTime>
 #include <optional>
 
 #include "bus/exchangerecord.h"
@@ -53,6 +54,7 @@ inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
+inline const QString kShowRecord = QStringLiteral("showRecord");
 inline const QString kDiscardWork = QStringLiteral("discardWork");
 }  // namespace action
 
@@ -102,6 +104,14 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+
+// ---- what the scope keeps ----
+/// The message with "Show the last 2 s" before its other buttons.
+[[nodiscard]] Message withRecord(Message message);
+/// Of what was kept around an incident: its headline and when it was.
+[[nodiscard]] QString recordTitle(const QString& headline, const QTime& when);
+/// What a stop of all motors is called there.
+[[nodiscard]] QString stopOfAll();
 
 // ---- stopping, closing, safety ----
 /// `stopped`: motors moved, and were stopped while the panel was frozen.

@@ -3,6 +3,7 @@
 
 #include <QClipboard>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
@@ -236,13 +237,13 @@ void MainWindow::showSelected() {
 void MainWindow::showScopeModules() {
     if (m_link.modules.empty())
         return;
-    std::vector<ScopeModule> modules;
+    m_scopeModules.clear();
     for (const ModuleState& module : m_link.modules) {
         const AxisSettings& axis = m_machine.axis(module.info.index);
-        modules.push_back(
+        m_scopeModules.push_back(
             {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
     }
-    m_scope->showModules(modules, selectedModule());
+    m_scope->showModules(m_scopeModules, selectedModule());
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -281,6 +282,15 @@ void MainWindow::showHistory(const History& history, TimePoint now) {
     m_scope->showHistory(history, now);
     if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
         showSelected();
+}
+
+void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
+    for (QDockWidget* dock : m_docks)
+        if (dock->widget() == m_scope) {
+            dock->show();
+            dock->raise();
+        }
+    m_scope->showRecord(std::move(record));
 }
 
 void MainWindow::showMessage(const Message& message) {
@@ -332,7 +342,7 @@ void MainWindow::showStopResult(const bus::StopFinished& finished) {
     m_bar->showStopResult(result.headline);
     if (finished.unreached.empty())
         endMessage(texts::key::stop());
-    showMessage(result);
+    showMessage(texts::withRecord(result));
     if (m_disconnectAfterStop) {
         m_disconnectAfterStop = false;
         if (finished.unreached.empty())

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QMainWindow>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "link/linktypes.h"
@@ -15,6 +16,7 @@
 #include "model/packetlog.h"
 #include "model/procedure.h"
 #include "widgets/common/texts.h"
+#include "widgets/scope/scoperecord.h"
 
 class QDockWidget;
 class QLabel;
@@ -54,6 +56,10 @@ public:
     void showFigures(const LinkFigures& figures);
     /// What the modules have said so far, at most 60 times a second, and after scopeFrameWanted().
     void showHistory(const History& history, TimePoint now);
+    /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
+    void showRecord(std::shared_ptr<const ScopeRecord> record);
+    /// How the scope reads the modules that are there, or were last.
+    [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const { return m_scopeModules; }
     /// What the user has told about the machine: names, units, values kept for each axis.
     void showMachine(const Machine& machine);
     /// How a procedure of some module goes, or went.
@@ -145,6 +151,7 @@ private:
     LinkState m_link;
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
+    std::vector<ScopeModule> m_scopeModules;
     std::optional<TimePoint> m_now;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;

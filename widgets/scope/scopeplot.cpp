@@ -129,6 +129,13 @@ void ScopePlot::showCursors(const std::optional<CursorTimes>& cursors) {
     update();
 }
 
+void ScopePlot::showMarker(const std::optional<double>& seconds) {
+    if (m_marker == seconds)
+        return;
+    m_marker = seconds;
+    update();
+}
+
 void ScopePlot::showLevel(const std::optional<double>& level) {
     if (m_level == level)
         return;
@@ -191,6 +198,11 @@ void ScopePlot::paintOver(QPainter& painter) {
         painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashDotLine));
         painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(*m_level), m_geometry.area.right(),
                                 m_geometry.y(*m_level)));
+    }
+    if (m_marker) {
+        painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
+        painter.drawLine(QLineF(m_geometry.x(*m_marker), m_geometry.area.top(), m_geometry.x(*m_marker),
+                                m_geometry.area.bottom()));
     }
     paintCursors(painter);
     if (m_drag == Drag::Choose) {

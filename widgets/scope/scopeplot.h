@@ -51,6 +51,8 @@ public:
     /// Other data: the value axis may jump.
     void forget();
     void showCursors(const std::optional<CursorTimes>& cursors);
+    /// Where something happened, s.
+    void showMarker(const std::optional<double>& seconds);
     /// A level across the strip, where a trigger looks.
     void showLevel(const std::optional<double>& level);
 
@@ -113,6 +115,7 @@ private:
     std::optional<AxisRange::Range> m_manual;
     PlotGeometry m_geometry;
     std::optional<CursorTimes> m_cursors;
+    std::optional<double> m_marker;
     std::optional<double> m_level;
     Drag m_drag = Drag::None;
     QPointF m_dragFrom;

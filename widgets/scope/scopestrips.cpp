@@ -51,6 +51,7 @@ ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
     connect(plot, &ScopePlot::everythingWanted, this, &ScopeStrips::everythingWanted);
     connect(plot, &ScopePlot::focusWanted, this, [this] { setFocus(Qt::MouseFocusReason); });
     plot->showCursors(m_cursors);
+    plot->showMarker(m_marker);
     return plot;
 }
 
@@ -167,6 +168,7 @@ void ScopeStrips::forget() {
         plot->forget();
     m_labelled.reset();
     m_time.roll();
+    showMarker({});
 }
 
 void ScopeStrips::showCursors(const std::optional<CursorTimes>& cursors) {
@@ -174,6 +176,12 @@ void ScopeStrips::showCursors(const std::optional<CursorTimes>& cursors) {
     for (ScopePlot* plot : findChildren<ScopePlot*>())
         plot->showCursors(cursors);
     m_lane->showCursors(cursors);
+}
+
+void ScopeStrips::showMarker(const std::optional<double>& seconds) {
+    m_marker = seconds;
+    for (ScopePlot* plot : findChildren<ScopePlot*>())
+        plot->showMarker(seconds);
 }
 
 void ScopeStrips::showLevel(std::optional<std::pair<SignalRef, double>> level) {

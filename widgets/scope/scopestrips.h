@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const TimeWindow& time() const { return m_time; }
     void showCursors(const std::optional<CursorTimes>& cursors);
     [[nodiscard]] const std::optional<CursorTimes>& cursors() const { return m_cursors; }
+    /// Where something happened, s.
+    void showMarker(const std::optional<double>& seconds);
     /// A trigger's level, in the strips that show this signal.
     void showLevel(std::optional<std::pair<SignalRef, double>> level);
 
@@ -76,6 +78,7 @@ private:
     std::optional<ModuleIndex> m_selected;
     TimeWindow m_time;
     std::optional<CursorTimes> m_cursors;
+    std::optional<double> m_marker;
     std::optional<std::pair<SignalRef, double>> m_level;
     std::optional<double> m_labelled;  ///< s, when the rates were counted
 };

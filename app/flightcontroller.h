@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "link/busstore.h"
+#include "model/flightrecorder.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+/// What happened around a fault or a stop, for its message: "Show the last 2 s". GUI thread.
+class FlightController {
+public:
+    FlightController(MainWindow& window, const BusStore& store) : m_window(window), m_store(store) {}
+
+    /// `key`: of the message that tells of it; `what`: its headline.
+    void note(const QString& key, const QString& what, std::optional<ModuleIndex> module, TimePoint at);
+    /// Once a frame.
+    void keep(TimePoint now) { m_recorder.keep(m_store.history(), now); }
+    /// The connection is over.
+    void keepAll() { m_recorder.keepAll(m_store.history()); }
+    /// In the scope; false if nothing was recorded.
+    bool show(const QString& key);
+
+private:
+    /// As it was then: the chain may be another one when it is looked at.
+    struct Circumstances {
+        QString title;
+        std::vector<ScopeModule> modules;
+        bool simulated = false;
+    };
+
+    MainWindow& m_window;
+    const BusStore& m_store;
+    FlightRecorder m_recorder;
+    std::map<std::string, Circumstances> m_circumstances;
+};
+
+}  // namespace nmc

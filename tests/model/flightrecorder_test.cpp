@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/flightrecorder.h"
+
+#include <gtest/gtest.h>
+
+#include "servofixture.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::atSeconds;
+
+/// Two modules, ten samples a second each, from 0 to `end`.
+History until(double end) {
+    History history(2);
+    for (int i = 0; i <= end * 10; ++i)
+        for (std::uint8_t module = 0; module < 2; ++module) {
+            ScopeSample sample;
+            sample.time = atSeconds(i / 10.0);
+            sample.position = i;
+            history.append(ModuleIndex(module), sample);
+        }
+    return history;
+}
+
+TEST(FlightRecorder, KeepsFiveSecondsBeforeAndTwoAfterOfAllModules) {
+    FlightRecorder recorder;
+    recorder.note("trip", ModuleIndex(1), atSeconds(60));
+    recorder.keep(until(62.5), atSeconds(62.5));
+    const auto* incident = recorder.find("trip", History());
+    ASSERT_NE(incident, nullptr);
+    EXPECT_TRUE(incident->whole);
+    EXPECT_EQ(incident->module, ModuleIndex(1));
+    EXPECT_EQ(incident->history.begin(), atSeconds(55));
+    EXPECT_EQ(incident->history.end(), atSeconds(62));
+    EXPECT_EQ(incident->history.module(ModuleIndex(0))->count(), 71U);
+    EXPECT_EQ(incident->history.module(ModuleIndex(1))->count(), 71U);
+}
+
+TEST(FlightRecorder, ShowsWhatThereIsBeforeItIsWhole) {
+    FlightRecorder recorder;
+    recorder.note("trip", {}, atSeconds(60));
+    recorder.keep(until(60.5), atSeconds(60.5));
+    const auto* incident = recorder.find("trip", until(61));
+    ASSERT_NE(incident, nullptr);
+    EXPECT_FALSE(incident->whole);
+    EXPECT_EQ(incident->history.end(), atSeconds(61));
+}
+
+TEST(FlightRecorder, OutlivesTheHistory) {
+    FlightRecorder recorder;
+    recorder.note("stop", {}, atSeconds(10));
+    recorder.keepAll(until(10.3));
+    EXPECT_EQ(recorder.find("stop", History())->history.end(), atSeconds(10.3));
+}
+
+TEST(FlightRecorder, TheSameCauseAgainIsTheLatest) {
+    FlightRecorder recorder;
+    recorder.note("stop", {}, atSeconds(10));
+    recorder.note("stop", {}, atSeconds(30));
+    recorder.keepAll(until(40));
+    EXPECT_EQ(recorder.find("stop", History())->history.begin(), atSeconds(25));
+}
+
+TEST(FlightRecorder, TheOldestIncidentsMakeRoom) {
+    FlightRecorder recorder;
+    for (std::size_t i = 0; i <= FlightRecorder::kKept; ++i)
+        recorder.note(std::to_string(i), {}, atSeconds(static_cast<double>(i)));
+    EXPECT_EQ(recorder.find("0", History()), nullptr);
+    EXPECT_NE(recorder.find("1", History()), nullptr);
+}
+
+}  // namespace
+}  // namespace nmc
