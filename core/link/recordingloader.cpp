@@ -14,6 +14,9 @@ constexpr int kProgressMs = 100;
 /// A recording may have rows of any module, whether its head tells of it or not.
 constexpr std::size_t kModules = std::numeric_limits<std::uint8_t>::max();
 
+/// More than anybody sends: a file must not take memory without end.
+constexpr std::size_t kMostGains = 10'000;
+
 }  // namespace
 
 /// What the thread fills.
@@ -33,7 +36,10 @@ void RecordingLoader::Reading::read(const BackgroundJob::Cancelled& cancelled) {
     }
     RecordingReader reader(
         {[this](ModuleIndex module, const ScopeSample& sample) { result.history.append(module, sample); },
-         [this](const GainsChange& change) { result.history.noteGains(change); }});
+         [this](const GainsChange& change) {
+             if (result.history.gains().size() < kMostGains)
+                 result.history.noteGains(change);
+         }});
     const qint64 size = (*file)->size();
     for (qint64 done = 0; !cancelled;) {
         const QByteArray piece = (*file)->read(kPiece);

@@ -194,8 +194,6 @@ void History::append(ModuleIndex module, const ScopeSample& sample) {
 }
 
 void History::noteGains(const GainsChange& change) {
-    if (m_gains.size() == kMostGains)
-        m_gains.erase(m_gains.begin());
     m_gains.push_back(change);
 }
 

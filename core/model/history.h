@@ -90,12 +90,11 @@ private:
 class History {
 public:
     static constexpr std::size_t kBudget = 64U << 20U;  ///< bytes
-    static constexpr std::size_t kMostGains = 10'000;
 
     explicit History(std::size_t modules = 0, std::size_t budget = kBudget);
 
     void append(ModuleIndex module, const ScopeSample& sample);
-    /// In the order of time; the latest kMostGains are kept.
+    /// In the order of time.
     void noteGains(const GainsChange& change);
     [[nodiscard]] const std::vector<GainsChange>& gains() const { return m_gains; }
 

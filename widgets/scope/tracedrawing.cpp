@@ -7,6 +7,7 @@
 #include <QVarLengthArray>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace nmc {
 
@@ -35,6 +36,27 @@ void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
             lines.append(QLineF(line.pointAt((from - phase) / (next - phase)),
                                 line.pointAt((to - phase) / (next - phase))));
     }
+}
+
+/// The part of a line within `area`. A painter's own clipping is not enough: an SVG file has none.
+std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
+    double from = 0;
+    double to = 1;
+    const auto cut = [&](double start, double delta, double low, double high) {
+        if (delta == 0.0) {
+            if (start < low || start > high)
+                to = -1;
+            return;
+        }
+        const auto [first, second] = std::minmax({(low - start) / delta, (high - start) / delta});
+        from = std::max(from, first);
+        to = std::min(to, second);
+    };
+    cut(line.x1(), line.dx(), area.left(), area.right());
+    cut(line.y1(), line.dy(), area.top(), area.bottom());
+    if (from > to)
+        return std::nullopt;
+    return QLineF(line.pointAt(from), line.pointAt(to));
 }
 
 }  // namespace
@@ -111,7 +133,11 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         before = exit;
     }
     painter.setPen(QPen(colour, kPenWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::RoundCap));
-    painter.drawLines(lines.constData(), static_cast<int>(lines.size()));
+    Lines seen;
+    for (const QLineF& line : lines)
+        if (const auto part = within(geometry.area, line))
+            seen.append(*part);
+    painter.drawLines(seen.constData(), static_cast<int>(seen.size()));
     if (!tag.isEmpty())
         paintTag(painter, geometry);
 }
@@ -124,8 +150,10 @@ void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) co
         // As far as the next one, which may be many pixels away.
         const bool goesOn = i + 1 < m_columns.size() && m_columns[i + 1].joined;
         const double to = goesOn ? geometry.x(m_columns[i + 1].left) : geometry.x(column.right) + 1;
-        rects.append(
-            QRectF(QPointF(from, geometry.y(column.bandHigh)), QPointF(to, geometry.y(column.bandLow))));
+        const QRectF band(QPointF(from, geometry.y(column.bandHigh)),
+                          QPointF(to, geometry.y(column.bandLow)));
+        if (const QRectF seen = band & geometry.area; !seen.isEmpty())
+            rects.append(seen);
     }
     QColor fill = colour;
     fill.setAlpha(kBandAlpha);
