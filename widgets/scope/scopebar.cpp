@@ -91,6 +91,13 @@ void ScopeBar::buildButtons() {
                   tr("Which signals of which modules stand in which strip (S)."), QKeySequence(Qt::Key_S));
     connect(choose, &QAction::triggered, this, &ScopeBar::signalsRequested);
     addButton(choose, u"scopeSignalsButton"_s);
+
+    QAction* trigger = newAction(u"scopeTriggerAction"_s, tr("Trigger"),
+                                 tr("Waits for a signal or a status bit, and holds what was around it (T)."),
+                                 QKeySequence(Qt::Key_T));
+    trigger->setCheckable(true);
+    connect(trigger, &QAction::toggled, this, &ScopeBar::triggerRequested);
+    addButton(trigger, u"scopeTriggerButton"_s);
 }
 
 void ScopeBar::buildWords() {

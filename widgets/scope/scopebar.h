@@ -41,6 +41,7 @@ signals:
     void cursorsRequested(bool shown);
     void laneRequested(bool shown);
     void signalsRequested();
+    void triggerRequested(bool shown);
     void liveRequested();
 
 private:

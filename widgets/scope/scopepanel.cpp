@@ -17,6 +17,7 @@
 #include "widgets/scope/scopemoves.h"
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
+#include "widgets/scope/triggercontrol.h"
 
 namespace nmc {
 
@@ -26,7 +27,8 @@ ScopePanel::ScopePanel(QWidget* parent)
     : QWidget(parent),
       m_layout(new QVBoxLayout(this)),
       m_bar(new ScopeBar(this)),
-      m_files(new ScopeFiles(this)) {
+      m_files(new ScopeFiles(this)),
+      m_trigger(new TriggerControl(new TriggerBar(this))) {
     look::name(this, u"scopePanel"_s, tr("Scope"));
     setAcceptDrops(true);
     const int unit = look::gridUnit(this);
@@ -34,6 +36,8 @@ ScopePanel::ScopePanel(QWidget* parent)
     m_layout->setSpacing(0);
     m_layout->addWidget(m_bar);
     m_layout->addWidget(m_files);
+    m_layout->addWidget(&m_trigger->bar());
+    m_trigger->setShown(false);
     connectBar();
     addFileButtons();
     m_menuActions = m_bar->menuActions() +
@@ -49,6 +53,8 @@ void ScopePanel::connectBar() {
     connect(m_bar, &ScopeBar::laneRequested, this, &ScopePanel::setLane);
     connect(m_bar, &ScopeBar::signalsRequested, this, &ScopePanel::chooseSignals);
     connect(m_bar, &ScopeBar::liveRequested, this, &ScopePanel::backToLive);
+    connect(m_bar, &ScopeBar::triggerRequested, m_trigger, &TriggerControl::setShown);
+    connect(m_trigger, &TriggerControl::restarted, this, &ScopePanel::restartTrigger);
 }
 
 void ScopePanel::addFileButtons() {
@@ -94,6 +100,7 @@ void ScopePanel::showEvent(QShowEvent* event) {
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     m_setup = setup;
     m_bar->showSetup(setup);
+    m_trigger->setWindow(setup.seconds);
     if (m_strips != nullptr)
         m_strips->setSetup(setup);
     touch();
@@ -231,6 +238,7 @@ void ScopePanel::showModules(const std::vector<ScopeModule>& modules, std::optio
     const bool another = selected != m_selected;
     m_modules = modules;
     m_selected = selected;
+    m_trigger->showModules(modules, selected);
     if (another && !m_record && m_strips != nullptr) {
         m_strips->time().roll();
         showTime();
@@ -261,6 +269,7 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
         m_origin.zero =
             QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - m_zero.value_or(now)) * 1e3));
     }
+    m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || !isVisible())
         return;
     if (m_record != nullptr) {
@@ -272,8 +281,28 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
         m_strips->forget();
         showTime();
     }
+    showTrigger();
     if (m_touched || m_strips->time().rolls())
         draw(history, toSeconds(now - m_zero.value_or(now)));
+}
+
+void ScopePanel::showTrigger() {
+    m_strips->showLevel(m_trigger->level());
+    const auto picture = m_trigger->picture();
+    if (picture && picture != m_picture) {
+        m_strips->time().show(toSeconds(picture->from - *m_zero), toSeconds(picture->to - *m_zero));
+        m_strips->showMarker(toSeconds(*m_trigger->firedAt() - *m_zero));
+        showTime();
+    }
+    m_picture = picture;
+}
+
+void ScopePanel::restartTrigger() {
+    if (m_strips == nullptr || m_record != nullptr)
+        return;
+    m_strips->showMarker({});
+    m_strips->time().roll();
+    showTime();
 }
 
 void ScopePanel::draw(const History& history, double now) {
@@ -298,6 +327,7 @@ void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
     window()->raise();
     buildStrips();
     m_strips->forget();
+    m_strips->showLevel({});
     if (m_record->event)
         m_strips->showMarker(toSeconds(*m_record->event - *m_record->history.zero()));
     m_everythingWanted = true;
@@ -311,6 +341,7 @@ void ScopePanel::backToLive() {
         return;
     m_record.reset();
     m_bar->showRecord({});
+    m_picture.reset();
     m_strips->forget();
     applyModules();
     showTime();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/scopetrigger.h"
 #include "widgets/scope/scoperecord.h"
 #include "widgets/scope/scopesetup.h"
 
@@ -19,6 +20,7 @@ class CursorTable;
 class ScopeBar;
 class ScopeFiles;
 class ScopeStrips;
+class TriggerControl;
 
 /// The scope: its tool bar, the strips, and what cursors read. Rolls with the present, stands while paused,
 /// or shows a record that is over. The charts are built when the panel is first seen, and painted only while
@@ -71,6 +73,8 @@ private:
     void change(const ScopeSetup& setup);
     void applyModules();
     void showTime();
+    void showTrigger();
+    void restartTrigger();
     /// The next frame is drawn whether it rolls or not.
     void touch();
     void draw(const History& history, double now);
@@ -78,6 +82,7 @@ private:
     QVBoxLayout* m_layout;
     ScopeBar* m_bar;
     ScopeFiles* m_files;
+    TriggerControl* m_trigger;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
     CursorTable* m_table = nullptr;
@@ -85,9 +90,10 @@ private:
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::shared_ptr<const ScopeRecord> m_record;
-    ScopeOrigin m_origin;             ///< of what is live
-    std::optional<TimePoint> m_zero;  ///< of the live history
-    bool m_another = false;           ///< history than the strips have shown
+    ScopeOrigin m_origin;                            ///< of what is live
+    std::optional<TimePoint> m_zero;                 ///< of the live history
+    bool m_another = false;                          ///< history than the strips have shown
+    std::optional<ScopeTrigger::Picture> m_picture;  ///< of the trigger, that was shown last
     bool m_touched = true;
     bool m_everythingWanted = false;
 };
