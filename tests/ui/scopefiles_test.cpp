@@ -163,7 +163,7 @@ TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
     click(u"scopeRecordingEndButton"_s);
     EXPECT_EQ(ended.count(), 1);
     click(u"scopeRecordButton"_s);
-    EXPECT_EQ(ended.count(), 2) << "Ctrl+R begins and ends";
+    EXPECT_EQ(ended.count(), 2) << "Ctrl+Shift+R begins and ends";
     files().showConnected(false);
     EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled()) << "until it has ended";
     files().showRecording({});

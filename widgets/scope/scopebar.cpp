@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -15,11 +16,11 @@ using namespace Qt::StringLiterals;
 
 ScopeBar::ScopeBar(QWidget* parent)
     : QWidget(parent),
-      m_layout(new QHBoxLayout(this)),
+      m_buttons(new QHBoxLayout),
       m_window(new QComboBox(this)),
       m_which(look::newMutedLabel({}, this)),
       m_record(new QLabel(this)),
-      m_back(new QToolButton(this)),
+      m_recordRow(new QWidget(this)),
       m_pause(newAction(u"scopePauseAction"_s, tr("Pause"),
                         tr("Holds the picture still (Ctrl+P). Samples are still recorded."),
                         QKeySequence(Qt::CTRL | Qt::Key_P))),
@@ -28,11 +29,15 @@ ScopeBar::ScopeBar(QWidget* parent)
       m_lane(newAction(u"scopeLaneAction"_s, tr("Status bits"),
                        tr("The status bits of the selected module over time (B)."),
                        QKeySequence(Qt::Key_B))) {
-    m_layout->setContentsMargins(0, 0, 0, 0);
-    m_layout->setSpacing(look::gridUnit(this));
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addLayout(m_buttons);
+    rows->addWidget(newRecordRow());
+    m_buttons->setSpacing(look::gridUnit(this));
     buildWindowBox();
     buildButtons();
-    buildWords();
+    m_buttons->addStretch(1);
 }
 
 QAction* ScopeBar::newAction(const QString& objectName, const QString& text, const QString& meaning,
@@ -53,7 +58,7 @@ QToolButton* ScopeBar::addButton(QAction* action, const QString& objectName) {
     button->setToolButtonStyle(action->icon().isNull() ? Qt::ToolButtonTextOnly
                                                        : Qt::ToolButtonTextBesideIcon);
     look::name(button, objectName, action->text());
-    m_layout->insertWidget(m_buttons++, button);
+    m_buttons->insertWidget(m_buttons->indexOf(m_which), button);
     return button;
 }
 
@@ -66,8 +71,9 @@ void ScopeBar::buildWindowBox() {
             [this](int index) { emit widthChosen(m_window->itemData(index).toDouble()); });
     auto* label = new QLabel(tr("Sho&w"), this);
     label->setBuddy(m_window);
-    m_layout->insertWidget(m_buttons++, label);
-    m_layout->insertWidget(m_buttons++, m_window);
+    m_buttons->addWidget(label);
+    m_buttons->addWidget(m_window);
+    m_buttons->addWidget(m_which);
 }
 
 void ScopeBar::buildButtons() {
@@ -100,17 +106,22 @@ void ScopeBar::buildButtons() {
     addButton(trigger, u"scopeTriggerButton"_s);
 }
 
-void ScopeBar::buildWords() {
-    m_back->setText(tr("Back to live"));
-    m_back->setToolTip(tr("Shows what the modules say now."));
-    look::name(m_back, u"scopeLiveButton"_s, tr("Back to live"));
-    connect(m_back, &QToolButton::clicked, this, &ScopeBar::liveRequested);
-    m_record->setObjectName(u"scopeRecordLabel"_s);
-    m_layout->addWidget(m_which);
-    m_layout->addWidget(m_record, 1);
-    m_layout->addWidget(m_back);
-    m_layout->addStretch(1);
-    showRecord({});
+/// Of its own, because titles are long.
+QWidget* ScopeBar::newRecordRow() {
+    auto* back = new QToolButton(this);
+    back->setText(tr("Back to live"));
+    back->setToolTip(tr("Shows what the modules say now."));
+    look::name(back, u"scopeLiveButton"_s, tr("Back to live"));
+    connect(back, &QToolButton::clicked, this, &ScopeBar::liveRequested);
+    look::name(m_record, u"scopeRecordLabel"_s, tr("What is shown instead of the present"));
+    m_record->setWordWrap(true);
+    m_record->setTextFormat(Qt::PlainText);
+    auto* layout = new QHBoxLayout(m_recordRow);
+    layout->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+    layout->addWidget(back);
+    layout->addWidget(m_record, 1);
+    m_recordRow->hide();
+    return m_recordRow;
 }
 
 void ScopeBar::showSetup(const ScopeSetup& setup) {
@@ -135,8 +146,7 @@ void ScopeBar::showWhich(const QString& module) {
 
 void ScopeBar::showRecord(const QString& title) {
     look::setText(m_record, title);
-    m_record->setVisible(!title.isEmpty());
-    m_back->setVisible(!title.isEmpty());
+    m_recordRow->setVisible(!title.isEmpty());
 }
 
 }  // namespace nmc

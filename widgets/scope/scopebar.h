@@ -49,18 +49,17 @@ private:
                        const QKeySequence& key);
     void buildWindowBox();
     void buildButtons();
-    void buildWords();
+    [[nodiscard]] QWidget* newRecordRow();
 
     QList<QAction*> m_menuActions;  ///< filled while those below are made
-    QHBoxLayout* m_layout;
+    QHBoxLayout* m_buttons;
     QComboBox* m_window;
     QLabel* m_which;
     QLabel* m_record;
-    QToolButton* m_back;
+    QWidget* m_recordRow;
     QAction* m_pause;
     QAction* m_cursors;
     QAction* m_lane;
-    int m_buttons = 0;  ///< places of the layout that are before the words
 };
 
 }  // namespace nmc

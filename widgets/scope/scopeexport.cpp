@@ -52,7 +52,7 @@ std::uint64_t samplesIn(const History& history) {
 }
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {
-    const QString program = Scope::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion());
+    const QString program = Scope::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
     QStringList words{title.isEmpty() ? program : Scope::tr("%1, by %2").arg(title, program)};
     words << texts::portName(origin.port);
     if (origin.simulated)

@@ -37,7 +37,7 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
-                            tr("Ends the recording and closes its file (Ctrl+R)."));
+                            tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
     m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), tr("Cancel"),
                           tr("Leaves the file alone; the scope stays as it is."));
     connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
@@ -45,7 +45,7 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     connect(&m_export, &ScopeExport::saveRequested, this, &ScopeFiles::saveRequested);
 
     m_record->setObjectName(u"scopeRecordAction"_s);
-    m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     connect(m_record, &QAction::triggered, this, &ScopeFiles::recordOrEnd);
     panel->addAction(m_record);
     m_open->setObjectName(u"openRecordingAction"_s);
@@ -78,7 +78,7 @@ void ScopeFiles::showConnected(bool connected) {
 }
 
 void ScopeFiles::showRecordAction() {
-    const QString record = tr("Writes every sample of all modules to a file from now on (Ctrl+R).");
+    const QString record = tr("Writes every sample of all modules to a file from now on (Ctrl+Shift+R).");
     m_record->setEnabled(m_connected || m_recording);
     m_record->setText(m_recording ? tr("Stop recording") : tr("Record…"));
     m_record->setToolTip(m_recording   ? m_recordingRow.button->toolTip()

@@ -75,6 +75,7 @@ void ScopePanel::buildStrips() {
     m_strips->setSetup(m_setup);
     m_strips->time().setWidth(m_setup.seconds);
     connect(m_strips, &ScopeStrips::timeChanged, this, &ScopePanel::showTime);
+    connect(m_strips, &ScopeStrips::resized, this, &ScopePanel::touch);
     connect(m_strips, &ScopeStrips::cursorMoved, this, &ScopePanel::moveCursor);
     connect(m_strips, &ScopeStrips::everythingWanted, this, [this] {
         m_everythingWanted = true;

@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <initializer_list>
 
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -41,7 +43,6 @@ Condition turned(Condition condition) {
 
 TriggerBar::TriggerBar(QWidget* parent)
     : QWidget(parent),
-      m_layout(new QHBoxLayout(this)),
       m_source(newBox(u"triggerSourceBox"_s, tr("Trigger on"), tr("The signal or status bit to wait for."))),
       m_condition(newBox(u"triggerConditionBox"_s, tr("Condition"), tr("What it has to do."))),
       m_level(newField(u"triggerLevelField"_s, tr("Level"), tr("Where it has to do that."))),
@@ -54,8 +55,6 @@ TriggerBar::TriggerBar(QWidget* parent)
       m_state(new QLabel(this)) {
     look::name(this, u"triggerBar"_s, tr("Trigger"));
     look::name(m_state, u"triggerStateLabel"_s, tr("State of the trigger"));
-    m_layout->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    m_layout->setSpacing(look::gridUnit(this) / 2);
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(12);
     m_mode->addItems({tr("Off"), tr("Single"), tr("Normal")});
@@ -68,19 +67,7 @@ TriggerBar::TriggerBar(QWidget* parent)
     look::name(m_arm, u"triggerArmButton"_s, tr("Arm"));
     connect(m_arm, &QPushButton::clicked, this, &TriggerBar::armRequested);
 
-    addLabel(tr("Trigger on"), m_source);
-    m_layout->addWidget(m_source);
-    m_layout->addWidget(m_condition);
-    m_layout->addWidget(m_level);
-    m_layout->addWidget(m_unit);
-    addLabel(tr("Mode"), m_mode);
-    m_layout->addWidget(m_mode);
-    addLabel(tr("Before"), m_before);
-    m_layout->addWidget(m_before);
-    m_layout->addWidget(new QLabel(tr("%"), this));
-    m_layout->addWidget(m_arm);
-    m_layout->addWidget(m_state, 1);
-
+    layOut();
     connect(m_source, &QComboBox::activated, this, [this] {
         takeSource();
         emit edited();
@@ -113,10 +100,29 @@ NumberField* TriggerBar::newField(const QString& objectName, const QString& name
     return field;
 }
 
-void TriggerBar::addLabel(const QString& text, QWidget* buddy) {
-    auto* label = new QLabel(text, this);
-    label->setBuddy(buddy);
-    m_layout->addWidget(label);
+/// In two rows: in one they would be wider than the scope often is.
+void TriggerBar::layOut() {
+    const int unit = look::gridUnit(this);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, unit / 2, 0, 0);
+    rows->setSpacing(unit / 2);
+    const auto addRow = [&](std::initializer_list<QWidget*> widgets) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(unit / 2);
+        for (QWidget* widget : widgets)
+            row->addWidget(widget, widget == m_state ? 1 : 0);
+        if (m_state != *std::prev(widgets.end()))
+            row->addStretch(1);
+        rows->addLayout(row);
+    };
+    const auto label = [this](const QString& text, QWidget* buddy) {
+        auto* words = new QLabel(text, this);
+        words->setBuddy(buddy);
+        return words;
+    };
+    addRow({label(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit});
+    addRow({label(tr("Mode"), m_mode), m_mode, label(tr("Before"), m_before), m_before,
+            label(tr("%"), m_before), m_arm, m_state});
 }
 
 // ---- what there is to wait for ----

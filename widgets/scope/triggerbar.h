@@ -10,7 +10,6 @@
 #include "widgets/scope/scopemodule.h"
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -52,7 +51,7 @@ private:
 
     QComboBox* newBox(const QString& objectName, const QString& name, const QString& meaning);
     NumberField* newField(const QString& objectName, const QString& name, const QString& meaning);
-    void addLabel(const QString& text, QWidget* buddy);
+    void layOut();
     void addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of);
     void takeSource();
     void showConditions();
@@ -62,7 +61,6 @@ private:
     [[nodiscard]] const ScopeSignal* signal() const;
     [[nodiscard]] LinearScale scale() const;
 
-    QHBoxLayout* m_layout;
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::vector<Source> m_sources;  ///< by row of the box
