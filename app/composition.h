@@ -14,6 +14,7 @@
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
 #include "app/procedurecontroller.h"
+#include "app/recordingcontroller.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
 #include "model/intent.h"
@@ -106,6 +107,7 @@ private:
     PortController m_ports;
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
+    RecordingController m_recordings{m_window, m_store};
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;

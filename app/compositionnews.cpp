@@ -16,6 +16,7 @@ void Composition::tell(const StoreEvent& event) {
 
 void Composition::tellIncident(Message message, std::optional<ModuleIndex> module) {
     m_flight.note(message.key, message.headline, module, monotonicNow());
+    m_recordings.note(message.headline);
     m_window.showMessage(texts::withRecord(std::move(message)));
 }
 
@@ -52,6 +53,7 @@ void Composition::told(const bus::OperationFinished& finished) {
 
 void Composition::told(const bus::StopFinished& finished) {
     m_flight.note(texts::key::stop(), texts::stopOfAll(), {}, monotonicNow() - finished.took);
+    m_recordings.note(texts::stopOfAll());
     m_window.showStopResult(finished);
 }
 
@@ -116,6 +118,7 @@ void Composition::told(const bus::RateChangeFailed& failed) {
 void Composition::told(const PortClosed& closed) {
     m_window.showPackets(m_worker.takeRecords());
     m_flight.keepAll();
+    m_recordings.end();
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});

@@ -105,6 +105,7 @@ void BusStore::take(const bus::Event& event) {
         if (known(executed->module)) {
             m_link.modules[executed->module.value()].apply(*executed);
             m_records[executed->module.value()].feed.apply(*executed);
+            noteGains(*executed);
         }
     } else if (const auto* progress = std::get_if<bus::ConnectProgress>(&event)) {
         m_link.phase = LinkPhase::Connecting;
@@ -142,6 +143,7 @@ void BusStore::take(const bus::Event& event) {
         if (known(restarted->module)) {
             m_link.modules[restarted->module.value()].restarted();
             m_records[restarted->module.value()].feed.doubt();
+            doubtGains(restarted->module);
         }
         emit happened(*restarted);
     } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
@@ -173,6 +175,22 @@ void BusStore::take(const bus::Sample& sample) {
         emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
 }
 
+void BusStore::noteGains(const bus::CommandExecuted& executed) {
+    const auto* servoCommand = std::get_if<ServoCommand>(&executed.command);
+    if (servoCommand == nullptr)
+        return;
+    if (const auto* gains = std::get_if<servo::SetGain>(servoCommand))
+        m_history.noteGains({executed.module, executed.time, *gains});
+}
+
+void BusStore::doubtGains(ModuleIndex module) {
+    const auto& gains = m_history.gains();
+    const auto last = std::find_if(gains.rbegin(), gains.rend(),
+                                   [&](const GainsChange& change) { return change.module == module; });
+    if (last != gains.rend() && last->gains)
+        m_history.noteGains({module, m_history.end().value_or(last->time), std::nullopt});
+}
+
 void BusStore::found(const bus::ChainFound& chain) {
     forgetChain();
     m_link.phase = LinkPhase::Connected;
@@ -194,8 +212,11 @@ void BusStore::beginHistory(const bus::ChainFound& chain) {
     std::vector<ModuleIdentity> identities;
     for (const bus::ModuleInfo& info : chain.modules)
         identities.push_back(info.identity);
-    if (m_historyPort == m_link.port && m_historyOf == identities)
+    if (m_historyPort == m_link.port && m_historyOf == identities) {
+        for (const bus::ModuleInfo& info : chain.modules)
+            doubtGains(info.index);
         return;
+    }
     m_history = History(identities.size());
     m_historyPort = m_link.port;
     m_historyOf = std::move(identities);

@@ -66,6 +66,9 @@ private:
     void take(const WorkerEvent& event);
     void take(const bus::Event& event);
     void take(const bus::Sample& sample);
+    void noteGains(const bus::CommandExecuted& executed);
+    /// It may have other gains than those that it confirmed.
+    void doubtGains(ModuleIndex module);
     void found(const bus::ChainFound& chain);
     void silence(const bus::ModuleSilence& silence);
     void closed(const PortClosed& closed);

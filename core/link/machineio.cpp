@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "link/machineio.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 #include <cerrno>
@@ -26,18 +25,25 @@ FileError errorOf(const QFileDevice& file, const QString& path, int number) {
 
 }  // namespace
 
-tl::expected<std::string, FileError> readFile(const QString& path, std::size_t limit) {
+tl::expected<std::unique_ptr<QFile>, FileError> openToRead(const QString& path) {
     const QFileInfo info(path);
-    // What is not a plain file may never end, or never begin.
     if (info.exists() && !info.isFile())
         return tl::unexpected(FileError{FileTrouble::NotAFile, path});
-    QFile file(path);
+    auto file = std::make_unique<QFile>(path);
     errno = 0;
-    if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(errorOf(file, path, errno));
-    const QByteArray bytes = file.read(static_cast<qint64>(limit) + 1);
-    if (file.error() != QFileDevice::NoError)
-        return tl::unexpected(errorOf(file, path, errno));
+    if (!file->open(QIODevice::ReadOnly))
+        return tl::unexpected(errorOf(*file, path, errno));
+    return file;
+}
+
+tl::expected<std::string, FileError> readFile(const QString& path, std::size_t limit) {
+    const auto file = openToRead(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    errno = 0;
+    const QByteArray bytes = (*file)->read(static_cast<qint64>(limit) + 1);
+    if ((*file)->error() != QFileDevice::NoError)
+        return tl::unexpected(errorOf(**file, path, errno));
     if (static_cast<std::size_t>(bytes.size()) > limit)
         return tl::unexpected(FileError{FileTrouble::TooLarge, path});
     return bytes.toStdString();

@@ -193,6 +193,10 @@ void History::append(ModuleIndex module, const ScopeSample& sample) {
             trim(level);
 }
 
+void History::noteGains(const GainsChange& change) {
+    m_gains.push_back(change);
+}
+
 const ModuleHistory* History::module(ModuleIndex index) const {
     return index.value() < m_modules.size() ? &m_modules[index.value()] : nullptr;
 }
@@ -226,6 +230,14 @@ History History::cut(TimePoint from, TimePoint to) const {
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         for (const ScopeSample& sample : m_modules[i].samples(from, to))
             part.m_modules[i].append(sample);
+    for (const GainsChange& change : m_gains) {
+        if (change.time > to)
+            break;
+        if (change.time <= from)
+            std::erase_if(part.m_gains,
+                          [&](const GainsChange& before) { return before.module == change.module; });
+        part.m_gains.push_back(change);
+    }
     part.m_zero = m_zero;
     return part;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/strong.h"
+#include "model/gainschange.h"
 #include "model/scopespan.h"
 
 namespace nmc {
@@ -36,6 +38,9 @@ public:
     template <typename Visit>
     void visit(TimePoint from, TimePoint to, Duration widest, Visit&& visit) const;
 
+    /// What has come since there were `count` samples, as far as it is still kept one by one.
+    template <typename Visit>
+    void visitSince(std::uint64_t count, Visit&& visit) const;
     /// The samples in [from, to] that are still kept one by one.
     [[nodiscard]] std::vector<ScopeSample> samples(TimePoint from, TimePoint to) const;
     /// The kept samples around `time`: the last not after it, the first after it.
@@ -89,6 +94,9 @@ public:
     explicit History(std::size_t modules = 0, std::size_t budget = kBudget);
 
     void append(ModuleIndex module, const ScopeSample& sample);
+    /// In the order of time.
+    void noteGains(const GainsChange& change);
+    [[nodiscard]] const std::vector<GainsChange>& gains() const { return m_gains; }
 
     [[nodiscard]] std::size_t modules() const { return m_modules.size(); }
     /// Null if there is no such module.
@@ -99,7 +107,7 @@ public:
     [[nodiscard]] std::optional<TimePoint> begin() const;
     [[nodiscard]] std::optional<TimePoint> end() const;
     [[nodiscard]] std::size_t bytes() const;
-    /// What is kept of [from, to] in full; its zero is the same.
+    /// What is kept of [from, to] in full, and the gains that were in force then; its zero is the same.
     [[nodiscard]] History cut(TimePoint from, TimePoint to) const;
 
 private:
@@ -107,6 +115,7 @@ private:
     void trim(std::size_t level);
 
     std::vector<ModuleHistory> m_modules;
+    std::vector<GainsChange> m_gains;
     std::size_t m_budget;
     std::optional<TimePoint> m_zero;
 };
@@ -120,6 +129,12 @@ void ModuleHistory::visit(TimePoint from, TimePoint to, Duration widest, Visit&&
             return;
         number += entry.samples;
     }
+}
+
+template <typename Visit>
+void ModuleHistory::visitSince(std::uint64_t count, Visit&& visit) const {
+    for (std::uint64_t number = std::max(count, m_firstSample); number < m_count; ++number)
+        visit(m_samples[number - m_firstSample]);
 }
 
 }  // namespace nmc

@@ -148,21 +148,23 @@ void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, 
     out += sample.gapBefore ? ",1\n" : ",0\n";
 }
 
-void appendGains(std::string& out, ModuleIndex module, const servo::SetGain& gains, TimePoint time,
-                 TimePoint zero) {
+void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
+    if (!change.gains)
+        return appendNote(out, "gains of module " + std::to_string(change.module.value() + 1) + " unknown",
+                          change.time, zero);
     out.append("# ").append(words::kGains);
-    appendNumber(out, module.value() + 1);
+    appendNumber(out, change.module.value() + 1);
     out += words::kAt;
-    appendTime(out, time - zero);
+    appendTime(out, change.time - zero);
     out += words::kSeconds;
     const auto append = [&out](std::string_view word, int value, ValueRange /*range*/) {
         out.append(word) += ' ';
         appendNumber(out, value);
         out += ' ';
     };
-    words::forEachGain(append, gains);
-    if (gains.db)
-        append(words::kDeadband, *gains.db, servo::kByteRange);
+    words::forEachGain(append, *change.gains);
+    if (change.gains->db)
+        append(words::kDeadband, *change.gains->db, servo::kByteRange);
     out.back() = '\n';
 }
 
@@ -170,6 +172,34 @@ void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoi
     out.append("# note").append(words::kAt);
     appendTime(out, time - zero);
     out.append(words::kSeconds).append(oneLine(text)) += '\n';
+}
+
+std::string recordingOf(const RecordingHeader& header, const History& history) {
+    struct Next {
+        ModuleIndex module;
+        std::vector<ScopeSample> samples;
+        std::size_t place = 0;
+        [[nodiscard]] bool over() const { return place == samples.size(); }
+        [[nodiscard]] TimePoint time() const { return samples[place].time; }
+    };
+    std::vector<Next> modules;
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleIndex module(static_cast<std::uint8_t>(i));
+        modules.push_back({module, history.module(module)->samples(TimePoint::min(), TimePoint::max())});
+    }
+    std::string out = recordingHead(header);
+    auto gains = history.gains().begin();
+    for (;;) {
+        const auto next = std::min_element(modules.begin(), modules.end(), [](const Next& a, const Next& b) {
+            return !a.over() && (b.over() || a.time() < b.time());
+        });
+        const bool over = next == modules.end() || next->over();
+        for (; gains != history.gains().end() && (over || gains->time <= next->time()); ++gains)
+            appendGains(out, *gains, header.zero);
+        if (over)
+            return out;
+        appendRow(out, next->module, next->samples[next->place++], header.zero);
+    }
 }
 
 }  // namespace nmc

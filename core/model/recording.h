@@ -8,10 +8,9 @@
 
 #include "base/strong.h"
 #include "model/axisscale.h"
+#include "model/history.h"
 #include "model/machine.h"
-#include "model/scopesample.h"
 #include "protocol/moduletype.h"
-#include "protocol/servocommands.h"
 
 /// What the scope writes down: one CSV file, to be read by this program (model/recordingreader.h), by a
 /// spreadsheet and by people. UTF-8, line feeds, the C locale whatever the user's:
@@ -91,10 +90,12 @@ inline constexpr std::array<std::string_view, 12> kRecordingColumns{
 void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, TimePoint zero);
 
 /// A comment from where on these gains were in force.
-void appendGains(std::string& out, ModuleIndex module, const servo::SetGain& gains, TimePoint time,
-                 TimePoint zero);
+void appendGains(std::string& out, const GainsChange& change, TimePoint zero);
 
 /// A comment for people. Control characters become question marks, and long texts are cut.
 void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero);
+
+/// A whole recording: what `history` keeps one by one, in the order of time. May be made in any thread.
+[[nodiscard]] std::string recordingOf(const RecordingHeader& header, const History& history);
 
 }  // namespace nmc

@@ -167,7 +167,7 @@ std::optional<RecordingProblem> takeHeadEntry(std::string_view text, RecordingHe
     return std::nullopt;
 }
 
-std::optional<GainsInForce> gainsOf(std::string_view text) {
+std::optional<GainsChange> gainsOf(std::string_view text) {
     if (!skip(text, words::kGains))
         return std::nullopt;
     const auto module = moduleOf(upTo(words::kAt, text));
@@ -175,7 +175,7 @@ std::optional<GainsInForce> gainsOf(std::string_view text) {
     const auto gains = gainValues(text);
     if (!module || !time || !gains)
         return std::nullopt;
-    return GainsInForce{*module, TimePoint(*time), *gains};
+    return GainsChange{*module, TimePoint(*time), *gains};
 }
 
 }  // namespace nmc::comments

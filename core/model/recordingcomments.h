@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "model/gainschange.h"
 #include "model/recordingcells.h"
 #include "model/recordingreader.h"
 
@@ -23,12 +24,7 @@ inline constexpr cells::Bounds kBytes{0, 255};
 /// "key: value", into the header. What is none of ours changes nothing.
 [[nodiscard]] std::optional<RecordingProblem> takeHeadEntry(std::string_view text, RecordingHeader& header);
 
-struct GainsInForce {
-    ModuleIndex module;
-    TimePoint time;
-    servo::SetGain gains;
-};
 /// Nothing when it only looks like a comment on gains.
-[[nodiscard]] std::optional<GainsInForce> gainsOf(std::string_view text);
+[[nodiscard]] std::optional<GainsChange> gainsOf(std::string_view text);
 
 }  // namespace nmc::comments

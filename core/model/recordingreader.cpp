@@ -123,7 +123,7 @@ void RecordingReader::takeComment(std::string_view line) {
         return;
     text.remove_prefix(kComment.size());
     if (const auto inForce = comments::gainsOf(text); inForce && m_takers.gains)
-        m_takers.gains(inForce->module, inForce->time, inForce->gains);
+        m_takers.gains(*inForce);
     else if (m_columns == 0)
         if (auto problem = comments::takeHeadEntry(text, m_header))
             refuse(std::move(*problem));

@@ -52,7 +52,7 @@ public:
     /// Called from within feed(), in the order of the file.
     struct Takers {
         std::function<void(ModuleIndex, const ScopeSample&)> sample;
-        std::function<void(ModuleIndex, TimePoint, const servo::SetGain&)> gains{};
+        std::function<void(const GainsChange&)> gains{};
     };
     explicit RecordingReader(Takers takers) : m_takers(std::move(takers)) {}
 

@@ -27,9 +27,7 @@ Read readInPieces(std::string_view text, std::size_t piece) {
         {[&](nmc::ModuleIndex module, const nmc::ScopeSample& sample) {
              appendRow(read.rows, module, sample, {});
          },
-         [&](nmc::ModuleIndex module, nmc::TimePoint time, const nmc::servo::SetGain& gains) {
-             appendGains(read.rows, module, gains, time, {});
-         }});
+         [&](const nmc::GainsChange& change) { appendGains(read.rows, change, {}); }});
     for (; !text.empty(); text.remove_prefix(std::min(piece, text.size())))
         if (!reader.feed(text.substr(0, piece)))
             break;

@@ -263,5 +263,35 @@ TEST(History, ACutHoldsTheSamplesOfItsTime) {
     EXPECT_EQ(part.module(ModuleIndex(1))->count(), 5U);
 }
 
+TEST(History, ACutHoldsTheGainsThatWereInForce) {
+    History history(2);
+    const auto note = [&](int module, double seconds, std::uint16_t kp) {
+        servo::SetGain gains;
+        gains.kp = kp;
+        history.noteGains({ModuleIndex(static_cast<std::uint8_t>(module)), atSeconds(seconds), gains});
+    };
+    note(0, 1, 10);
+    note(1, 2, 20);
+    note(0, 3, 11);
+    note(0, 7, 12);
+    note(1, 9, 21);
+    const History part = history.cut(atSeconds(5), atSeconds(8));
+    std::vector<std::uint16_t> kept;
+    for (const GainsChange& change : part.gains())
+        kept.push_back(change.gains->kp);
+    EXPECT_EQ(kept, (std::vector<std::uint16_t>{20, 11, 12}));
+}
+
+TEST(History, TellsWhatHasComeSince) {
+    History history(1);
+    for (int i = 0; i < 5; ++i)
+        history.append(ModuleIndex(0), sampleAt(1, i));
+    std::vector<std::int32_t> since;
+    history.module(ModuleIndex(0))->visitSince(3, [&](const ScopeSample& sample) {
+        since.push_back(sample.position);
+    });
+    EXPECT_EQ(since, (std::vector<std::int32_t>{3, 4})) << "though all have the same time";
+}
+
 }  // namespace
 }  // namespace nmc

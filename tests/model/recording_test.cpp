@@ -82,8 +82,10 @@ TEST(Recording, IsWrittenAsDescribedUnderAnyLocale) {
     second.gapBefore = true;
     std::string rows;
     appendRow(rows, ModuleIndex(0), first, zero);
-    appendGains(rows, ModuleIndex(0), {100, 1'000, 0, 0, 255, 0, 2'000, 1, std::uint8_t{3}},
-                at(5'500'000'000), zero);
+    appendGains(rows,
+                {ModuleIndex(0), at(5'500'000'000),
+                 servo::SetGain{100, 1'000, 0, 0, 255, 0, 2'000, 1, std::uint8_t{3}}},
+                zero);
     appendRow(rows, ModuleIndex(1), second, zero);
     appendNote(rows, "the motors were told to stop", at(5'750'000'000), zero);
     EXPECT_EQ(rows, kRecordingRows);
@@ -125,15 +127,39 @@ TEST(Recording, TheHeadIsReadBack) {
 }
 
 TEST(Recording, GainsOfBothKindsAreReadBack) {
-    const std::vector<ReadRecording::Gains> gains{
-        {ModuleIndex(0), at(-1), {1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
-        {ModuleIndex(31), at(1'234'567'890), {0x7FFF, 0x7FFF, 0x7FFF, 0x7FFF, 255, 255, 0x3FFF, 255, 255}}};
+    const std::vector<GainsChange> gains{
+        {ModuleIndex(0), at(-1), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
+        {ModuleIndex(31), at(1'234'567'890),
+         servo::SetGain{0x7FFF, 0x7FFF, 0x7FFF, 0x7FFF, 255, 255, 0x3FFF, 255, 255}}};
     std::string text = recordingHead(recordingHeader());
-    for (const auto& [module, time, values] : gains)
-        appendGains(text, module, values, time, TimePoint{});
+    for (const GainsChange& change : gains)
+        appendGains(text, change, TimePoint{});
     const auto read = readRecording(text);
     EXPECT_FALSE(read.problem.has_value());
     EXPECT_EQ(read.gains, gains);
+}
+
+TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {
+    History history(2);
+    history.noteGains({ModuleIndex(0), at(5), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.append(ModuleIndex(1), sampleOf(at(10), 100));
+    history.append(ModuleIndex(0), sampleOf(at(20), 200));
+    history.noteGains({ModuleIndex(0), at(25), servo::SetGain{9, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.append(ModuleIndex(1), sampleOf(at(30), 300));
+    history.noteGains({ModuleIndex(1), at(35), servo::SetGain{10, 2, 3, 4, 5, 6, 7, 8, std::nullopt}});
+    history.noteGains({ModuleIndex(1), at(40), std::nullopt});
+    RecordingHeader header = recordingHeader();
+    header.zero = at(10);
+    std::string expected = recordingHead(header);
+    expected +=
+        "# gains of module 1 at -0.000000005 s: kp 1 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
+        "2,0.000000000,100,,,,,,0,0,0,0\n"
+        "1,0.000000010,200,,,,,,0,0,0,0\n"
+        "# gains of module 1 at 0.000000015 s: kp 9 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
+        "2,0.000000020,300,,,,,,0,0,0,0\n"
+        "# gains of module 2 at 0.000000025 s: kp 10 kd 2 ki 3 il 4 ol 5 cl 6 el 7 sr 8\n"
+        "# note at 0.000000030 s: gains of module 2 unknown\n";
+    EXPECT_EQ(recordingOf(header, history), expected);
 }
 
 // ---- any samples ----

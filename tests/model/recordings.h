@@ -59,15 +59,9 @@ inline RecordingHeader recordingHeader() {
 
 /// Everything that a reader hands on.
 struct ReadRecording {
-    struct Gains {
-        ModuleIndex module;
-        TimePoint time;
-        servo::SetGain gains;
-        bool operator==(const Gains&) const = default;
-    };
     RecordingHeader header;
     std::vector<std::pair<ModuleIndex, ScopeSample>> samples;
-    std::vector<Gains> gains;
+    std::vector<GainsChange> gains;
     std::optional<RecordingProblem> problem;
 };
 
@@ -76,9 +70,7 @@ inline ReadRecording readRecording(std::string_view text, std::size_t piece = 7)
     ReadRecording read;
     RecordingReader reader(
         {[&](ModuleIndex module, const ScopeSample& sample) { read.samples.emplace_back(module, sample); },
-         [&](ModuleIndex module, TimePoint time, const servo::SetGain& gains) {
-             read.gains.push_back({module, time, gains});
-         }});
+         [&](const GainsChange& change) { read.gains.push_back(change); }});
     for (; !text.empty(); text.remove_prefix(std::min(piece, text.size())))
         if (!reader.feed(text.substr(0, piece)))
             break;

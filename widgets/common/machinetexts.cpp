@@ -90,34 +90,6 @@ QString wrongInLine(const FileProblem& problem) {
     return {};
 }
 
-/// "Check"; after what went wrong with a path.
-QString trouble(const FileError& error) {
-    const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
-    switch (error.trouble) {
-        case FileTrouble::NotThere:
-            return Texts::tr("It is not there any more. Was it moved, or is its disk not connected?");
-        case FileTrouble::NoFolder:
-            return Texts::tr("The folder %1 is not there. Choose another one.").arg(folder);
-        case FileTrouble::NotAFile:
-            return Texts::tr("This is a folder or a device. Choose a file.");
-        case FileTrouble::NoPermission:
-            return Texts::tr(
-                       "Your user account may not do that in %1. Choose another folder, or change the "
-                       "permissions.")
-                .arg(folder);
-        case FileTrouble::ReadOnly:
-            return Texts::tr("The disk of %1 can only be read. Choose another folder.").arg(folder);
-        case FileTrouble::NoSpace:
-            return Texts::tr("There is no room left on the disk of %1. Make room, or choose another folder.")
-                .arg(folder);
-        case FileTrouble::TooLarge:
-            return Texts::tr("It is larger than any machine file. Is it the right file?");
-        case FileTrouble::Other:
-            return Texts::tr("The system says why under Details.");
-    }
-    return {};
-}
-
 Message problemMessage(const QString& headline, const QString& body, const QString& details = {}) {
     return {.key = key::machineFile(),
             .severity = Severity::Attention,
@@ -146,6 +118,33 @@ QString machineOrFile(const QString& machine) {
 }
 
 }  // namespace
+
+QString fileTrouble(const FileError& error) {
+    const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
+    switch (error.trouble) {
+        case FileTrouble::NotThere:
+            return Texts::tr("It is not there any more. Was it moved, or is its disk not connected?");
+        case FileTrouble::NoFolder:
+            return Texts::tr("The folder %1 is not there. Choose another one.").arg(folder);
+        case FileTrouble::NotAFile:
+            return Texts::tr("This is a folder or a device. Choose a file.");
+        case FileTrouble::NoPermission:
+            return Texts::tr(
+                       "Your user account may not do that in %1. Choose another folder, or change the "
+                       "permissions.")
+                .arg(folder);
+        case FileTrouble::ReadOnly:
+            return Texts::tr("The disk of %1 can only be read. Choose another folder.").arg(folder);
+        case FileTrouble::NoSpace:
+            return Texts::tr("There is no room left on the disk of %1. Make room, or choose another folder.")
+                .arg(folder);
+        case FileTrouble::TooLarge:
+            return Texts::tr("It is larger than any machine file. Is it the right file?");
+        case FileTrouble::Other:
+            return Texts::tr("The system says why under Details.");
+    }
+    return {};
+}
 
 QString key::machineFile() {
     return u"machineFile"_s;
@@ -180,13 +179,13 @@ Message machineNotOpened(const QString& file, const FileProblem& problem) {
 
 Message machineNotOpened(const FileError& error) {
     return problemMessage(Texts::tr("\"%1\" was not opened.").arg(machineFileName(error.path)),
-                          trouble(error), error.detail);
+                          fileTrouble(error), error.detail);
 }
 
 Message machineNotSaved(const FileError& error) {
     return problemMessage(Texts::tr("\"%1\" was not saved. What it held before is still there.")
                               .arg(machineFileName(error.path)),
-                          trouble(error), error.detail);
+                          fileTrouble(error), error.detail);
 }
 
 Message machineNotSaved(const QString& file, const FileProblem& problem) {

@@ -20,6 +20,8 @@ class Texts {
 [[nodiscard]] Message::Action restartNetwork();
 /// A rate in running text, with plain spaces as in interface.md.
 [[nodiscard]] QString rate(quint32 baud);
+/// What to do when a file was not read or written.
+[[nodiscard]] QString fileTrouble(const FileError& error);
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
 /// What is known of the motors when the link is not.

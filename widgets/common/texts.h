@@ -21,6 +21,8 @@
 namespace nmc {
 
 struct PacketSession;
+struct RecordingFailure;
+struct RecordingProblem;
 
 /// Something to tell the user: one cause, whose repeats are counted under its key (interface.md, "Words").
 struct Message {
@@ -180,6 +182,19 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// Why nothing can be sent while motors move.
 [[nodiscard]] QString notSentWhileMoving(int movingMotors);
 
+// ---- recordings, and what the scope exports ----
+[[nodiscard]] Message recordingEnded(const QString& path, double seconds);
+/// `seconds`: how long it went on.
+[[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);
+/// ""mill.csv" line 12: position is "x", which is not a number."
+[[nodiscard]] QString recordingProblem(const QString& file, const RecordingProblem& problem);
+/// It was read only as far as there was no problem; `samples` of it are shown.
+[[nodiscard]] Message recordingCut(const QString& path, const RecordingProblem& problem, quint64 samples);
+[[nodiscard]] Message recordingWithoutSamples(const QString& path);
+[[nodiscard]] Message recordingNotOpened(const FileError& error);
+[[nodiscard]] Message exported(const QString& path);
+[[nodiscard]] Message notExported(const FileError& error);
+
 // ---- the command line ----
 [[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);
 [[nodiscard]] QString badBaud(const QString& text);
@@ -203,6 +218,9 @@ namespace key {
 [[nodiscard]] QString safety();
 [[nodiscard]] QString machineFile();
 [[nodiscard]] QString unsavedWork();
+[[nodiscard]] QString recording();
+[[nodiscard]] QString openedRecording();
+[[nodiscard]] QString exported();
 }  // namespace key
 
 }  // namespace texts

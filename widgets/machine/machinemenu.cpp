@@ -8,6 +8,7 @@
 #include <QMenu>
 
 #include "model/machinefile.h"
+#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/unsaveddialog.h"
@@ -149,26 +150,15 @@ void MachineMenu::save(const Go& then) {
         then();
 }
 
-QFileDialog* MachineMenu::newFileDialog(const QString& objectName, const QString& title) {
-    if (auto* open = m_window->findChild<QFileDialog*>(objectName)) {
-        open->activateWindow();
-        return nullptr;
-    }
-    auto* dialog = new QFileDialog(m_window, title);
-    look::name(dialog, objectName, title);
-    // The system's own dialog keeps Esc to itself, which must stop the motors here, too.
-    dialog->setOption(QFileDialog::DontUseNativeDialog);
-    dialog->setNameFilters({tr("Machine files (*.%1)").arg(kSuffix), tr("All files (*)")});
+QFileDialog* MachineMenu::newMachineDialog(const QString& objectName, const QString& title) {
     const QString last = m_file.path.isEmpty() ? m_file.recent.value(0) : m_file.path;
-    dialog->setDirectory(last.isEmpty() ? QDir::homePath() : QFileInfo(last).absolutePath());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    // Not modal: the panel stays usable, and STOP ALL with it.
-    dialog->setModal(false);
-    return dialog;
+    return newFileDialog(m_window, objectName, title,
+                         {tr("Machine files (*.%1)").arg(kSuffix), tr("All files (*)")},
+                         last.isEmpty() ? QString() : QFileInfo(last).absolutePath());
 }
 
 void MachineMenu::chooseToOpen() {
-    QFileDialog* dialog = newFileDialog(u"openMachineDialog"_s, tr("Open machine"));
+    QFileDialog* dialog = newMachineDialog(u"openMachineDialog"_s, tr("Open machine"));
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -177,7 +167,7 @@ void MachineMenu::chooseToOpen() {
 }
 
 void MachineMenu::chooseToSave(const Go& then) {
-    QFileDialog* dialog = newFileDialog(u"saveMachineDialog"_s, tr("Save machine"));
+    QFileDialog* dialog = newMachineDialog(u"saveMachineDialog"_s, tr("Save machine"));
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -68,7 +68,7 @@ private:
     void save(const Go& then);
     void chooseToOpen();
     void chooseToSave(const Go& then);
-    QFileDialog* newFileDialog(const QString& objectName, const QString& title);
+    QFileDialog* newMachineDialog(const QString& objectName, const QString& title);
 
     QWidget* m_window;
     MachineFile m_file;

@@ -244,6 +244,7 @@ void MainWindow::showScopeModules() {
             {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
     }
     m_scope->showModules(m_scopeModules, selectedModule());
+    m_scope->showSession(QString::fromStdString(m_link.port), m_link.simulated);
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -299,6 +300,10 @@ void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
             dock->raise();
         }
     m_scope->showRecord(std::move(record));
+}
+
+ScopeFiles& MainWindow::scopeFiles() {
+    return m_scope->files();
 }
 
 void MainWindow::showMessage(const Message& message) {

@@ -33,6 +33,7 @@ class MachineMenu;
 class MessageList;
 class ModulePanel;
 class MonitorDock;
+class ScopeFiles;
 class ScopePanel;
 class SimulatorDock;
 
@@ -81,6 +82,8 @@ public:
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
+    /// Recording, opening a recording, and what is exported.
+    [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 

@@ -13,6 +13,7 @@
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/mainwindow.h"
+#include "widgets/scope/scopefiles.h"
 
 namespace nmc {
 
@@ -62,6 +63,8 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
+    file->addSeparator();
+    file->addAction(window.scopeFiles().openAction());
     file->addSeparator();
     QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));

@@ -3,7 +3,6 @@
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QDir>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -14,6 +13,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
@@ -28,7 +28,6 @@ using namespace Qt::StringLiterals;
 namespace {
 /// What the kind box means by "errors"; the others are PacketKind.
 constexpr int kErrorsOnly = 100;
-const QString kSaveDialog = u"packetSaveDialog"_s;
 }  // namespace
 
 PacketMonitor::PacketMonitor(QWidget* parent)
@@ -198,27 +197,18 @@ void PacketMonitor::copy() {
 }
 
 void PacketMonitor::chooseFile() {
-    if (auto* open = findChild<QFileDialog*>(kSaveDialog)) {
-        open->activateWindow();
-        return;
-    }
-    auto* dialog = new QFileDialog(this, tr("Save packets"));
-    look::name(dialog, kSaveDialog, dialog->windowTitle());
-    dialog->setOption(QFileDialog::DontUseNativeDialog);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
     const QString text = tr("Text (*.txt)");
     const QString log = tr("Replayable log (*%1)").arg(kPacketLogSuffix);
-    dialog->setNameFilters({text, log});
+    QFileDialog* dialog = newFileDialog(this, u"packetSaveDialog"_s, tr("Save packets"), {text, log}, {});
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"txt"_s);
-    dialog->setDirectory(QDir::homePath());
     dialog->selectFile(u"packets"_s);
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, log](const QString& filter) {
         dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
     });
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, &PacketMonitor::saveAs);
-    // Not modal: the panel stays usable, and STOP ALL with it.
-    dialog->setModal(false);
     dialog->show();
 }
 

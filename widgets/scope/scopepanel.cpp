@@ -1,168 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopepanel.h"
 
-#include <QAction>
-#include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDragEnterEvent>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
+#include <QMimeData>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/words.h"
 #include "widgets/scope/cursortable.h"
+#include "widgets/scope/scopebar.h"
+#include "widgets/scope/scopefiles.h"
+#include "widgets/scope/scopemoves.h"
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
+#include "widgets/scope/triggercontrol.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-constexpr double kKeyZoom = 1.5;
-constexpr double kKeyPan = 0.1;  ///< of what is seen
-}  // namespace
-
 ScopePanel::ScopePanel(QWidget* parent)
     : QWidget(parent),
       m_layout(new QVBoxLayout(this)),
-      m_bar(new QHBoxLayout),
-      m_window(new QComboBox(this)),
-      m_which(look::newMutedLabel({}, this)),
-      m_recordLabel(new QLabel(this)),
-      m_back(new QToolButton(this)) {
+      m_bar(new ScopeBar(this)),
+      m_files(new ScopeFiles(this)),
+      m_trigger(new TriggerControl(new TriggerBar(this))) {
     look::name(this, u"scopePanel"_s, tr("Scope"));
+    setAcceptDrops(true);
     const int unit = look::gridUnit(this);
     m_layout->setContentsMargins(unit, unit / 2, unit, 0);
     m_layout->setSpacing(0);
-    m_bar->setSpacing(unit);
-    m_layout->addLayout(m_bar);
-    buildBar();
+    m_layout->addWidget(m_bar);
+    m_layout->addWidget(m_files);
+    m_layout->addWidget(&m_trigger->bar());
+    m_trigger->setShown(false);
+    connectBar();
+    addFileButtons();
+    m_menuActions = m_bar->menuActions() +
+                    newScopeMoves(this, [this](const std::function<void(ScopeStrips&)>& how) { move(how); });
     m_layout->addStretch(0);
-}
-
-QAction* ScopePanel::newAction(const QString& objectName, const QString& text, const QString& meaning,
-                               const QList<QKeySequence>& keys) {
-    auto* action = new QAction(text, this);
-    action->setObjectName(objectName);
-    action->setToolTip(meaning);
-    action->setShortcuts(keys);
-    // Plain letters and arrows belong to the plots only while these have the focus.
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_menuActions << action;
-    return action;
-}
-
-QToolButton* ScopePanel::addButton(QAction* action, const QString& objectName) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    button->setToolButtonStyle(action->icon().isNull() ? Qt::ToolButtonTextOnly
-                                                       : Qt::ToolButtonTextBesideIcon);
-    look::name(button, objectName, action->text());
-    m_bar->addWidget(button);
-    return button;
-}
-
-void ScopePanel::buildBar() {
-    for (const int seconds : {1, 2, 5, 10, 30, 60, 300, 600})
-        m_window->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
-    look::name(m_window, u"scopeWindowBox"_s, tr("Time shown by the scope"));
-    m_window->setToolTip(tr("How much time the scope shows."));
-    connect(m_window, &QComboBox::activated, this, &ScopePanel::setWidth);
-    auto* label = new QLabel(tr("Sho&w"), this);
-    label->setBuddy(m_window);
-    m_bar->addWidget(label);
-    m_bar->addWidget(m_window);
-
-    m_pause = newAction(u"scopePauseAction"_s, tr("Pause"),
-                        tr("Holds the picture still (Ctrl+P). Samples are still recorded."),
-                        {QKeySequence(Qt::CTRL | Qt::Key_P)});
-    m_pause->setShortcutContext(Qt::WindowShortcut);
-    m_pause->setCheckable(true);
-    m_pause->setIcon(icons::tinted(u"player-pause"_s));
-    connect(m_pause, &QAction::triggered, this, &ScopePanel::setPaused);
-    addAction(m_pause);
-    addButton(m_pause, u"scopePauseButton"_s);
-
-    m_cursors = newAction(u"scopeCursorsAction"_s, tr("Cursors"),
-                          tr("Two cursors to measure with: drag them (C)."), {QKeySequence(Qt::Key_C)});
-    m_cursors->setCheckable(true);
-    connect(m_cursors, &QAction::triggered, this, &ScopePanel::setCursorsShown);
-    addButton(m_cursors, u"scopeCursorsButton"_s);
-
-    m_lane =
-        newAction(u"scopeLaneAction"_s, tr("Status bits"),
-                  tr("The status bits of the selected module over time (B)."), {QKeySequence(Qt::Key_B)});
-    m_lane->setCheckable(true);
-    connect(m_lane, &QAction::triggered, this, [this](bool shown) {
-        ScopeSetup setup = m_setup;
-        setup.lane = shown;
-        change(setup);
-    });
-    addButton(m_lane, u"scopeLaneButton"_s);
-
-    QAction* choose =
-        newAction(u"scopeSignalsAction"_s, tr("Signals…"),
-                  tr("Which signals of which modules stand in which strip (S)."), {QKeySequence(Qt::Key_S)});
-    connect(choose, &QAction::triggered, this, &ScopePanel::chooseSignals);
-    addButton(choose, u"scopeSignalsButton"_s);
-
-    m_back->setText(tr("Back to live"));
-    m_back->setToolTip(tr("Shows what the modules say now."));
-    look::name(m_back, u"scopeLiveButton"_s, tr("Back to live"));
-    connect(m_back, &QToolButton::clicked, this, &ScopePanel::backToLive);
-    m_bar->addWidget(m_which);
-    m_bar->addWidget(m_recordLabel, 1);
-    m_bar->addWidget(m_back);
-    m_recordLabel->setObjectName(u"scopeRecordLabel"_s);
-    m_recordLabel->hide();
-    m_back->hide();
-    m_bar->addStretch(1);
-    buildMoves();
     setSetup(m_setup);
 }
 
-/// What the wheel and the mouse can do, for the keyboard.
-void ScopePanel::buildMoves() {
-    const auto add = [this](const QString& objectName, const QString& text, const QList<QKeySequence>& keys,
-                            auto&& move) {
-        connect(newAction(objectName, text, text, keys), &QAction::triggered, this, [this, move] {
-            if (m_strips == nullptr)
-                return;
-            move(*m_strips);
-            showTime();
-        });
-    };
-    const auto zoom = [](double factor) {
-        return [factor](ScopeStrips& strips) {
-            strips.time().zoom(factor, (strips.time().left() + strips.time().right()) / 2);
-        };
-    };
-    const auto pan = [](double share) {
-        return [share](ScopeStrips& strips) { strips.time().pan(share * strips.time().width()); };
-    };
-    add(u"scopeZoomInAction"_s, tr("Zoom in"), {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal)},
-        zoom(1 / kKeyZoom));
-    add(u"scopeZoomOutAction"_s, tr("Zoom out"), {QKeySequence(Qt::Key_Minus)}, zoom(kKeyZoom));
-    add(u"scopeBackAction"_s, tr("Earlier"), {QKeySequence(Qt::Key_Left)}, pan(-kKeyPan));
-    add(u"scopeForwardAction"_s, tr("Later"), {QKeySequence(Qt::Key_Right)}, pan(kKeyPan));
-    add(u"scopePresentAction"_s, tr("To the present"), {QKeySequence(Qt::Key_End)},
-        [](ScopeStrips& strips) { strips.time().roll(); });
-    add(u"scopeUpAction"_s, tr("Values up"), {QKeySequence(Qt::Key_Up)},
-        [](ScopeStrips& strips) { strips.panValues(kKeyPan); });
-    add(u"scopeDownAction"_s, tr("Values down"), {QKeySequence(Qt::Key_Down)},
-        [](ScopeStrips& strips) { strips.panValues(-kKeyPan); });
-    add(u"scopeValuesInAction"_s, tr("Zoom values in"), {QKeySequence(Qt::CTRL | Qt::Key_Plus)},
-        [](ScopeStrips& strips) { strips.zoomValues(1 / kKeyZoom); });
-    add(u"scopeValuesOutAction"_s, tr("Zoom values out"), {QKeySequence(Qt::CTRL | Qt::Key_Minus)},
-        [](ScopeStrips& strips) { strips.zoomValues(kKeyZoom); });
-    add(u"scopeFitAction"_s, tr("Fit the values"), {QKeySequence(Qt::Key_A)},
-        [](ScopeStrips& strips) { strips.fitValues(); });
-    add(u"scopeEverythingAction"_s, tr("Show everything"), {QKeySequence(Qt::Key_Home)},
-        [](ScopeStrips& strips) { emit strips.everythingWanted(); });
+void ScopePanel::connectBar() {
+    connect(m_bar, &ScopeBar::widthChosen, this, &ScopePanel::setWidth);
+    connect(m_bar, &ScopeBar::pauseRequested, this, &ScopePanel::setPaused);
+    connect(m_bar, &ScopeBar::cursorsRequested, this, &ScopePanel::setCursorsShown);
+    connect(m_bar, &ScopeBar::laneRequested, this, &ScopePanel::setLane);
+    connect(m_bar, &ScopeBar::signalsRequested, this, &ScopePanel::chooseSignals);
+    connect(m_bar, &ScopeBar::liveRequested, this, &ScopePanel::backToLive);
+    connect(m_bar, &ScopeBar::triggerRequested, m_trigger, &TriggerControl::setShown);
+    connect(m_trigger, &TriggerControl::restarted, this, &ScopePanel::restartTrigger);
+}
+
+void ScopePanel::addFileButtons() {
+    ScopeExport& exporting = m_files->exporting();
+    connect(&exporting, &ScopeExport::frameWanted, this, &ScopePanel::touch);
+    QAction* action = exporting.menu()->menuAction();
+    action->setToolTip(tr("Takes what is seen out of the scope: samples or a picture."));
+    QToolButton* button = m_bar->addButton(action, u"scopeExportButton"_s);
+    button->setPopupMode(QToolButton::InstantPopup);
+    m_bar->addButton(m_files->recordAction(), u"scopeRecordButton"_s);
 }
 
 void ScopePanel::buildStrips() {
@@ -173,6 +75,7 @@ void ScopePanel::buildStrips() {
     m_strips->setSetup(m_setup);
     m_strips->time().setWidth(m_setup.seconds);
     connect(m_strips, &ScopeStrips::timeChanged, this, &ScopePanel::showTime);
+    connect(m_strips, &ScopeStrips::resized, this, &ScopePanel::touch);
     connect(m_strips, &ScopeStrips::cursorMoved, this, &ScopePanel::moveCursor);
     connect(m_strips, &ScopeStrips::everythingWanted, this, [this] {
         m_everythingWanted = true;
@@ -197,8 +100,8 @@ void ScopePanel::showEvent(QShowEvent* event) {
 
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     m_setup = setup;
-    m_lane->setChecked(setup.lane);
-    m_window->setCurrentIndex(m_window->findData(qRound(setup.seconds)));
+    m_bar->showSetup(setup);
+    m_trigger->setWindow(setup.seconds);
     if (m_strips != nullptr)
         m_strips->setSetup(setup);
     touch();
@@ -207,6 +110,12 @@ void ScopePanel::setSetup(const ScopeSetup& setup) {
 void ScopePanel::change(const ScopeSetup& setup) {
     setSetup(setup);
     emit setupChanged(m_setup);
+}
+
+void ScopePanel::setLane(bool shown) {
+    ScopeSetup setup = m_setup;
+    setup.lane = shown;
+    change(setup);
 }
 
 void ScopePanel::chooseSignals() {
@@ -246,40 +155,55 @@ void ScopePanel::contextMenuEvent(QContextMenuEvent* event) {
     look::name(&menu, u"scopeMenu"_s, tr("Scope"));
     menu.addActions(m_menuActions);
     addLaneBits(menu);
+    menu.addSeparator();
+    menu.addMenu(m_files->exporting().menu());
+    menu.addAction(m_files->recordAction());
+    menu.addAction(m_files->openAction());
     menu.exec(event->globalPos());
+}
+
+/// The one file that is dragged, if it is one.
+static QString droppedFile(const QMimeData& data) {
+    return data.urls().size() == 1 ? data.urls().front().toLocalFile() : QString();
+}
+
+void ScopePanel::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void ScopePanel::dropEvent(QDropEvent* event) {
+    emit m_files->openRequested(droppedFile(*event->mimeData()));
 }
 
 // ---- the time that is seen ----
 
 bool ScopePanel::paused() const {
-    return m_pause->isChecked();
+    return m_bar->paused();
 }
 
-void ScopePanel::setPaused(bool paused) {
+void ScopePanel::move(const std::function<void(ScopeStrips&)>& how) {
     if (m_strips == nullptr)
         return;
-    if (paused)
-        m_strips->time().stand();
-    else
-        m_strips->time().roll();
+    how(*m_strips);
     showTime();
 }
 
-void ScopePanel::setWidth(int index) {
+void ScopePanel::setPaused(bool paused) {
+    move([paused](ScopeStrips& strips) { paused ? strips.time().stand() : strips.time().roll(); });
+}
+
+void ScopePanel::setWidth(double seconds) {
     ScopeSetup setup = m_setup;
-    setup.seconds = m_window->itemData(index).toDouble();
+    setup.seconds = seconds;
     if (m_strips != nullptr)
-        m_strips->time().setWidth(setup.seconds);
+        m_strips->time().setWidth(seconds);
     change(setup);
 }
 
 /// The controls tell what the window of time has become.
 void ScopePanel::showTime() {
-    const TimeWindow& time = m_strips->time();
-    m_pause->setChecked(!time.rolls());
-    const int index = m_window->findData(qRound(time.width()));
-    m_window->setCurrentIndex(index >= 0 && time.width() >= 1 ? index : -1);
-    m_window->setPlaceholderText(texts::stretch(time.width()));
+    m_bar->showTime(m_strips->time());
     touch();
 }
 
@@ -290,7 +214,7 @@ void ScopePanel::setCursorsShown(bool shown) {
     m_strips->showCursors(
         shown ? std::optional(CursorTimes{time.left() + time.width() / 3, time.left() + time.width() * 2 / 3})
               : std::nullopt);
-    m_cursors->setChecked(shown);
+    m_bar->showCursors(shown);
     m_table->setVisible(shown);
     touch();
 }
@@ -315,6 +239,7 @@ void ScopePanel::showModules(const std::vector<ScopeModule>& modules, std::optio
     const bool another = selected != m_selected;
     m_modules = modules;
     m_selected = selected;
+    m_trigger->showModules(modules, selected);
     if (another && !m_record && m_strips != nullptr) {
         m_strips->time().roll();
         showTime();
@@ -327,13 +252,25 @@ void ScopePanel::applyModules() {
     std::optional<ModuleIndex> selected = m_record && m_record->module ? m_record->module : m_selected;
     if (m_record && (!selected || selected->value() >= modules.size()) && !modules.empty())
         selected = ModuleIndex(0);
-    look::setText(m_which, selected && selected->value() < modules.size() ? modules[selected->value()].name
-                                                                          : QString());
+    m_bar->showWhich(selected && selected->value() < modules.size() ? modules[selected->value()].name
+                                                                    : QString());
     if (m_strips != nullptr)
         m_strips->setModules(modules, selected);
 }
 
+void ScopePanel::showSession(const QString& port, bool simulated) {
+    m_origin.port = port;
+    m_origin.simulated = simulated;
+}
+
 void ScopePanel::showHistory(const History& history, TimePoint now) {
+    if (history.zero() != m_zero) {
+        m_zero = history.zero();
+        m_another = true;
+        m_origin.zero =
+            QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - m_zero.value_or(now)) * 1e3));
+    }
+    m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || !isVisible())
         return;
     if (m_record != nullptr) {
@@ -341,13 +278,32 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
             draw(m_record->history, toSeconds(*m_record->history.end() - *m_record->history.zero()));
         return;
     }
-    if (history.zero() != m_zero) {
-        m_zero = history.zero();
+    if (std::exchange(m_another, false)) {
         m_strips->forget();
         showTime();
     }
+    showTrigger();
     if (m_touched || m_strips->time().rolls())
         draw(history, toSeconds(now - m_zero.value_or(now)));
+}
+
+void ScopePanel::showTrigger() {
+    m_strips->showLevel(m_trigger->level());
+    const auto picture = m_trigger->picture();
+    if (picture && picture != m_picture) {
+        m_strips->time().show(toSeconds(picture->from - *m_zero), toSeconds(picture->to - *m_zero));
+        m_strips->showMarker(toSeconds(*m_trigger->firedAt() - *m_zero));
+        showTime();
+    }
+    m_picture = picture;
+}
+
+void ScopePanel::restartTrigger() {
+    if (m_strips == nullptr || m_record != nullptr)
+        return;
+    m_strips->showMarker({});
+    m_strips->time().roll();
+    showTime();
 }
 
 void ScopePanel::draw(const History& history, double now) {
@@ -361,6 +317,8 @@ void ScopePanel::draw(const History& history, double now) {
     m_strips->showFrame(history, now);
     if (m_table->isVisible())
         m_table->showReadings(*m_strips, history);
+    m_files->exporting().take(*m_strips, history, m_record && m_record->origin ? *m_record->origin : m_origin,
+                              m_record ? m_record->title : QString());
 }
 
 void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
@@ -370,10 +328,11 @@ void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
     window()->raise();
     buildStrips();
     m_strips->forget();
+    m_strips->showLevel({});
+    if (m_record->event)
+        m_strips->showMarker(toSeconds(*m_record->event - *m_record->history.zero()));
     m_everythingWanted = true;
-    m_recordLabel->setText(m_record->simulated ? tr("%1 (simulator)").arg(m_record->title) : m_record->title);
-    m_recordLabel->setVisible(true);
-    m_back->setVisible(true);
+    m_bar->showRecord(m_record->simulated ? tr("%1 (simulator)").arg(m_record->title) : m_record->title);
     applyModules();
     showTime();
 }
@@ -382,9 +341,8 @@ void ScopePanel::backToLive() {
     if (m_record == nullptr)
         return;
     m_record.reset();
-    m_recordLabel->setVisible(false);
-    m_back->setVisible(false);
-    m_zero.reset();
+    m_bar->showRecord({});
+    m_picture.reset();
     m_strips->forget();
     applyModules();
     showTime();

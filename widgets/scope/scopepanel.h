@@ -2,24 +2,25 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "model/scopetrigger.h"
 #include "widgets/scope/scoperecord.h"
 #include "widgets/scope/scopesetup.h"
 
-class QAction;
-class QComboBox;
-class QHBoxLayout;
-class QLabel;
-class QToolButton;
+class QMenu;
 class QVBoxLayout;
 
 namespace nmc {
 
 class CursorTable;
+class ScopeBar;
+class ScopeFiles;
 class ScopeStrips;
+class TriggerControl;
 
 /// The scope: its tool bar, the strips, and what cursors read. Rolls with the present, stands while paused,
 /// or shows a record that is over. The charts are built when the panel is first seen, and painted only while
@@ -42,6 +43,9 @@ public:
     void setSetup(const ScopeSetup& setup);
     [[nodiscard]] const ScopeSetup& setup() const { return m_setup; }
     [[nodiscard]] bool paused() const;
+    /// Where the live samples come from.
+    void showSession(const QString& port, bool simulated);
+    [[nodiscard]] ScopeFiles& files() { return *m_files; }
 
 signals:
     void setupChanged(const nmc::ScopeSetup& setup);
@@ -51,16 +55,17 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
-    void buildBar();
+    void connectBar();
+    void addFileButtons();
     void buildStrips();
-    QAction* newAction(const QString& objectName, const QString& text, const QString& meaning,
-                       const QList<QKeySequence>& keys = {});
-    QToolButton* addButton(QAction* action, const QString& objectName);
-    void buildMoves();
+    void move(const std::function<void(ScopeStrips&)>& how);
     void setPaused(bool paused);
-    void setWidth(int index);
+    void setWidth(double seconds);
+    void setLane(bool shown);
     void setCursorsShown(bool shown);
     void moveCursor(int cursor, double seconds);
     void chooseSignals();
@@ -68,19 +73,16 @@ private:
     void change(const ScopeSetup& setup);
     void applyModules();
     void showTime();
+    void showTrigger();
+    void restartTrigger();
     /// The next frame is drawn whether it rolls or not.
     void touch();
     void draw(const History& history, double now);
 
     QVBoxLayout* m_layout;
-    QHBoxLayout* m_bar;
-    QComboBox* m_window;
-    QLabel* m_which;
-    QLabel* m_recordLabel;
-    QToolButton* m_back;
-    QAction* m_pause;
-    QAction* m_cursors;
-    QAction* m_lane;
+    ScopeBar* m_bar;
+    ScopeFiles* m_files;
+    TriggerControl* m_trigger;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
     CursorTable* m_table = nullptr;
@@ -88,7 +90,10 @@ private:
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::shared_ptr<const ScopeRecord> m_record;
-    std::optional<TimePoint> m_zero;  ///< of the history that was shown last
+    ScopeOrigin m_origin;                            ///< of what is live
+    std::optional<TimePoint> m_zero;                 ///< of the live history
+    bool m_another = false;                          ///< history than the strips have shown
+    std::optional<ScopeTrigger::Picture> m_picture;  ///< of the trigger, that was shown last
     bool m_touched = true;
     bool m_everythingWanted = false;
 };

@@ -195,12 +195,12 @@ void ScopePlot::paintOver(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
-    if (m_level) {
+    if (m_level && *m_level >= m_geometry.bottom && *m_level <= m_geometry.top) {
         painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashDotLine));
         painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(*m_level), m_geometry.area.right(),
                                 m_geometry.y(*m_level)));
     }
-    if (m_marker) {
+    if (m_marker && *m_marker >= m_geometry.left && *m_marker <= m_geometry.right) {
         painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
         painter.drawLine(QLineF(m_geometry.x(*m_marker), m_geometry.area.top(), m_geometry.x(*m_marker),
                                 m_geometry.area.bottom()));
@@ -221,6 +221,8 @@ void ScopePlot::paintCursors(QPainter& painter) const {
         return;
     for (std::size_t i = 0; i < m_cursors->size(); ++i) {
         const double x = m_geometry.x((*m_cursors)[i]);
+        if (x < m_geometry.area.left() || x > m_geometry.area.right())
+            continue;  // an SVG file knows no clipping
         painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
         painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
         painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),

@@ -231,6 +231,11 @@ void ScopeStrips::renderTo(QPainter& painter) {
         render(m_lane);
 }
 
+void ScopeStrips::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    emit resized();
+}
+
 void ScopeStrips::focusInEvent(QFocusEvent* event) {
     QWidget::focusInEvent(event);
     update();

@@ -57,8 +57,10 @@ signals:
     void timeChanged();
     void everythingWanted();
     void cursorMoved(int cursor, double seconds);
+    void resized();
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

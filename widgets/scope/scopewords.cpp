@@ -57,13 +57,15 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
     return {};
 }
 
-QString signalValue(double value, ScopeSignal signal, const ScopeModule& module) {
+int signalDecimals(ScopeSignal signal, const ScopeModule& module) {
     const double one = std::abs(module.scaleOf(signal).factor);
     // A tenth of a count for what is calculated, whole counts for what was reported.
     const double finest = isCalculated(signal) ? one / 10 : one;
-    const int decimals =
-        finest > 0 ? qBound(0, static_cast<int>(std::ceil(-std::log10(finest) - 1e-6)), 9) : 0;
-    return QLocale().toString(value, 'f', decimals);
+    return finest > 0 ? qBound(0, static_cast<int>(std::ceil(-std::log10(finest) - 1e-6)), 9) : 0;
+}
+
+QString signalValue(double value, ScopeSignal signal, const ScopeModule& module) {
+    return QLocale().toString(value, 'f', signalDecimals(signal, module));
 }
 
 QString stretch(double seconds) {

@@ -13,7 +13,9 @@ namespace nmc::texts {
 [[nodiscard]] QString signalName(ScopeSignal signal);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);
-/// A value that is already in that unit, with as many digits as make sense.
+/// How many decimals of a value in that unit make sense.
+[[nodiscard]] int signalDecimals(ScopeSignal signal, const ScopeModule& module);
+/// A value that is already in that unit, with these.
 [[nodiscard]] QString signalValue(double value, ScopeSignal signal, const ScopeModule& module);
 /// "0.5 s", "12 ms": a stretch of time.
 [[nodiscard]] QString stretch(double seconds);

@@ -108,25 +108,28 @@ void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& 
     fill.setAlpha(60);
     painter.setPen(line);
     const auto level = [&](unsigned bits) { return (bits & mask) != 0 ? high : low; };
-    for (std::size_t begin = 0; begin < m_pieces.size();) {
+    for (std::size_t begin = 0, end = 0; begin < m_pieces.size(); begin = end) {
         // As far as the bit stays as it is.
         const Piece& first = m_pieces[begin];
-        std::size_t end = begin + 1;
+        end = begin + 1;
         while (end < m_pieces.size() && m_pieces[end].joined &&
                ((m_pieces[end].all ^ first.all) & mask) == 0 && ((m_pieces[end].any ^ first.any) & mask) == 0)
             ++end;
         const bool goesOn = end < m_pieces.size() && m_pieces[end].joined;
-        const double left = m_geometry.x(first.left);
+        // An SVG file knows no clipping.
+        const double left = std::max(m_geometry.x(first.left), row.left());
         const double right =
-            std::max(m_geometry.x(goesOn ? m_pieces[end].left : m_pieces[end - 1].right), left + 1);
+            std::min(std::max(m_geometry.x(goesOn ? m_pieces[end].left : m_pieces[end - 1].right), left + 1),
+                     row.right());
+        if (right <= left)
+            continue;
         const bool both = ((first.all ^ first.any) & mask) != 0;
         if (both || level(first.all) == high)
             painter.fillRect(QRectF(QPointF(left, high), QPointF(right, low)), both ? line : fill);
         if (!both)
             painter.drawLine(QLineF(left, level(first.all), right, level(first.all)));
-        if (first.joined && !both)
+        if (first.joined && !both && left > row.left())
             painter.drawLine(QLineF(left, high, left, low));
-        begin = end;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <QFontMetricsF>
 #include <QLineF>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QVarLengthArray>
 #include <cmath>
@@ -22,7 +23,8 @@ constexpr double kMargin = 10;  ///< px beyond the plot area
 using Lines = QVarLengthArray<QLineF, 4096>;
 
 /// The part of a line within `area`, as shares of it; false if there is none. Zoomed in far enough a line
-/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that.
+/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that. And the
+/// painter's own clipping is not in an SVG file.
 bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
     from = 0;
     to = 1;
@@ -108,7 +110,9 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         return;
     if (m_hasBand)
         paintBand(painter, geometry);
-    if (static_cast<double>(m_columns.size()) > geometry.area.width() * kDense)
+    // Not on paper: there are no pixels.
+    const bool pixels = painter.paintEngine()->type() == QPaintEngine::Raster;
+    if (pixels && static_cast<double>(m_columns.size()) > geometry.area.width() * kDense)
         paintDense(painter, geometry);
     else
         paintLines(painter, geometry);
@@ -123,10 +127,9 @@ double TraceDrawing::dashesPerSecond(const PlotGeometry& geometry) {
 void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) const {
     const double dashes = dashesPerSecond(geometry);
     Lines lines;
-    const QRectF room = geometry.area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
     const auto add = [&](const QLineF& line, double fromSecond, double toSecond) {
         double from = 0, to = 1;
-        if (!clip(line, room, from, to))
+        if (!clip(line, geometry.area, from, to))
             return;
         const QLineF seen(line.pointAt(from), line.pointAt(to));
         const double seconds = toSecond - fromSecond;
@@ -210,8 +213,10 @@ void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) co
         // As far as the next one, which may be many pixels away.
         const bool goesOn = i + 1 < m_columns.size() && m_columns[i + 1].joined;
         const double to = goesOn ? geometry.x(m_columns[i + 1].left) : geometry.x(column.right) + 1;
-        rects.append(
-            QRectF(QPointF(from, geometry.y(column.bandHigh)), QPointF(to, geometry.y(column.bandLow))));
+        const QRectF band(QPointF(from, geometry.y(column.bandHigh)),
+                          QPointF(to, geometry.y(column.bandLow)));
+        if (const QRectF seen = band & geometry.area; !seen.isEmpty())
+            rects.append(seen);
     }
     QColor fill = colour;
     fill.setAlpha(kBandAlpha);

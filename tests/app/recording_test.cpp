@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recording and opening recordings, with the whole program: on the simulator, under a German locale.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QLabel>
+#include <QLocale>
+#include <bit>
+
+#include "model/recordingreader.h"
+#include "panel.h"
+#include "widgets/scope/scopefiles.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+struct Read {
+    RecordingHeader header;
+    std::vector<ScopeSample> samples;  ///< of module 1
+    std::vector<GainsChange> gains;
+    std::optional<RecordingProblem> problem;
+};
+
+Read readBack(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    Read read;
+    RecordingReader reader({[&](ModuleIndex module, const ScopeSample& sample) {
+                                if (module == ModuleIndex(0))
+                                    read.samples.push_back(sample);
+                            },
+                            [&](const GainsChange& change) { read.gains.push_back(change); }});
+    reader.feed(file.readAll().toStdString());
+    read.problem = reader.finish();
+    read.header = reader.header();
+    return read;
+}
+
+bool sameBits(const ScopeSample& a, const ScopeSample& b) {
+    const auto same = [](float x, float y) {
+        return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+    };
+    return a.position == b.position && same(a.error, b.error) && same(a.errorLow, b.errorLow) &&
+           same(a.errorHigh, b.errorHigh) && same(a.velocity, b.velocity) && a.analog == b.analog &&
+           a.status == b.status && a.aux == b.aux && a.gapBefore == b.gapBefore;
+}
+
+class RecordingProgram : public testing::Test {
+protected:
+    RecordingProgram() {
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        panel.start();
+        panel.connectTo(QStringLiteral("simulator=servo,servo"));
+        EXPECT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
+    }
+    ~RecordingProgram() override { QLocale::setDefault(before); }
+
+    ScopeFiles& files() { return panel.window().scopeFiles(); }
+    QString path(const char* name) { return directory.filePath(QLatin1String(name)); }
+    [[nodiscard]] const ModuleHistory& live() {
+        return *panel.composition().store().history().module(ModuleIndex(0));
+    }
+    void setGoing() {
+        panel.ask(intent::ApplyGains{gains()});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
+    }
+    static servo::SetGain gains() { return {200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}; }
+    void record(const QString& file) { emit files().recordRequested(file); }
+    bool told(const char* words) {
+        return panel.waitFor([&] { return panel.count(QLatin1String(words)) > 0; });
+    }
+    [[nodiscard]] QString scopeTitle() {
+        return panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordLabel"))->text();
+    }
+
+    const QLocale before;
+    QTemporaryDir directory;
+    IntentPanel panel;
+};
+
+TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
+    const std::uint64_t first = live().count();
+    record(path("move.csv"));
+    setGoing();
+    ASSERT_TRUE(panel.answersFor(1.0));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+
+    const Read read = readBack(path("move.csv"));
+    EXPECT_FALSE(read.problem.has_value());
+    EXPECT_EQ(read.header.port, "simulator=servo,servo");
+    EXPECT_TRUE(read.header.simulated);
+    EXPECT_EQ(read.header.modules.size(), 2U);
+    ASSERT_EQ(read.gains.size(), 1U);
+    EXPECT_EQ(read.gains[0].gains, gains());
+
+    std::vector<ScopeSample> kept;
+    live().visitSince(first, [&](const ScopeSample& sample) { kept.push_back(sample); });
+    ASSERT_GT(read.samples.size(), 50U);
+    ASSERT_GE(kept.size(), read.samples.size());
+    for (std::size_t i = 0; i < read.samples.size(); ++i) {
+        ASSERT_TRUE(sameBits(read.samples[i], kept[i])) << i;
+        EXPECT_EQ(read.samples[i].time - read.samples[0].time, kept[i].time - kept[0].time) << i;
+    }
+    EXPECT_GT(read.samples.back().position, read.samples.front().position + 1'000);
+}
+
+TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
+    record(path("move.csv"));
+    setGoing();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    emit files().openRequested(path("move.csv"));
+    ASSERT_TRUE(panel.waitFor([&] { return scopeTitle() == QLatin1String("move.csv (simulator)"); }));
+    EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
+}
+
+TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
+    panel.ask(intent::ApplyGains{gains()});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    record(path("later.csv"));
+    ASSERT_TRUE(panel.answersFor(0.2));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"later.csv\" is recorded"));
+    const Read read = readBack(path("later.csv"));
+    ASSERT_EQ(read.gains.size(), 1U);
+    EXPECT_EQ(read.gains[0].gains, gains());
+    EXPECT_LE(read.gains[0].time, TimePoint{});
+}
+
+TEST_F(RecordingProgram, AFullDiskEndsTheRecordingAndNotTheMotion) {
+    setGoing();
+    record(QStringLiteral("/dev/full"));
+    ASSERT_TRUE(told("Recording to \"full\" ended: the disk is full."));
+    EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
+    EXPECT_TRUE(panel.answersFor(0.3));
+    EXPECT_FALSE(panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordingLabel"))->isVisible());
+    record(path("again.csv"));
+    EXPECT_TRUE(panel.answersFor(0.2));
+    emit files().recordingEndRequested();
+    EXPECT_TRUE(told("\"again.csv\" is recorded"));
+}
+
+TEST_F(RecordingProgram, ClosingThePortEndsTheRecording) {
+    record(path("move.csv"));
+    ASSERT_TRUE(panel.answersFor(0.3));
+    emit panel.window().disconnectRequested();
+    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    const Read read = readBack(path("move.csv"));
+    EXPECT_FALSE(read.problem.has_value());
+    EXPECT_GT(read.samples.size(), 10U);
+}
+
+TEST_F(RecordingProgram, AStopIsNotedInTheFile) {
+    record(path("stop.csv"));
+    ASSERT_TRUE(panel.answersFor(0.1));
+    emit panel.window().stopAllRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("topped")) > 0; }));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"stop.csv\" is recorded"));
+    QFile file(path("stop.csv"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("s: Stop of all motors\n"));
+}
+
+TEST_F(RecordingProgram, AFileThatIsCutIsShownAndSaysSo) {
+    record(path("move.csv"));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    QFile file(path("move.csv"));
+    ASSERT_TRUE(file.resize(file.size() - 5));
+    emit files().openRequested(path("move.csv"));
+    EXPECT_TRUE(told("the file ends here, in the middle of the line."));
+    EXPECT_TRUE(panel.waitFor([&] { return scopeTitle() == QLatin1String("move.csv (simulator)"); }));
+}
+
+TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
+    for (const auto& [file, words] :
+         {std::pair(directory.path(), QStringLiteral("was not opened")),
+          {QStringLiteral("/dev/zero"), QStringLiteral("\"zero\" was not opened")},
+          {path("none.csv"), QStringLiteral("\"none.csv\" was not opened")}}) {
+        emit files().openRequested(file);
+        EXPECT_TRUE(panel.waitFor([&] { return panel.count(words) > 0; })) << file.toStdString();
+    }
+    QFile picture(path("picture.csv"));
+    ASSERT_TRUE(picture.open(QIODevice::WriteOnly));
+    picture.write("\x89PNG\r\n\x1a\n");
+    picture.close();
+    emit files().openRequested(path("picture.csv"));
+    EXPECT_TRUE(told("\"picture.csv\" is not a recording of NMC Panel."));
+    EXPECT_EQ(scopeTitle(), QString()) << "the scope stays live";
+}
+
+TEST_F(RecordingProgram, AnExportIsWrittenWholeOrSaysWhyNot) {
+    emit files().saveRequested(path("x.svg"), [] { return std::string("<svg/>"); });
+    ASSERT_TRUE(told("\"x.svg\" is saved."));
+    QFile file(path("x.svg"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll(), "<svg/>");
+    emit files().saveRequested(path("none/x.svg"), [] { return std::string("<svg/>"); });
+    EXPECT_TRUE(told("\"x.svg\" was not saved."));
+}
+
+}  // namespace
+}  // namespace nmc

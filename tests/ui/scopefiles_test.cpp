@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopefiles.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+
+#include "model/recordingreader.h"
+#include "scopehistory.h"
+#include "widgets/scope/scopepanel.h"
+#include "widgets/scope/scopeplot.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class ScopeFilesTest : public WindowTest {
+protected:
+    ScopeFilesTest() : saved(&files(), &ScopeFiles::saveRequested) { showServos({{}, {}}); }
+    ScopeFiles& files() { return window->scopeFiles(); }
+    void show(HandMadeHistory& made, double now) {
+        for (int i = 0; i < 2; ++i) {
+            window->showHistory(made.history(), HandMadeHistory::at(now));
+            QApplication::processEvents();
+        }
+    }
+    QAction* action(const QString& objectName) {
+        auto* found = window->findChild<QAction*>(objectName);
+        EXPECT_NE(found, nullptr) << objectName.toStdString();
+        return found;
+    }
+    /// What is to be written where.
+    std::string exported(const QString& name, HandMadeHistory& made, double now) {
+        action(u"scopeExport"_s + name + u"Action"_s)->trigger();
+        auto* dialog = find<QFileDialog>(u"scopeExport"_s + name.toLower() + u"Dialog"_s);
+        EXPECT_FALSE(dialog->isModal()) << "STOP ALL stays within reach";
+        emit dialog->fileSelected(u"/home/anna/run.x"_s);
+        dialog->close();
+        show(made, now);
+        EXPECT_EQ(saved.count(), 1);
+        if (saved.isEmpty())
+            return {};
+        EXPECT_EQ(saved[0][0].toString(), u"/home/anna/run.x"_s);
+        return saved.takeFirst()[1].value<FileContent>()();
+    }
+    /// 30 s of module 1, and 10 s of module 2: 10 samples a second.
+    static HandMadeHistory twoModules() {
+        HandMadeHistory made(2);
+        for (int i = 0; i <= 300; ++i)
+            made.add(i / 10.0, i).error = 0.1F;
+        for (int i = 0; i <= 100; ++i)
+            made.addTo(1, 20 + i / 10.0, -i);
+        return made;
+    }
+
+    QSignalSpy saved;
+};
+
+TEST_F(ScopeFilesTest, CsvHoldsEverySampleOfTheTimeThatIsSeen) {
+    HandMadeHistory made = twoModules();
+    show(made, 29.5);  // the window moves in whole divisions
+    std::vector<std::int32_t> first;
+    std::vector<std::int32_t> second;
+    RecordingReader reader({[&](ModuleIndex module, const ScopeSample& sample) {
+        (module == ModuleIndex(0) ? first : second).push_back(sample.position);
+        const bool same = module != ModuleIndex(0) || sample.error == 0.1F;
+        EXPECT_TRUE(same) << sample.error;
+    }});
+    reader.feed(exported(u"Csv"_s, made, 29.5));
+    EXPECT_FALSE(reader.finish().has_value());
+    ASSERT_EQ(first.size(), 101U) << "20 to 30 s";
+    EXPECT_EQ(first.front(), 200);
+    EXPECT_EQ(first.back(), 300);
+    ASSERT_EQ(second.size(), 101U);
+    EXPECT_EQ(second.back(), -100);
+    EXPECT_EQ(reader.header().port, "/dev/ttyUSB0");
+    EXPECT_FALSE(reader.header().simulated);
+    ASSERT_EQ(reader.header().modules.size(), 2U);
+    const QDateTime started =
+        QDateTime::fromString(QString::fromStdString(reader.header().startedAt), Qt::ISODateWithMs);
+    EXPECT_LT(std::abs(started.secsTo(QDateTime::currentDateTime()) - 30), 10)
+        << "the first sample came 30 s before the first frame";
+}
+
+TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
+    HandMadeHistory made = twoModules();
+    for (int i = 0; i < 3; ++i)
+        show(made, 30);
+    const QImage image = QImage::fromData(QByteArray::fromStdString(exported(u"Png"_s, made, 30)), "PNG");
+    const QWidget* strips = find(u"scopeStrips"_s);
+    EXPECT_EQ(image.width(), 2 * strips->width());
+    EXPECT_GT(image.height(), 2 * (strips->height() + strips->fontMetrics().height()));
+}
+
+TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
+    HandMadeHistory made(2);
+    for (int i = 0; i <= 300; ++i)
+        made.add(i / 10.0, i < 250 ? 0 : 100'000);
+    show(made, 30);
+    auto* plot = find<ScopePlot>(u"scopePlot1"_s);
+    plot->zoomValues(0.001, 0);  // the step leaves the plot far above
+    const std::string svg = exported(u"Svg"_s, made, 30);
+    QXmlStreamReader xml(QByteArray::fromStdString(svg));
+    int lines = 0;
+    QString words;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isCharacters())
+            words += xml.text();
+        if (!xml.isStartElement() || (xml.name() != u"polyline"_s && xml.name() != u"path"_s))
+            continue;
+        ++lines;
+        // No coordinate leads out of the picture, as the step's line would.
+        static const QRegularExpression number(u"-?[0-9.]+(e[+-]?[0-9]+)?"_s);
+        const QString shape =
+            xml.attributes().value(xml.name() == u"path"_s ? u"d"_s : u"points"_s).toString();
+        for (auto match = number.globalMatch(shape); match.hasNext();)
+            EXPECT_LT(std::abs(match.next().captured().toDouble()), 5'000) << shape.toStdString();
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    EXPECT_GT(lines, 50);
+    EXPECT_EQ(svg.find("<image"), std::string::npos) << "vectors only";
+    EXPECT_TRUE(words.contains(u"/dev/ttyUSB0"_s)) << words.toStdString();
+}
+
+TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    action(u"scopeCopyAction"_s)->trigger();
+    show(made, 30);
+    const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
+    EXPECT_TRUE(copied->hasImage());
+    EXPECT_TRUE(copied->data(u"text/csv"_s).startsWith("# NMC Panel recording 1"));
+}
+
+TEST_F(ScopeFilesTest, RecordsOnlyWhatIsConnected) {
+    files().showConnected(false);
+    EXPECT_FALSE(button(u"scopeRecordButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"scopeRecordButton"_s)->toolTip().contains(u"no module is connected"_s));
+    files().showConnected(true);
+    EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled());
+    QSignalSpy wanted(&files(), &ScopeFiles::recordRequested);
+    click(u"scopeRecordButton"_s);
+    auto* dialog = find<QFileDialog>(u"scopeRecordDialog"_s);
+    EXPECT_FALSE(dialog->isModal());
+    EXPECT_FALSE(dialog->testOption(QFileDialog::DontConfirmOverwrite));
+    emit dialog->fileSelected(u"/home/anna/mill.csv"_s);
+    ASSERT_EQ(wanted.count(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), u"/home/anna/mill.csv"_s);
+}
+
+TEST_F(ScopeFilesTest, SaysThatItRecordsAndEndsWhenAsked) {
+    files().showConnected(true);
+    files().showRecording(ScopeFiles::Recording{u"/home/anna/mill.csv"_s, 12.7, 1'258'291});
+    EXPECT_TRUE(find(u"scopeRecordingLabel"_s)->isVisible());
+    EXPECT_EQ(text(u"scopeRecordingLabel"_s), u"● Recording mill.csv, 12 s, 1.2 MB"_s);
+    QSignalSpy ended(&files(), &ScopeFiles::recordingEndRequested);
+    click(u"scopeRecordingEndButton"_s);
+    EXPECT_EQ(ended.count(), 1);
+    click(u"scopeRecordButton"_s);
+    EXPECT_EQ(ended.count(), 2) << "Ctrl+Shift+R begins and ends";
+    files().showConnected(false);
+    EXPECT_TRUE(button(u"scopeRecordButton"_s)->isEnabled()) << "until it has ended";
+    files().showRecording({});
+    EXPECT_FALSE(find(u"scopeRecordingLabel"_s)->isVisible());
+}
+
+TEST_F(ScopeFilesTest, SaysHowFarItHasOpenedAndCanBeCancelled) {
+    files().showOpening(ScopeFiles::Opening{u"/home/anna/mill.csv"_s, 0.456});
+    EXPECT_EQ(text(u"scopeOpeningLabel"_s), u"Opening mill.csv, 45 %"_s);
+    QSignalSpy cancelled(&files(), &ScopeFiles::openingCancelled);
+    click(u"scopeOpeningEndButton"_s);
+    EXPECT_EQ(cancelled.count(), 1);
+    files().showOpening({});
+    EXPECT_FALSE(find(u"scopeOpeningLabel"_s)->isVisible());
+}
+
+TEST_F(ScopeFilesTest, OpensWhatIsChosenOrDropped) {
+    QSignalSpy wanted(&files(), &ScopeFiles::openRequested);
+    action(u"openRecordingAction"_s)->trigger();
+    auto* dialog = find<QFileDialog>(u"openRecordingDialog"_s);
+    EXPECT_FALSE(dialog->isModal());
+    emit dialog->fileSelected(u"/home/anna/a.csv"_s);
+    QMimeData dragged;
+    dragged.setUrls({QUrl::fromLocalFile(u"/home/anna/b.csv"_s)});
+    auto* panel = window->findChild<ScopePanel*>();
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &dragged, Qt::LeftButton, {});
+    QApplication::sendEvent(panel, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &dragged, Qt::LeftButton, {});
+    QApplication::sendEvent(panel, &drop);
+    ASSERT_EQ(wanted.count(), 2);
+    EXPECT_EQ(wanted[0][0].toString(), u"/home/anna/a.csv"_s);
+    EXPECT_EQ(wanted[1][0].toString(), u"/home/anna/b.csv"_s);
+}
+
+TEST_F(ScopeFilesTest, ARecordIsExportedAsTheOneThatItWas) {
+    HandMadeHistory made = twoModules();
+    HandMadeHistory live(2);
+    live.add(0, 5);
+    show(live, 0);
+    RecordingHeader header;
+    header.startedAt = "2026-11-21T21:21:02.123+01:00";
+    header.zero = HandMadeHistory::at(0);
+    header.port = "/dev/ttyS7";
+    header.simulated = true;
+    window->showRecord(std::make_shared<const ScopeRecord>(recordOf(u"mill.csv"_s, header, made.history())));
+    show(live, 0);
+    EXPECT_EQ(text(u"scopeRecordLabel"_s), u"mill.csv (simulator)"_s);
+    RecordingReader reader({[](ModuleIndex, const ScopeSample&) {}});
+    reader.feed(exported(u"Csv"_s, live, 0));
+    EXPECT_FALSE(reader.finish().has_value());
+    EXPECT_EQ(reader.samples(), 301U + 101U);
+    EXPECT_EQ(reader.header().startedAt, "2026-11-21T21:21:02.123+01:00");
+    EXPECT_EQ(reader.header().port, "/dev/ttyS7");
+    EXPECT_TRUE(reader.header().simulated);
+}
+
+}  // namespace
+}  // namespace nmc

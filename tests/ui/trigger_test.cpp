@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QComboBox>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "scopehistory.h"
+#include "widgets/scope/scopepanel.h"
+#include "widgets/scope/scopeplot.h"
+#include "widgets/scope/scopestrips.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+/// Samples of module 1 a hundredth of a second apart, 1 s in a picture, 0.2 s of it from before the trigger.
+class Trigger : public WindowTest {
+protected:
+    Trigger() {
+        showServos({{}, {}});
+        choose(u"scopeWindowBox"_s, u"1 s"_s);
+        click(u"scopeTriggerButton"_s);
+    }
+    void choose(const QString& box, const QString& item) {
+        auto* combo = find<QComboBox>(box);
+        const int row = combo->findText(item);
+        ASSERT_GE(row, 0) << item.toStdString();
+        combo->setCurrentIndex(row);
+        emit combo->activated(row);
+    }
+    /// Up to `end`, a frame every 50 ms.
+    template <typename Fill>
+    void run(double end, const Fill& fill) {
+        for (; m_next <= end * 100 + 0.5; ++m_next) {
+            const double t = m_next / 100.0;
+            fill(t, made.add(t, 0));
+            if (m_next % 5 == 0)
+                window->showHistory(made.history(), HandMadeHistory::at(t));
+        }
+    }
+    ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
+    QString state() { return text(u"triggerStateLabel"_s); }
+    [[nodiscard]] bool paused() { return find<ScopePanel>(u"scopePanel"_s)->paused(); }
+    void expectShown(double left, double right) {
+        EXPECT_TRUE(paused());
+        EXPECT_NEAR(strips().time().left(), left, 1e-6);
+        EXPECT_NEAR(strips().time().right(), right, 1e-6);
+    }
+
+    HandMadeHistory made{2};
+
+private:
+    int m_next = 0;
+};
+
+/// 100 counts/s from 3 s on.
+void ramp(double t, ScopeSample& sample) {
+    sample.position = t < 3 ? 0 : static_cast<std::int32_t>(std::lround((t - 3) * 100));
+}
+
+/// Stands, moves from 3 to 4 s, stands.
+void oneMove(double t, ScopeSample& sample) {
+    sample.status = t > 2.995 && t < 3.995 ? 0x08 : 0x09;
+    sample.velocity = t > 2.995 && t < 3.995 ? 500.0F : 0.0F;
+}
+
+TEST_F(Trigger, SingleHoldsThePictureAroundTheCrossing) {
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    run(3.4, ramp);
+    EXPECT_EQ(state(), u"waiting"_s);
+    EXPECT_FALSE(paused());
+    run(4.0, ramp);
+    EXPECT_TRUE(state().startsWith(u"triggered "_s)) << state().toStdString();
+    EXPECT_TRUE(state().endsWith(u"more samples to come"_s));
+    run(6.0, ramp);
+    expectShown(3.5 - 0.2, 3.5 + 0.8);
+    EXPECT_TRUE(QRegularExpression(u"^triggered \\d\\d:\\d\\d:\\d\\d\\.\\d{3}$"_s).match(state()).hasMatch())
+        << state().toStdString();
+}
+
+TEST_F(Trigger, WaitsForAStatusBit) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerConditionBox"_s, u"becomes 0"_s);
+    EXPECT_FALSE(find(u"triggerLevelField"_s)->isVisible());
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    run(6.0, oneMove);
+    expectShown(3.0 - 0.2, 3.0 + 0.8);
+}
+
+TEST_F(Trigger, WaitsForAVelocityWithAnotherShareBefore) {
+    choose(u"triggerSourceBox"_s, u"velocity, from position"_s);
+    type(u"triggerLevelField"_s, u"250"_s);
+    choose(u"triggerConditionBox"_s, u"falls to"_s);
+    type(u"triggerBeforeField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    run(6.0, oneMove);
+    // From 500 at 3.99 s to 0 at 4.00 s.
+    expectShown(3.995 - 0.5, 3.995 + 0.5);
+}
+
+TEST_F(Trigger, ArmWaitsForTheNextOne) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    const auto often = [](double t, ScopeSample& sample) {
+        sample.status = std::fmod(t, 2.0) > 0.995 ? 0x09 : 0x08;
+    };
+    run(2.5, often);
+    expectShown(1.0 - 0.2, 1.0 + 0.8);
+    click(u"triggerArmButton"_s);
+    EXPECT_FALSE(paused());
+    run(5.0, often);
+    expectShown(3.0 - 0.2, 3.0 + 0.8);
+}
+
+TEST_F(Trigger, NormalGoesOnByItself) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    const auto often = [](double t, ScopeSample& sample) {
+        sample.status = std::fmod(t, 4.0) > 0.995 ? 0x09 : 0x08;
+    };
+    run(3.5, often);
+    expectShown(1.0 - 0.2, 1.0 + 0.8);
+    run(7.5, often);
+    expectShown(5.0 - 0.2, 5.0 + 0.8);
+}
+
+TEST_F(Trigger, OffGoesBackToThePresent) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    run(6.0, oneMove);
+    ASSERT_TRUE(paused());
+    choose(u"triggerModeBox"_s, u"Off"_s);
+    EXPECT_FALSE(paused());
+    run(6.1, oneMove);
+    EXPECT_EQ(state(), QString());
+    EXPECT_FALSE(button(u"triggerArmButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"triggerArmButton"_s)->toolTip().contains(u"mode"_s));
+}
+
+TEST_F(Trigger, OutOfSightItIsOff) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    click(u"scopeTriggerButton"_s);
+    EXPECT_FALSE(find(u"triggerBar"_s)->isVisible());
+    run(6.0, oneMove);
+    EXPECT_FALSE(paused());
+}
+
+TEST_F(Trigger, WithoutALevelItCannotBeArmed) {
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    type(u"triggerLevelField"_s, {});
+    EXPECT_FALSE(button(u"triggerArmButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"triggerArmButton"_s)->toolTip().isEmpty());
+    run(6.0, ramp);
+    EXPECT_FALSE(paused());
+}
+
+TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {
+    auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
+    EXPECT_EQ(sources->itemText(0), u"position"_s);
+    EXPECT_GE(sources->findText(u"Module 2: velocity, from position"_s), 0);
+    EXPECT_GE(sources->findText(u"Module 2: move_done"_s), 0);
+    EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected one";
+}
+
+}  // namespace
+}  // namespace nmc

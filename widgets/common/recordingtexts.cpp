@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of recordings and of what the scope exports.
+#include <QDir>
+#include <QFileInfo>
+
+#include "link/recordingwriter.h"
+#include "model/recordingreader.h"
+#include "widgets/common/textparts.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Kind = RecordingProblem::Kind;
+
+QString nameOf(const QString& path) {
+    return QFileInfo(path).fileName();
+}
+
+QString folderOf(const QString& path) {
+    return QDir::toNativeSeparators(QFileInfo(path).absolutePath());
+}
+
+QString plain(double number) {
+    return QString::number(number, 'g', 12);
+}
+
+QString length(double seconds) {
+    return Texts::tr("%1 s").arg(
+        readout(seconds < 10 ? std::round(seconds * 10) / 10 : std::round(seconds), 6));
+}
+
+/// Follows "ended: ".
+QString cause(RecordingTrouble trouble) {
+    switch (trouble) {
+        case RecordingTrouble::NoFolder:
+            return Texts::tr("its folder is not there.");
+        case RecordingTrouble::NotAFile:
+            return Texts::tr("this is a folder or a device, not a file.");
+        case RecordingTrouble::NoPermission:
+            return Texts::tr("your user account may not write there.");
+        case RecordingTrouble::ReadOnly:
+            return Texts::tr("the disk can only be read.");
+        case RecordingTrouble::NoSpace:
+            return Texts::tr("the disk is full.");
+        case RecordingTrouble::FileTooLarge:
+            return Texts::tr("the disk takes no larger file.");
+        case RecordingTrouble::Removed:
+            return Texts::tr("the file was deleted.");
+        case RecordingTrouble::TooSlow:
+            return Texts::tr("the disk is too slow.");
+        case RecordingTrouble::Other:
+            return Texts::tr("the disk does not take it.");
+    }
+    return {};
+}
+
+/// What is wrong in a line; it follows a colon and ends with a full stop.
+QString wrongInLine(const RecordingProblem& problem) {
+    const QString field = QString::fromStdString(problem.field);
+    const QString found = QString::fromStdString(problem.found);
+    switch (problem.kind) {
+        case Kind::Empty:
+        case Kind::OtherFormat:
+        case Kind::NewerVersion:
+            return {};
+        case Kind::NoColumns:
+            return Texts::tr("the file ends before the names of its columns.");
+        case Kind::MissingColumn:
+            return Texts::tr("there is no column %1.").arg(field);
+        case Kind::LineTooLong:
+            return Texts::tr("the line is longer than %1 bytes, as no line of a recording is.")
+                .arg(plain(problem.max));
+        case Kind::Truncated:
+            return Texts::tr("the file ends here, in the middle of the line.");
+        case Kind::TooFewCells:
+            return Texts::tr("there are %1 cells for %2 columns.").arg(found, plain(problem.max));
+        case Kind::EmptyCell:
+            return Texts::tr("%1 is empty.").arg(field);
+        case Kind::NotANumber:
+            return Texts::tr("%1 is \"%2\", which is not a number.").arg(field, found);
+        case Kind::OutOfRange:
+            return Texts::tr("%1 is %2; it can be %3 to %4.")
+                .arg(field, found, plain(problem.min), plain(problem.max));
+        case Kind::TimeGoesBack:
+            return Texts::tr("%1 of module %2 goes back.").arg(field, found);
+    }
+    return {};
+}
+
+Message notOpened(const QString& headline, const QString& body, const QString& details = {}) {
+    return {.key = key::openedRecording(),
+            .severity = Severity::Attention,
+            .headline = headline,
+            .body = body,
+            .details = details};
+}
+
+}  // namespace
+
+QString key::recording() {
+    return u"recording"_s;
+}
+QString key::openedRecording() {
+    return u"openedRecording"_s;
+}
+QString key::exported() {
+    return u"exported"_s;
+}
+
+Message recordingEnded(const QString& path, double seconds) {
+    return {.key = key::recording(),
+            .headline = Texts::tr("\"%1\" is recorded: %2.").arg(nameOf(path), length(seconds)),
+            .body = Texts::tr("It is in %1.").arg(folderOf(path))};
+}
+
+Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds) {
+    const bool kept = failure.bytes > 0 && failure.trouble != RecordingTrouble::Removed;
+    const QString rest = kept ? Texts::tr("What was written before (%1) is kept.").arg(length(seconds))
+                              : Texts::tr("Nothing is kept.");
+    return {.key = key::recording(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Recording to \"%1\" ended: %2").arg(nameOf(path), cause(failure.trouble)),
+            .body = Texts::tr("%1 Control goes on. To go on recording, choose another file.").arg(rest),
+            .details = failure.detail};
+}
+
+QString recordingProblem(const QString& file, const RecordingProblem& problem) {
+    if (problem.kind == Kind::Empty)
+        return Texts::tr("\"%1\" is empty.").arg(file);
+    if (problem.kind == Kind::OtherFormat)
+        return Texts::tr("\"%1\" is not a recording of NMC Panel.").arg(file);
+    if (problem.kind == Kind::NewerVersion)
+        return Texts::tr(
+                   "\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows "
+                   "formats up to %3.")
+            .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+    return Texts::tr("\"%1\" line %2: %3").arg(file, QString::number(problem.line), wrongInLine(problem));
+}
+
+Message recordingCut(const QString& path, const RecordingProblem& problem, quint64 samples) {
+    const QString what = recordingProblem(nameOf(path), problem);
+    if (samples == 0)
+        return notOpened(what, Texts::tr("There is nothing to show of it."));
+    return notOpened(what, Texts::tr("The scope shows what stands above that line: %1 samples.")
+                               .arg(grouped(static_cast<qint64>(samples))));
+}
+
+Message recordingWithoutSamples(const QString& path) {
+    return notOpened(Texts::tr("\"%1\" has no samples in it.").arg(nameOf(path)),
+                     Texts::tr("There is nothing to show of it."));
+}
+
+Message recordingNotOpened(const FileError& error) {
+    return notOpened(Texts::tr("\"%1\" was not opened.").arg(nameOf(error.path)), fileTrouble(error),
+                     error.detail);
+}
+
+Message exported(const QString& path) {
+    return {.key = key::exported(),
+            .headline = Texts::tr("\"%1\" is saved.").arg(nameOf(path)),
+            .body = Texts::tr("It is in %1.").arg(folderOf(path))};
+}
+
+Message notExported(const FileError& error) {
+    return {.key = key::exported(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("\"%1\" was not saved.").arg(nameOf(error.path)),
+            .body = fileTrouble(error),
+            .details = error.detail};
+}
+
+}  // namespace nmc::texts

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QWidget>
+
+#include "widgets/scope/scopesetup.h"
+#include "widgets/scope/timewindow.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace nmc {
+
+/// The scope's tool bar: how much time is shown, and what else stands beside the traces. It says whose
+/// samples these are.
+class ScopeBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ScopeBar(QWidget* parent);
+
+    /// For a context menu and for the shortcuts of the plots: everything that is a button here.
+    [[nodiscard]] const QList<QAction*>& menuActions() const { return m_menuActions; }
+    /// Another button, left of the words.
+    QToolButton* addButton(QAction* action, const QString& objectName);
+
+    void showSetup(const ScopeSetup& setup);
+    void showTime(const TimeWindow& time);
+    void showCursors(bool shown);
+    void showWhich(const QString& module);
+    /// What is over and shown instead of what is live; empty: it is live.
+    void showRecord(const QString& title);
+    [[nodiscard]] bool paused() const { return m_pause->isChecked(); }
+
+signals:
+    void widthChosen(double seconds);
+    void pauseRequested(bool paused);
+    void cursorsRequested(bool shown);
+    void laneRequested(bool shown);
+    void signalsRequested();
+    void triggerRequested(bool shown);
+    void liveRequested();
+
+private:
+    QAction* newAction(const QString& objectName, const QString& text, const QString& meaning,
+                       const QKeySequence& key);
+    void buildWindowBox();
+    void buildButtons();
+    [[nodiscard]] QWidget* newRecordRow();
+
+    QList<QAction*> m_menuActions;  ///< filled while those below are made
+    QHBoxLayout* m_buttons;
+    QComboBox* m_window;
+    QLabel* m_which;
+    QLabel* m_record;
+    QWidget* m_recordRow;
+    QAction* m_pause;
+    QAction* m_cursors;
+    QAction* m_lane;
+};
+
+}  // namespace nmc

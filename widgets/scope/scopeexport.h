@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "widgets/scope/scoperecord.h"
+
+class QAction;
+class QMenu;
+
+namespace nmc {
+
+class ScopeStrips;
+
+/// What a file is to hold. May take a second to make, and be made in any thread.
+using FileContent = std::function<std::string()>;
+
+/// Takes what is seen out of the scope: samples as CSV, a picture as PNG or SVG, or onto the clipboard. It
+/// asks for the file, and takes the picture in the next frame.
+class ScopeExport : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ScopeExport(QWidget* panel);
+
+    [[nodiscard]] QMenu* menu() const { return m_menu; }
+    /// What a frame shows: to be called after each one. `title`: what it is called when it is not live.
+    void take(ScopeStrips& strips, const History& history, const ScopeOrigin& origin, const QString& title);
+
+signals:
+    /// take() is to be called soon.
+    void frameWanted();
+    void saveRequested(const QString& path, const nmc::FileContent& content);
+
+private:
+    enum class Kind : std::uint8_t { Csv, Png, Svg, Clipboard };
+    struct Wanted {
+        Kind kind = Kind::Csv;
+        QString path{};
+    };
+
+    void addAction(Kind kind, const QString& objectName, const QString& text, const QString& meaning);
+    void choose(Kind kind);
+    void want(const Wanted& wanted);
+    void copy(ScopeStrips& strips, const QStringList& caption, const std::shared_ptr<const History>& seen,
+              const ScopeOrigin& origin);
+
+    QWidget* m_panel;
+    QMenu* m_menu;
+    QString m_folder;
+    std::optional<Wanted> m_wanted;
+};
+
+}  // namespace nmc

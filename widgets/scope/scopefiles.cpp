@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopefiles.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "model/recording.h"
+#include "widgets/common/filedialog.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kSuffix = QString::fromLatin1(kRecordingSuffix.data(), kRecordingSuffix.size());
+
+}  // namespace
+
+ScopeFiles::ScopeFiles(QWidget* panel)
+    : QWidget(panel),
+      m_panel(panel),
+      m_export(panel),
+      m_record(new QAction(panel)),
+      m_open(new QAction(tr("Open &recording…"), panel)) {
+    look::name(this, u"scopeFiles"_s, tr("Recordings"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
+                            tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
+    m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), tr("Cancel"),
+                          tr("Leaves the file alone; the scope stays as it is."));
+    connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
+    connect(m_openingRow.button, &QPushButton::clicked, this, &ScopeFiles::openingCancelled);
+    connect(&m_export, &ScopeExport::saveRequested, this, &ScopeFiles::saveRequested);
+
+    m_record->setObjectName(u"scopeRecordAction"_s);
+    m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+    connect(m_record, &QAction::triggered, this, &ScopeFiles::recordOrEnd);
+    panel->addAction(m_record);
+    m_open->setObjectName(u"openRecordingAction"_s);
+    m_open->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    m_open->setToolTip(tr("Shows a recording in the scope. Control of the motors goes on."));
+    connect(m_open, &QAction::triggered, this, &ScopeFiles::chooseToOpen);
+    showRecording({});
+    showOpening({});
+}
+
+ScopeFiles::Row ScopeFiles::addRow(const QString& name, const QString& title, const QString& verb,
+                                   const QString& meaning) {
+    Row row{new QWidget(this), new QLabel(this), new QPushButton(verb, this)};
+    auto* layout = new QHBoxLayout(row.widget);
+    layout->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+    layout->addWidget(row.label);
+    layout->addWidget(row.button);
+    layout->addStretch(1);
+    row.label->setTextFormat(Qt::PlainText);
+    look::name(row.label, name + u"Label"_s, title);
+    look::name(row.button, name + u"EndButton"_s, verb);
+    row.button->setToolTip(meaning);
+    this->layout()->addWidget(row.widget);
+    return row;
+}
+
+void ScopeFiles::showConnected(bool connected) {
+    m_connected = connected;
+    showRecordAction();
+}
+
+void ScopeFiles::showRecordAction() {
+    const QString record = tr("Writes every sample of all modules to a file from now on (Ctrl+Shift+R).");
+    m_record->setEnabled(m_connected || m_recording);
+    m_record->setText(m_recording ? tr("Stop recording") : tr("Record…"));
+    m_record->setToolTip(m_recording   ? m_recordingRow.button->toolTip()
+                         : m_connected ? record
+                                       : tr("There is nothing to record: no module is connected."));
+}
+
+void ScopeFiles::showRecording(const std::optional<Recording>& recording) {
+    m_recording = recording.has_value();
+    if (recording)
+        look::setText(
+            m_recordingRow.label,
+            tr("● Recording %1, %2, %3")
+                .arg(QFileInfo(recording->path).fileName(),
+                     tr("%1 s").arg(texts::grouped(static_cast<qint64>(recording->seconds))),
+                     locale().formattedDataSize(recording->bytes, 1, QLocale::DataSizeTraditionalFormat)));
+    m_recordingRow.widget->setVisible(m_recording);
+    showRecordAction();
+}
+
+void ScopeFiles::showOpening(const std::optional<Opening>& opening) {
+    if (opening)
+        look::setText(m_openingRow.label, tr("Opening %1, %2 %")
+                                              .arg(QFileInfo(opening->path).fileName())
+                                              .arg(static_cast<int>(opening->share * 100)));
+    m_openingRow.widget->setVisible(opening.has_value());
+}
+
+void ScopeFiles::recordOrEnd() {
+    if (m_recording)
+        emit recordingEndRequested();
+    else
+        chooseToRecord();
+}
+
+void ScopeFiles::chooseToRecord() {
+    QFileDialog* dialog =
+        newFileDialog(m_panel, u"scopeRecordDialog"_s, tr("Record to a file"),
+                      {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);  // and asks before a file is replaced
+    dialog->setDefaultSuffix(kSuffix);
+    dialog->selectFile(QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        m_folder = QFileInfo(path).absolutePath();
+        emit recordRequested(path);
+    });
+    dialog->show();
+}
+
+void ScopeFiles::chooseToOpen() {
+    QFileDialog* dialog =
+        newFileDialog(m_panel, u"openRecordingDialog"_s, tr("Open recording"),
+                      {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        m_folder = QFileInfo(path).absolutePath();
+        emit openRequested(path);
+    });
+    dialog->show();
+}
+
+}  // namespace nmc

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scoperecord.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+QString isoDate(const QDateTime& date) {
+    return date.toOffsetFromUtc(date.offsetFromUtc()).toString(Qt::ISODateWithMs);
+}
+
+RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const QString& port, bool simulated,
+                                TimePoint zero, const QDateTime& date) {
+    RecordingHeader header;
+    header.program = "NMC Panel " + QCoreApplication::applicationVersion().toStdString();
+    header.startedAt = isoDate(date).toStdString();
+    header.zero = zero;
+    header.port = port.toStdString();
+    header.simulated = simulated;
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        header.modules.push_back({ModuleIndex(static_cast<std::uint8_t>(i)), modules[i].identity,
+                                  modules[i].name.toStdString(), modules[i].scale.unit(), modules[i].analog});
+    return header;
+}
+
+ScopeRecord recordOf(const QString& title, const RecordingHeader& header, History history) {
+    ScopeRecord record;
+    record.title = title;
+    record.simulated = header.simulated;
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleIndex index(static_cast<std::uint8_t>(i));
+        const auto told = std::find_if(header.modules.begin(), header.modules.end(),
+                                       [&](const RecordingModule& module) { return module.index == index; });
+        if (told == header.modules.end() && history.module(index)->empty())
+            continue;
+        record.modules.resize(i + 1);
+        ScopeModule& module = record.modules.back();
+        if (told == header.modules.end())
+            continue;
+        module.name = QString::fromStdString(told->name);
+        module.identity = told->identity;
+        module.scale = told->identity.type == ModuleType::Step ? AxisScale::step(told->unit)
+                                                               : AxisScale::servo(told->unit, 1);
+        module.analog = told->analog;
+    }
+    for (std::size_t i = 0; i < record.modules.size(); ++i)
+        if (record.modules[i].name.isEmpty())
+            record.modules[i].name = texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(i)));
+    QDateTime began = QDateTime::fromString(QString::fromStdString(header.startedAt), Qt::ISODateWithMs);
+    if (began.isValid() && history.zero())
+        began = began.addMSecs(qRound64(toSeconds(*history.zero() - header.zero) * 1e3));
+    record.origin = ScopeOrigin{QString::fromStdString(header.port), header.simulated, began};
+    record.history = std::move(history);
+    return record;
+}
+
+}  // namespace nmc

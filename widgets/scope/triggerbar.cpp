@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/triggerbar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <initializer_list>
+
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/scope/scopewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Condition = TriggerSettings::Condition;
+
+constexpr double kFarthestLevel = 1e12;
+constexpr int kUsualBefore = 20;  ///< percent
+
+/// Of a scale that counts downwards.
+Condition turned(Condition condition) {
+    switch (condition) {
+        case Condition::Rising:
+            return Condition::Falling;
+        case Condition::Falling:
+            return Condition::Rising;
+        case Condition::Above:
+            return Condition::Below;
+        case Condition::Below:
+            return Condition::Above;
+    }
+    return condition;
+}
+
+}  // namespace
+
+TriggerBar::TriggerBar(QWidget* parent)
+    : QWidget(parent),
+      m_source(newBox(u"triggerSourceBox"_s, tr("Trigger on"), tr("The signal or status bit to wait for."))),
+      m_condition(newBox(u"triggerConditionBox"_s, tr("Condition"), tr("What it has to do."))),
+      m_level(newField(u"triggerLevelField"_s, tr("Level"), tr("Where it has to do that."))),
+      m_unit(new QLabel(this)),
+      m_mode(newBox(u"triggerModeBox"_s, tr("Mode"),
+                    tr("Single: holds the first picture. Normal: shows picture after picture."))),
+      m_before(newField(u"triggerBeforeField"_s, tr("Before"),
+                        tr("How much of the picture is from before the trigger, in percent."))),
+      m_arm(new QPushButton(tr("Arm"), this)),
+      m_state(new QLabel(this)) {
+    look::name(this, u"triggerBar"_s, tr("Trigger"));
+    look::name(m_state, u"triggerStateLabel"_s, tr("State of the trigger"));
+    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_source->setMinimumContentsLength(12);
+    m_mode->addItems({tr("Off"), tr("Single"), tr("Normal")});
+    m_before->setRange(0, 100);
+    m_before->setDigits(3);
+    m_before->showValue(kUsualBefore);
+    m_level->setRange(-kFarthestLevel, kFarthestLevel);
+    m_level->setDigits(8);
+    m_level->showValue(0);
+    look::name(m_arm, u"triggerArmButton"_s, tr("Arm"));
+    connect(m_arm, &QPushButton::clicked, this, &TriggerBar::armRequested);
+
+    layOut();
+    connect(m_source, &QComboBox::activated, this, [this] {
+        takeSource();
+        emit edited();
+    });
+    for (QComboBox* box : {m_condition, m_mode})
+        connect(box, &QComboBox::activated, this, [this] {
+            showPossible();
+            emit edited();
+        });
+    for (NumberField* field : {m_level, m_before})
+        connect(field, &NumberField::edited, this, [this] {
+            showPossible();
+            emit edited();
+        });
+    takeSource();
+}
+
+QComboBox* TriggerBar::newBox(const QString& objectName, const QString& name, const QString& meaning) {
+    auto* box = new QComboBox(this);
+    look::name(box, objectName, name);
+    box->setToolTip(meaning);
+    return box;
+}
+
+NumberField* TriggerBar::newField(const QString& objectName, const QString& name, const QString& meaning) {
+    auto* field = new NumberField(0, this);
+    look::name(field, objectName, name);
+    field->setWords(name, {});
+    field->setMeaning(meaning);
+    return field;
+}
+
+/// In two rows: in one they would be wider than the scope often is.
+void TriggerBar::layOut() {
+    const int unit = look::gridUnit(this);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, unit / 2, 0, 0);
+    rows->setSpacing(unit / 2);
+    const auto addRow = [&](std::initializer_list<QWidget*> widgets) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(unit / 2);
+        for (QWidget* widget : widgets)
+            row->addWidget(widget, widget == m_state ? 1 : 0);
+        if (m_state != *std::prev(widgets.end()))
+            row->addStretch(1);
+        rows->addLayout(row);
+    };
+    const auto label = [this](const QString& text, QWidget* buddy) {
+        auto* words = new QLabel(text, this);
+        words->setBuddy(buddy);
+        return words;
+    };
+    addRow({label(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit});
+    addRow({label(tr("Mode"), m_mode), m_mode, label(tr("Before"), m_before), m_before,
+            label(tr("%"), m_before), m_arm, m_state});
+}
+
+// ---- what there is to wait for ----
+
+void TriggerBar::showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
+    if (modules == m_modules && selected == m_selected)
+        return;
+    const std::optional<Source> before = source() != nullptr ? std::optional(*source()) : std::nullopt;
+    m_modules = modules;
+    m_selected = selected;
+    const QSignalBlocker quiet(m_source);
+    m_source->clear();
+    m_sources.clear();
+    if (selected && selected->value() < modules.size())
+        addSources(std::nullopt, modules[selected->value()]);
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != selected)
+            addSources(index, modules[i]);
+    const auto again = std::find(m_sources.begin(), m_sources.end(), before);
+    m_source->setCurrentIndex(again != m_sources.end() ? static_cast<int>(again - m_sources.begin())
+                              : m_sources.empty()      ? -1
+                                                       : 0);
+    takeSource();
+}
+
+void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of) {
+    const auto add = [&](const Source& source, const QString& name) {
+        m_sources.push_back(source);
+        m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
+    };
+    for (std::size_t i = 0; i < kScopeSignals; ++i) {
+        const auto signal = static_cast<ScopeSignal>(i);
+        add({module, signal}, texts::signalName(signal));
+    }
+    for (const ScopeBit& bit : laneBits(of.identity.type))
+        add({module, bit}, texts::bitName(bit, of.identity.type));
+}
+
+const TriggerBar::Source* TriggerBar::source() const {
+    const int row = m_source->currentIndex();
+    return row >= 0 ? &m_sources[static_cast<std::size_t>(row)] : nullptr;
+}
+
+std::optional<ModuleIndex> TriggerBar::sourceModule() const {
+    if (source() == nullptr)
+        return std::nullopt;
+    return source()->module ? source()->module : m_selected;
+}
+
+const ScopeSignal* TriggerBar::signal() const {
+    return source() != nullptr ? std::get_if<ScopeSignal>(&source()->what) : nullptr;
+}
+
+LinearScale TriggerBar::scale() const {
+    return signal() != nullptr ? m_modules[sourceModule()->value()].scaleOf(*signal()) : LinearScale{};
+}
+
+/// The level is of another quantity, or has another unit.
+void TriggerBar::takeSource() {
+    showConditions();
+    if (signal() != nullptr) {
+        const ScopeModule& module = m_modules[sourceModule()->value()];
+        m_unit->setText(texts::signalUnit(*signal(), module));
+        m_level->setWords(tr("Level"), m_unit->text());
+        m_level->setDecimals(texts::signalDecimals(*signal(), module));
+    }
+    m_level->setVisible(signal() != nullptr);
+    m_unit->setVisible(signal() != nullptr);
+    showPossible();
+}
+
+void TriggerBar::showConditions() {
+    const QStringList words =
+        signal() != nullptr ? QStringList{tr("rises to"), tr("falls to"), tr("is above"), tr("is below")}
+                            : QStringList{tr("becomes 1"), tr("becomes 0"), tr("is 1"), tr("is 0")};
+    if (m_condition->itemText(0) == words.front())
+        return;
+    const int before = std::max(0, m_condition->currentIndex());
+    m_condition->clear();
+    m_condition->addItems(words);
+    m_condition->setCurrentIndex(before);
+}
+
+void TriggerBar::showPossible() {
+    const QString reason = m_sources.empty()                                   ? tr("No module is there.")
+                           : mode() == Mode::Off                               ? tr("Choose a mode first.")
+                           : m_before->problem() != NumberField::Problem::None ? m_before->problemText()
+                           : !settings()                                       ? m_level->problemText()
+                                                                               : QString();
+    look::setPossible(m_arm, reason, tr("Waits for the next trigger from now on."));
+}
+
+// ---- what was chosen ----
+
+void TriggerBar::showState(const QString& state) {
+    look::setText(m_state, state);
+}
+
+void TriggerBar::setMode(Mode mode) {
+    m_mode->setCurrentIndex(static_cast<int>(mode));
+    showPossible();
+}
+
+TriggerBar::Mode TriggerBar::mode() const {
+    return static_cast<Mode>(m_mode->currentIndex());
+}
+
+std::optional<TriggerSettings> TriggerBar::settings() const {
+    const auto before = m_before->value();
+    if (mode() == Mode::Off || source() == nullptr || !before || (signal() != nullptr && !m_level->value()))
+        return std::nullopt;
+    TriggerSettings settings;
+    settings.module = *sourceModule();
+    settings.source = source()->what;
+    settings.condition = static_cast<Condition>(m_condition->currentIndex());
+    settings.mode = mode() == Mode::Normal ? TriggerSettings::Mode::Normal : TriggerSettings::Mode::Single;
+    settings.preTrigger = *before / 100;
+    if (signal() != nullptr) {
+        settings.level = (*m_level->value() - scale().offset) / scale().factor;
+        if (scale().factor < 0)
+            settings.condition = turned(settings.condition);
+    }
+    return settings;
+}
+
+std::optional<SignalRef> TriggerBar::levelSignal() const {
+    if (signal() == nullptr || !settings())
+        return std::nullopt;
+    return SignalRef{sourceModule(), *signal()};
+}
+
+}  // namespace nmc

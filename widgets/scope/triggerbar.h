@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "model/scopetrigger.h"
+#include "widgets/scope/scopemodule.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class NumberField;
+
+/// What the scope is to wait for, as the user has chosen it.
+class TriggerBar : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Mode : std::uint8_t { Off, Single, Normal };
+
+    explicit TriggerBar(QWidget* parent);
+
+    /// The signals there are: those of the selected module first.
+    void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
+    /// How it goes, in words.
+    void showState(const QString& state);
+    void setMode(Mode mode);
+    [[nodiscard]] Mode mode() const;
+    /// Its window is left to the owner. Nothing: off, or something is not chosen yet.
+    [[nodiscard]] std::optional<TriggerSettings> settings() const;
+    /// The signal whose strip shows the level.
+    [[nodiscard]] std::optional<SignalRef> levelSignal() const;
+
+signals:
+    /// settings() or mode() may have changed.
+    void edited();
+    void armRequested();
+
+private:
+    struct Source {
+        std::optional<ModuleIndex> module;  ///< nothing: the selected one
+        std::variant<ScopeSignal, ScopeBit> what;
+        bool operator==(const Source&) const = default;
+    };
+
+    QComboBox* newBox(const QString& objectName, const QString& name, const QString& meaning);
+    NumberField* newField(const QString& objectName, const QString& name, const QString& meaning);
+    void layOut();
+    void addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of);
+    void takeSource();
+    void showConditions();
+    void showPossible();
+    [[nodiscard]] const Source* source() const;
+    [[nodiscard]] std::optional<ModuleIndex> sourceModule() const;
+    [[nodiscard]] const ScopeSignal* signal() const;
+    [[nodiscard]] LinearScale scale() const;
+
+    std::vector<ScopeModule> m_modules;
+    std::optional<ModuleIndex> m_selected;
+    std::vector<Source> m_sources;  ///< by row of the box
+    QComboBox* m_source;
+    QComboBox* m_condition;
+    NumberField* m_level;
+    QLabel* m_unit;
+    QComboBox* m_mode;
+    NumberField* m_before;
+    QPushButton* m_arm;
+    QLabel* m_state;
+};
+
+}  // namespace nmc
