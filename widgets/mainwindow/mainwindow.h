@@ -35,6 +35,8 @@ class ModulePanel;
 class MonitorDock;
 class ScopePanel;
 class SimulatorDock;
+class StepResponseDock;
+struct KeptRun;
 
 /// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
 /// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
@@ -64,6 +66,8 @@ public:
     void showMachine(const Machine& machine);
     /// How a procedure of some module goes, or went.
     void showProcedure(const ProcedureReport& report);
+    /// A step response that was made; the list of runs gives it its number.
+    void showStepRun(const KeptRun& run);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
     /// The cause is gone.
@@ -132,6 +136,7 @@ private:
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
     void addSimulatorDock();
+    void addStepResponseDock(QDockWidget* scope);
     void makeRoomForSimulator();
     void restoreLayout();
     void saveLayout();
@@ -164,6 +169,7 @@ private:
     MessageList* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
+    StepResponseDock* m_stepResponse = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy

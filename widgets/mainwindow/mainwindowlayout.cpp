@@ -12,7 +12,9 @@
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
+#include "widgets/panels/modulepanel.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -48,6 +50,21 @@ void MainWindow::buildDocks() {
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);
     m_docks.append(m_monitor);
+    addStepResponseDock(scope);
+}
+
+void MainWindow::addStepResponseDock(QDockWidget* scope) {
+    m_stepResponse = new StepResponseDock(this);
+    addDockWidget(Qt::BottomDockWidgetArea, m_stepResponse);
+    tabifyDockWidget(scope, m_stepResponse);
+    m_stepResponse->hide();
+    m_docks.append(m_stepResponse);
+    connect(m_panel, &ModulePanel::stepResponseWanted, m_stepResponse, &StepResponseDock::open);
+    connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
+    connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
+    connect(
+        m_stepResponse, &StepResponseDock::stepRequested, this,
+        [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });
 }
 
 void MainWindow::addSimulatorDock() {
@@ -92,7 +109,7 @@ void MainWindow::saveLayout() {
 void MainWindow::resetLayout() {
     restoreState(m_firstState);
     for (QDockWidget* dock : m_docks)
-        dock->setVisible(dock != m_monitor);  // which is closed at first
+        dock->setVisible(dock != m_monitor && dock != m_stepResponse);  // which are closed at first
     m_simulator->setWanted(true);
 }
 
