@@ -42,23 +42,23 @@ void MainWindow::buildDocks() {
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
     QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);
     QDockWidget* messages = addDock(u"messagesDock"_s, tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
-    const int em = fontMetrics().height();
-    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
-    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 23}, Qt::Vertical);
     addSimulatorDock();
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);
     m_docks.append(m_monitor);
     addStepResponseDock(scope);
+    m_docks.append(m_stepResponse);
+    // Whatever were added afterwards would undo it.
+    const int em = fontMetrics().height();
+    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
+    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
+    resizeDocks({scope}, {em * 23}, Qt::Vertical);
 }
 
 void MainWindow::addStepResponseDock(QDockWidget* scope) {
     m_stepResponse = new StepResponseDock(this);
-    addDockWidget(Qt::BottomDockWidgetArea, m_stepResponse);
     tabifyDockWidget(scope, m_stepResponse);
     m_stepResponse->hide();
-    m_docks.append(m_stepResponse);
     connect(m_panel, &ModulePanel::stepResponseWanted, m_stepResponse, &StepResponseDock::open);
     connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);

@@ -103,12 +103,10 @@ void StepForm::buildButton(QGridLayout* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
     look::name(m_step, u"stepResponseButton"_s, tr("Make a step and record it"));
     m_step->setShortcut(Qt::SHIFT | Qt::Key_F9);
-    m_state = look::newMutedLabel({}, this);
+    m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"stepResponseState"_s);
     m_state->setWordWrap(true);
-    const int line = grid->rowCount();
-    grid->addWidget(m_step, line, 1);
-    grid->addWidget(m_state, line, 2, 1, 2);
+    grid->addWidget(m_step, grid->rowCount(), 1);
     connect(m_step, &QPushButton::clicked, this, &StepForm::request);
 }
 

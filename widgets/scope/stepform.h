@@ -30,6 +30,10 @@ public:
     /// Percent of the step; the last one that was a number.
     [[nodiscard]] double band() const { return m_lastBand; }
 
+    /// Why no step is possible, or how the last one goes or ended; a child of the form's parent, to be laid
+    /// out where there is room for a sentence.
+    [[nodiscard]] QLabel* stateLabel() const { return m_state; }
+
 signals:
     void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
     void bandEdited(double percent);

@@ -92,8 +92,8 @@ void StepPlot::fit() {
         right = kUsualRecord;
     }
     const int em = fontMetrics().height();
-    const int rows = std::clamp(height() / (em * 2) - 2, 2, 8);
-    const AxisRange::Range range = AxisRange::around(low, high, (high - low) / 100, rows);
+    const int rows = std::clamp((height() - 3 * em) * 2 / (em * 3), 2, 8);
+    const AxisRange::Range range = AxisRange::around(low, high, 0, rows);
     m_backdrop.setValueAxis(range.min, range.max, range.step);
     m_backdrop.setMargins(m_backdrop.labelWidth(), em * 3 / 2, em);
     const int columns = std::clamp(width() / (em * 5), 2, 10);
@@ -120,7 +120,8 @@ void StepPlot::paintEvent(QPaintEvent* /*event*/) {
                          tr("No run is shown. A step shows how the motor follows when its command jumps."));
         return;
     }
-    painter.setClipRect(m_geometry.area);
+    // What runs along the edge is drawn whole.
+    painter.setClipRect(m_geometry.area.adjusted(0, -kPenWidth, 0, kPenWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
     painter.drawLine(
         QLineF(m_geometry.x(0), m_geometry.area.top(), m_geometry.x(0), m_geometry.area.bottom()));
@@ -171,7 +172,7 @@ void StepPlot::changeEvent(QEvent* event) {
 }
 
 QSize StepPlot::sizeHint() const {
-    return {fontMetrics().height() * 30, fontMetrics().height() * 12};
+    return {fontMetrics().height() * 20, fontMetrics().height() * 10};
 }
 
 QSize StepPlot::minimumSizeHint() const {

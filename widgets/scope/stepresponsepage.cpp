@@ -84,6 +84,9 @@ void StepResponsePage::lay() {
     left->addStretch(1);
     auto* right = new QVBoxLayout;
     right->setSpacing(unit / 2);
+    // A line is always left to it, so that the plot does not jump with every step.
+    m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
+    right->addWidget(m_form->stateLabel());
     right->addWidget(m_plot, 3);
     right->addWidget(newRunsPart(), 2);
     auto* page = new QHBoxLayout(this);

@@ -98,7 +98,7 @@ QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& 
 QString peakPwm(const std::optional<PwmDemand>& demand) {
     if (!demand)
         return StepTexts::tr("not known");
-    return (demand->limited() ? StepTexts::tr("limited to %1 of 255") : StepTexts::tr("at least %1 of 255"))
+    return (demand->limited() ? StepTexts::tr("limited to %1") : StepTexts::tr("at least %1"))
         .arg(demand->output());
 }
 

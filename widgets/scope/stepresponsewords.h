@@ -22,7 +22,7 @@ namespace nmc::texts {
 [[nodiscard]] QString stepTime(const StepMetrics::Result<Measured>& seconds);
 [[nodiscard]] QString stepOvershoot(const StepMetrics::Result<Measured>& percent);
 [[nodiscard]] QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& scale);
-/// "limited to 127 of 255", "at least 23 of 255", "not known".
+/// "limited to 127", "at least 23", "not known"; of 255.
 [[nodiscard]] QString peakPwm(const std::optional<PwmDemand>& demand);
 
 }  // namespace nmc::texts

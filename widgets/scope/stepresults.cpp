@@ -19,7 +19,7 @@ StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
     look::name(this, u"stepResults"_s, tr("What the runs that are shown come to"));
     setHorizontalHeaderLabels({tr("A"), tr("B")});
     setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling"),
-                             tr("Steady-state error"), tr("Peak PWM demand"), tr("Sample interval")});
+                             tr("Steady-state error"), tr("Peak PWM, of 255"), tr("Sample interval")});
     verticalHeaderItem(Rise)->setToolTip(tr("Time from 10 % to 90 % of the step."));
     verticalHeaderItem(Overshoot)->setToolTip(tr("How far it went beyond its goal, in % of the step."));
     verticalHeaderItem(Settling)->setToolTip(
@@ -72,7 +72,8 @@ void StepResults::showRuns(const KeptRun* a, const KeptRun* b) {
 
 QSize StepResults::sizeHint() const {
     const int rows = verticalHeader()->length() + horizontalHeader()->sizeHint().height();
-    return {verticalHeader()->sizeHint().width() + fontMetrics().height() * 17, rows + 2 * frameWidth()};
+    const int cell = fontMetrics().horizontalAdvance(u"\u2212100.0 ± 10.0 counts"_s);
+    return {verticalHeader()->sizeHint().width() + 2 * cell, rows + 2 * frameWidth()};
 }
 
 }  // namespace nmc

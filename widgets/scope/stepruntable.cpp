@@ -91,7 +91,7 @@ std::optional<int> StepRunTable::chosen() const {
 }
 
 QSize StepRunTable::sizeHint() const {
-    return {fontMetrics().height() * 30, fontMetrics().height() * 8};
+    return {fontMetrics().height() * 20, fontMetrics().height() * 7};
 }
 
 QSize StepRunTable::minimumSizeHint() const {
