@@ -119,6 +119,13 @@ TEST_F(StepResponses, OpenFromTheGainsPage) {
     EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled()) << "it knows the module that was shown before";
 }
 
+TEST_F(StepResponses, TakeRoomFromTheMessagesBesideThem) {
+    const int before = find(u"messagesDock"_s)->width();
+    openWith();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find(u"messagesDock"_s)->width() < before; }));
+    EXPECT_GT(find(u"messagesDock"_s)->width(), 150);
+}
+
 TEST_F(StepResponses, TheStepIsWhatStandsInTheFields) {
     openWith();
     click(u"stepResponseButton"_s);
@@ -409,6 +416,18 @@ TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
     EXPECT_LT(dashes, 85);
     EXPECT_TRUE(drawn(picture, plot.pointAt(0.005, 60), colourA)) << "half-way up";
     EXPECT_FALSE(drawn(picture, plot.pointAt(-0.005, 60), colourA));
+}
+
+TEST(StepPlotPicture, TwoRunsOfOneModuleHaveOneUnit) {
+    StepPlot plot;
+    KeptRun inMillimetres = ramp(100);
+    inMillimetres.scale = AxisScale::servo({UnitKind::Millimetres, 50.0, {}}, 1);
+    KeptRun inCounts = ramp(100);
+    plot.showRuns(&inMillimetres, &inCounts);
+    EXPECT_TRUE(plot.legendText(1).endsWith(u"mm"_s)) << plot.legendText(1).toStdString();
+    inCounts.run.module = ModuleIndex(1);
+    plot.showRuns(&inMillimetres, &inCounts);
+    EXPECT_TRUE(plot.legendText(1).endsWith(u"counts"_s)) << plot.legendText(1).toStdString();
 }
 
 TEST(StepPlotPicture, NoLineCrossesAGap) {

@@ -136,7 +136,8 @@ private:
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
     void addSimulatorDock();
-    void addStepResponseDock(QDockWidget* scope);
+    void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
+    void makeRoomForStepResponse(QDockWidget& messages);
     void makeRoomForSimulator();
     void restoreLayout();
     void saveLayout();

@@ -22,6 +22,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
+namespace {
+constexpr int kStepResponseWidth = 58;  ///< lines of text
+}
+
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
                                  Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
@@ -46,7 +50,7 @@ void MainWindow::buildDocks() {
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);
     m_docks.append(m_monitor);
-    addStepResponseDock(scope);
+    addStepResponseDock(*scope, *messages);
     m_docks.append(m_stepResponse);
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
@@ -55,16 +59,31 @@ void MainWindow::buildDocks() {
     resizeDocks({scope}, {em * 23}, Qt::Vertical);
 }
 
-void MainWindow::addStepResponseDock(QDockWidget* scope) {
+void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) {
     m_stepResponse = new StepResponseDock(this);
-    tabifyDockWidget(scope, m_stepResponse);
+    tabifyDockWidget(&scope, m_stepResponse);
     m_stepResponse->hide();
     connect(m_panel, &ModulePanel::stepResponseWanted, m_stepResponse, &StepResponseDock::open);
+    // Queued: until then the layout does not know that it is there.
+    connect(
+        m_stepResponse, &StepResponseDock::roomWanted, this,
+        [this, &messages] { makeRoomForStepResponse(messages); }, Qt::QueuedConnection);
     connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
     connect(
         m_stepResponse, &StepResponseDock::stepRequested, this,
         [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });
+}
+
+/// For a curve beside the results; the messages beside it give way.
+void MainWindow::makeRoomForStepResponse(QDockWidget& messages) {
+    const int wanted = fontMetrics().height() * kStepResponseWidth;
+    const bool beside = dockWidgetArea(m_stepResponse) == dockWidgetArea(&messages) && messages.isVisible();
+    if (!beside || m_stepResponse->width() >= wanted)
+        return;
+    const int both = m_stepResponse->width() + messages.width();
+    const int taken = qMin(wanted, both * 4 / 5);
+    resizeDocks({m_stepResponse, &messages}, {taken, both - taken}, Qt::Horizontal);
 }
 
 void MainWindow::addSimulatorDock() {

@@ -36,27 +36,29 @@ QColor StepPlot::colour(std::size_t which) const {
     return look::traceColour(static_cast<int>(which), palette());
 }
 
-StepPlot::Curve StepPlot::curveOf(const KeptRun& kept) {
+StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     const StepTaken& taken = kept.run.taken;
     Curve curve;
     const double farApart = kGap * kept.run.metrics.interval;
     for (const StepPoint& point : kept.run.points) {
-        const QPointF next(point.seconds, kept.scale.position(point.position - taken.from));
+        const QPointF next(point.seconds, scale.position(point.position - taken.from));
         if (curve.parts.empty() || next.x() - curve.parts.back().back().x() > farApart)
             curve.parts.emplace_back();
         curve.parts.back() << next;
     }
-    curve.goal = kept.scale.position(static_cast<double>(taken.goal) - taken.from);
-    curve.band = kept.scale.position(kept.run.band());
+    curve.goal = scale.position(static_cast<double>(taken.goal) - taken.from);
+    curve.band = scale.position(kept.run.band());
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
-    curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(kept.scale));
+    curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(scale));
     return curve;
 }
 
 void StepPlot::showRuns(const KeptRun* a, const KeptRun* b) {
-    m_curves[0] = a != nullptr ? std::optional(curveOf(*a)) : std::nullopt;
-    m_curves[1] = b != nullptr ? std::optional(curveOf(*b)) : std::nullopt;
+    m_curves[0] = a != nullptr ? std::optional(curveOf(*a, a->scale)) : std::nullopt;
+    // The user may have changed the unit between two runs of a module.
+    const bool oneModule = a != nullptr && b != nullptr && a->run.module == b->run.module;
+    m_curves[1] = b != nullptr ? std::optional(curveOf(*b, oneModule ? a->scale : b->scale)) : std::nullopt;
     adoptPalette();
     fit();
 }

@@ -51,7 +51,7 @@ private:
         }
     };
 
-    [[nodiscard]] static Curve curveOf(const KeptRun& kept);
+    [[nodiscard]] static Curve curveOf(const KeptRun& kept, const AxisScale& scale);
     void adoptPalette();
     void fit();
     void paintGoal(QPainter& painter, const Curve& curve) const;

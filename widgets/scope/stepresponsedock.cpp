@@ -41,6 +41,7 @@ StepResponsePage& StepResponseDock::page() {
 void StepResponseDock::open() {
     show();
     raise();
+    emit roomWanted();
 }
 
 void StepResponseDock::showModule(const PanelView& view) {

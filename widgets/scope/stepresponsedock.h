@@ -25,6 +25,8 @@ public:
     void open();
 
 signals:
+    /// The user wants it, and it may have too little room.
+    void roomWanted();
     /// It can be seen, and what it shows may be old.
     void opened();
     void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);

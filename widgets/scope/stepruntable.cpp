@@ -20,6 +20,7 @@ StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, Settling + 1, pare
                                u"Ki"_s, tr("Overshoot"), tr("Settling")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().height());
+    horizontalHeader()->setHighlightSections(false);
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
     setFont(look::tabular(look::scaled(font(), 0.9)));
