@@ -124,6 +124,20 @@ TEST_F(StepResponses, TheStepIsWhatStandsInTheFields) {
     EXPECT_EQ(second.record, 1.25);
 }
 
+TEST_F(StepResponses, TheShortcutMovesNothingThatIsNotInSight) {
+    openWith();
+    QSignalSpy clicks(button(u"stepResponseButton"_s), &QAbstractButton::clicked);
+    QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 1; }));
+    EXPECT_EQ(intents.size(), 1);
+    find<QDockWidget>(u"scopeDock"_s)->raise();
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
+    QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 2; })) << "it is heard";
+    EXPECT_EQ(intents.size(), 1);
+}
+
 TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {
     openWith();
     Machine machine;

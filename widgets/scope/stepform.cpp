@@ -163,7 +163,9 @@ void StepForm::refresh() {
 
 void StepForm::request() {
     const auto step = entered();
-    if (m_step->isEnabled() && step)
+    // Behind another dock's tab the shortcut is still heard.
+    const bool seen = !m_step->visibleRegion().isEmpty();
+    if (m_step->isEnabled() && seen && step)
         emit stepRequested(m_module->info.index, *step);
 }
 

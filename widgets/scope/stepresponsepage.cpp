@@ -57,7 +57,7 @@ QPushButton* StepResponsePage::newButton(const QString& objectName, const QStrin
 
 QWidget* StepResponsePage::newRunsPart() {
     m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
-    m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+    m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
     m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     auto* part = new QWidget(this);
     auto* buttons = new QHBoxLayout;
@@ -162,7 +162,7 @@ void StepResponsePage::refreshButtons() {
                       tr("Puts the gains of this run into the fields of the Gains page. Sends nothing "
                          "(Ctrl+Shift+U)."));
     look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
-                      tr("Takes this run off the list (Ctrl+Shift+R)."));
+                      tr("Takes this run off the list (Ctrl+Del)."));
     look::setPossible(m_save, m_runs.empty() ? tr("There is no run yet.") : QString(),
                       tr("Saves all runs of the list, with their gains and results (Ctrl+Shift+X)."));
 }
