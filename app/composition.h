@@ -63,6 +63,9 @@ private:
     void carryOut(ModuleIndex module, const Intent& intent);
     bus::OperationId submit(std::vector<bus::Step> steps);
     void showProcedure(const ProcedureReport& report);
+    /// Gives the module the bus while its step is recorded, and the window the run when it is over.
+    void followStepResponse(const ProcedureReport& report);
+    void keepRun(const ModuleState& module, const StepTaken& taken);
     void act(const QString& key, const QString& action);
     /// Where the settings remember how long the chain at this port was.
     [[nodiscard]] QString chainLengthKey() const;

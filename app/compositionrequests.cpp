@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is asked of a module: a plan of commands at once, or a procedure that runs for a while.
+#include <QDateTime>
+
 #include "app/composition.h"
+#include "link/clock.h"
 #include "model/modulescale.h"
 #include "model/procedures.h"
+#include "model/steprunfile.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -40,8 +44,38 @@ bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
     return id;
 }
 
+void Composition::followStepResponse(const ProcedureReport& report) {
+    m_worker.focus(report.over() ? std::nullopt : std::optional(report.module));
+    // One that does not come to rest afterwards has a whole record all the same.
+    const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
+    const ModuleState* module = m_store.module(report.module);
+    if (whole && report.over() && report.step && module != nullptr)
+        keepRun(*module, *report.step);
+}
+
+void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
+    const ModuleIndex index = module.info.index;
+    const ModuleHistory* history = m_store.history().module(index);
+    if (history == nullptr)
+        return;
+    const auto samples = history->samples(taken.at - kBeforeStep, taken.at + fromSeconds(taken.record));
+    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(monotonicNow() - taken.at);
+    const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
+    KeptRun kept;
+    kept.run = takeRun(index, samples, taken, kFirstBand);
+    kept.startedAt =
+        started.toOffsetFromUtc(started.offsetFromUtc()).toString(Qt::ISODateWithMs).toStdString();
+    kept.moduleName = texts::moduleName(index).toStdString();
+    kept.scale = scaleOf(module, m_machine.machine().axis(index));
+    kept.port = m_store.link().port;
+    kept.simulated = m_store.link().simulated;
+    m_window.showStepRun(kept);
+}
+
 void Composition::showProcedure(const ProcedureReport& report) {
     m_window.showProcedure(report);
+    if (report.kind == ProcedureKind::StepResponse)
+        followStepResponse(report);
     const ModuleState* module = m_store.module(report.module);
     if (!report.over() || module == nullptr)
         return;

@@ -9,8 +9,6 @@ namespace nmc {
 
 namespace {
 
-/// Shown before the step.
-constexpr Duration kBefore = std::chrono::milliseconds(20);
 /// Either end of a time is known to half a tick (bus::Sample).
 constexpr Duration kTimeDoubt = kServoTick;
 
@@ -33,7 +31,7 @@ StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const 
     run.module = module;
     run.taken = taken;
     for (const ScopeSample& sample : samples) {
-        if (sample.time < taken.at - kBefore || sample.time > taken.at + fromSeconds(taken.record))
+        if (sample.time < taken.at - kBeforeStep || sample.time > taken.at + fromSeconds(taken.record))
             continue;
         run.points.push_back({toSeconds(sample.time - taken.at), near(taken.from, sample.position)});
         if (sample.time < taken.at && sample.errorKnown())

@@ -6,12 +6,18 @@
 #include <vector>
 
 #include "base/strong.h"
+#include "base/time.h"
 #include "model/pwmdemand.h"
 #include "model/scopesample.h"
 #include "model/stepmetrics.h"
 #include "model/steptaken.h"
 
 namespace nmc {
+
+/// What a run shows of the time before its step.
+inline constexpr Duration kBeforeStep = std::chrono::milliseconds(20);
+/// Percent; the usual settling band.
+inline constexpr double kFirstBand = 2.0;
 
 /// A step response as it is kept to be compared with others.
 struct StepRun {
@@ -26,7 +32,8 @@ struct StepRun {
     [[nodiscard]] double band() const;
 };
 
-/// `samples` of that module, in the order of time; those outside the record do not count.
+/// `samples` of that module, in the order of time, from kBeforeStep before the step on; those outside the
+/// record do not count.
 [[nodiscard]] StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
                               const StepTaken& taken, double bandPercent);
 

@@ -15,8 +15,10 @@ namespace {
 
 class Controls : public WindowTest {
 protected:
-    /// With the simulator's dock and the packet monitor's, which have controls of their own.
+    /// With the docks of simulator, packet monitor and step response, which have controls of their own.
     void showSimulatedServo() {
+        find(u"stepResponseDock"_s)->show();
+        find(u"stepResponseDock"_s)->raise();
         find(u"monitorDock"_s)->show();
         find(u"monitorDock"_s)->raise();
         LinkState link = connectedTo({Servo{}.state()});

@@ -74,6 +74,13 @@ TEST_P(Screenshots, OfTheStepperPanel) {
     keep(u"step"_s, u"stepPages"_s);
 }
 
+TEST_P(Screenshots, OfTheStepResponse) {
+    showServo({.on = false});
+    click(u"openStepResponseButton"_s);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    keep(u"stepresponse"_s, u"servoPages"_s);
+}
+
 INSTANTIATE_TEST_SUITE_P(Palettes, Screenshots, testing::Bool());
 
 /// By their grey alone, on a print or to who cannot tell the colours apart.

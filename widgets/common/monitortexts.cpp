@@ -126,7 +126,7 @@ QString packetsSaved(const QString& path, quint64 exchanges) {
         .arg(grouped(static_cast<qint64>(exchanges)), QDir::toNativeSeparators(path));
 }
 
-QString packetsNotSaved(const QString& path, const QString& reason) {
+QString fileNotWritten(const QString& path, const QString& reason) {
     return Texts::tr("%1 could not be written: %2. Choose another folder, or make room.")
         .arg(QDir::toNativeSeparators(path), reason);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the table of texts has to say of procedures: homing, moves by N, changes of a motion.
+// What the table of texts has to say of procedures: homing, moves by N, changes of a motion, step responses.
+#include <QDir>
+
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 
@@ -66,6 +68,54 @@ Words homingFailed(ProcedureFailure failure, const QString& who) {
     return {};
 }
 
+Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
+    switch (failure) {
+        case ProcedureFailure::TravelLimit:
+            return {
+                Texts::tr("%1 holds again: it went the wrong way, or farther than twice its step.").arg(who),
+                Texts::tr("The servo swings, or something else turns the motor. Lower Kp and Ki, or raise "
+                          "Kd, then step again.")};
+        case ProcedureFailure::Unstable:
+            return {Texts::tr("%1 was switched off and is free to turn: it did not calm down after its step.")
+                        .arg(who),
+                    Texts::tr("The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply "
+                              "them, then enable it."),
+                    Severity::Fault};
+        case ProcedureFailure::NotStill:
+            return {Texts::tr("%1 does not stand still; its servo stays on.").arg(who),
+                    Texts::tr("It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off "
+                              "ends it at once.")};
+        case ProcedureFailure::WentOff:
+            return {Texts::tr("%1 made no whole step: its motor went off by itself, and is free to turn.")
+                        .arg(who),
+                    Texts::tr("The motor was too far from where it should be, or lost its power. Check for a "
+                              "jam, raise EL or make the step shorter, then enable it."),
+                    Severity::Fault};
+        case ProcedureFailure::ModuleSilent:
+            return {
+                Texts::tr("%1 does not answer, so its step is not recorded. Motor state unknown.").arg(who),
+                Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
+        case ProcedureFailure::LinkSuspect:
+            return {Texts::tr("%1 was told to hold, and its step is not recorded: the link was in doubt "
+                              "meanwhile.")
+                        .arg(who),
+                    Texts::tr("See to the link, then step again.")};
+        case ProcedureFailure::Refused:
+            return {
+                Texts::tr("%1 has no step recorded and was told to hold: a command was not carried out, or "
+                          "its answer was lost.")
+                    .arg(who),
+                Texts::tr("Usually noise on the cable. Step again.")};
+        case ProcedureFailure::SwitchActive:
+        case ProcedureFailure::NotFound:
+        case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::ReadingsDiffer:
+        case ProcedureFailure::NotAtHome:
+            return {};  // of homing
+    }
+    return {};
+}
+
 QString homingStage(ProcedureStage stage) {
     switch (stage) {
         case ProcedureStage::Preparing:
@@ -107,6 +157,8 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         Words words;
         if (report.kind == ProcedureKind::Homing)
             words = homingFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::StepResponse)
+            words = stepResponseFailed(*report.failure, who);
         else
             words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
         message.headline = words.headline;
@@ -160,6 +212,10 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("It does not come to rest at home exactly, so nothing was made zero.");
     }
     return {};
+}
+
+QString stepRunsSaved(const QString& path) {
+    return Texts::tr("The step responses were saved to %1.").arg(QDir::toNativeSeparators(path));
 }
 
 }  // namespace nmc::texts

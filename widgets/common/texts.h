@@ -106,6 +106,7 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+[[nodiscard]] QString stepRunsSaved(const QString& path);
 
 // ---- what the scope keeps ----
 /// The message with "Show the last 2 s" before its other buttons.
@@ -150,7 +151,7 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] QString packetTextHead(const PacketSession& session, quint64 dropped);
 [[nodiscard]] QString packetGap();
 [[nodiscard]] QString packetsSaved(const QString& path, quint64 exchanges);
-[[nodiscard]] QString packetsNotSaved(const QString& path, const QString& reason);
+[[nodiscard]] QString fileNotWritten(const QString& path, const QString& reason);
 
 // ---- the machine file ----
 /// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."

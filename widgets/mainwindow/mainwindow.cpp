@@ -28,6 +28,7 @@
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -223,11 +224,14 @@ std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
 void MainWindow::showSelected() {
     if (const ModuleState* module = selectedState()) {
         const auto procedure = m_procedures.find(module->info.index);
-        m_panel->showModule({*module, m_machine.axis(module->info.index),
+        const PanelView view{*module, m_machine.axis(module->info.index),
                              procedure != m_procedures.end() ? &procedure->second : nullptr,
-                             m_link.phase == LinkPhase::Connected, ageOf(*module)});
+                             m_link.phase == LinkPhase::Connected, ageOf(*module)};
+        m_panel->showModule(view);
+        m_stepResponse->showModule(view);
     } else {
         m_panel->showNothing(nothingText());
+        m_stepResponse->showNothing();
     }
     m_simulator->showSelected(selectedModule());
     showScopeModules();
@@ -284,6 +288,10 @@ void MainWindow::showMachine(const Machine& machine) {
 void MainWindow::showProcedure(const ProcedureReport& report) {
     m_procedures.insert_or_assign(report.module, report);
     showSelected();
+}
+
+void MainWindow::showStepRun(const KeptRun& run) {
+    m_stepResponse->showRun(run);
 }
 
 void MainWindow::showHistory(const History& history, TimePoint now) {

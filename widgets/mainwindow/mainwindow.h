@@ -36,6 +36,8 @@ class MonitorDock;
 class ScopeFiles;
 class ScopePanel;
 class SimulatorDock;
+class StepResponseDock;
+struct KeptRun;
 
 /// The panel's window. Values in, intents out: it never sees the bus, a thread or a port. Every show...() is
 /// idempotent and emits nothing (but a hold that loses its ground ends, and says so).
@@ -65,6 +67,8 @@ public:
     void showMachine(const Machine& machine);
     /// How a procedure of some module goes, or went.
     void showProcedure(const ProcedureReport& report);
+    /// A step response that was made; the list of runs gives it its number.
+    void showStepRun(const KeptRun& run);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
     /// The cause is gone.
@@ -138,6 +142,8 @@ private:
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
     void addSimulatorDock();
+    void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
+    void makeRoomForStepResponse(QDockWidget& messages);
     void makeRoomForSimulator();
     void restoreLayout();
     void saveLayout();
@@ -170,6 +176,7 @@ private:
     MessageList* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
+    StepResponseDock* m_stepResponse = nullptr;
     LinkBar* m_linkBar = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy

@@ -12,13 +12,19 @@
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
+#include "widgets/panels/modulepanel.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 using namespace settingskeys;
+
+namespace {
+constexpr int kStepResponseWidth = 58;  ///< lines of text
+}
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
                                  Qt::DockWidgetArea area) {
@@ -40,14 +46,44 @@ void MainWindow::buildDocks() {
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
     QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);
     QDockWidget* messages = addDock(u"messagesDock"_s, tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
-    const int em = fontMetrics().height();
-    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
-    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 23}, Qt::Vertical);
     addSimulatorDock();
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);
     m_docks.append(m_monitor);
+    addStepResponseDock(*scope, *messages);
+    m_docks.append(m_stepResponse);
+    // Whatever were added afterwards would undo it.
+    const int em = fontMetrics().height();
+    resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
+    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
+    resizeDocks({scope}, {em * 23}, Qt::Vertical);
+}
+
+void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) {
+    m_stepResponse = new StepResponseDock(this);
+    tabifyDockWidget(&scope, m_stepResponse);
+    m_stepResponse->hide();
+    connect(m_panel, &ModulePanel::stepResponseWanted, m_stepResponse, &StepResponseDock::open);
+    // Queued: until then the layout does not know that it is there.
+    connect(
+        m_stepResponse, &StepResponseDock::roomWanted, this,
+        [this, &messages] { makeRoomForStepResponse(messages); }, Qt::QueuedConnection);
+    connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
+    connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
+    connect(
+        m_stepResponse, &StepResponseDock::stepRequested, this,
+        [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });
+}
+
+/// For a curve beside the results; the messages beside it give way.
+void MainWindow::makeRoomForStepResponse(QDockWidget& messages) {
+    const int wanted = fontMetrics().height() * kStepResponseWidth;
+    const bool beside = dockWidgetArea(m_stepResponse) == dockWidgetArea(&messages) && messages.isVisible();
+    if (!beside || m_stepResponse->width() >= wanted)
+        return;
+    const int both = m_stepResponse->width() + messages.width();
+    const int taken = qMin(wanted, both * 4 / 5);
+    resizeDocks({m_stepResponse, &messages}, {taken, both - taken}, Qt::Horizontal);
 }
 
 void MainWindow::addSimulatorDock() {
@@ -92,7 +128,7 @@ void MainWindow::saveLayout() {
 void MainWindow::resetLayout() {
     restoreState(m_firstState);
     for (QDockWidget* dock : m_docks)
-        dock->setVisible(dock != m_monitor);  // which is closed at first
+        dock->setVisible(dock != m_monitor && dock != m_stepResponse);  // which are closed at first
     m_simulator->setWanted(true);
 }
 

@@ -81,7 +81,8 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     for (QDockWidget* dock : docks) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setObjectName(dock->objectName() + u"Action"_s);
-        toggle->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + number++)));
+        if (toggle->shortcut().isEmpty())
+            toggle->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + number++)));
         view->addAction(toggle);
     }
     view->addSeparator();

@@ -216,7 +216,7 @@ void PacketMonitor::saveAs(const QString& path) {
     if (const auto saved = savePackets(m_model->log(), path); saved)
         tell(texts::packetsSaved(path, m_model->log().size()));
     else
-        tell(texts::packetsNotSaved(path, saved.error()));
+        tell(texts::fileNotWritten(path, saved.error()));
 }
 
 void PacketMonitor::tell(const QString& text) {

@@ -135,6 +135,10 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
     m_fill = newButton(u"wand"_s, tr("Start&ing values"), u"fillGainsButton"_s, tr("Fill in starting values"),
                        tr("Fills the fields with values to begin tuning with. Sends nothing."));
     m_apply = newButton(u"send"_s, tr("&Apply gains"), u"applyGainsButton"_s, tr("Apply all gains"), {});
+    auto* step = newButton(u"player-play"_s, tr("Step response…"), u"openStepResponseButton"_s,
+                           tr("Open the step response"),
+                           tr("Opens the place where a small step shows how the motor follows (F9)."));
+    connect(step, &QPushButton::clicked, this, &GainsBox::stepResponseWanted);
     const int unit = look::gridUnit(this);
     const auto addLine = [&](int at, std::initializer_list<QPushButton*> left,
                              std::initializer_list<QPushButton*> right) {
@@ -149,7 +153,7 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
         grid->addLayout(buttons, at, 0, 1, 4);
     };
     addLine(line, {m_fill, m_zero}, {m_undo, m_redo});
-    addLine(line + 1, {}, {m_revert, m_apply});
+    addLine(line + 1, {step}, {m_revert, m_apply});
     connect(m_apply, &QPushButton::clicked, this, &GainsBox::apply);
     connect(m_revert, &QPushButton::clicked, this, &GainsBox::revert);
     connect(m_fill, &QPushButton::clicked, this, [this] { fill(startingValue); });
@@ -214,10 +218,15 @@ void GainsBox::keep() {
     emit settingsEdited(m_settings);
 }
 
-void GainsBox::fill(int (*value)(Gain)) {
+void GainsBox::fill(const std::function<std::optional<int>(Gain)>& value) {
     for (Row& row : m_rows)
-        row.field->showValue(value(row.gain));
+        if (const std::optional<int> now = value(row.gain))
+            row.field->showValue(*now);
     edited(std::nullopt);
+}
+
+void GainsBox::stage(const servo::SetGain& gains) {
+    fill([&gains](Gain gain) { return gainOf(gains, gain); });
 }
 
 void GainsBox::revert() {

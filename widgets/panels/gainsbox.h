@@ -4,6 +4,7 @@
 #include <QHash>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "widgets/panels/gainsmeaning.h"
@@ -31,8 +32,11 @@ public:
     void showModule(const PanelView& view);
     /// A click was passed on; Apply waits for the module's next word.
     void setBusy(bool busy);
+    /// Fills the fields of the module that is shown, as an edit that can be undone; sends nothing.
+    void stage(const servo::SetGain& gains);
 
 signals:
+    void stepResponseWanted();
     void applyRequested(const nmc::servo::SetGain& gains);
     void settingsEdited(const nmc::AxisSettings& settings);
 
@@ -56,7 +60,7 @@ private:
                            const QString& name, const QString& toolTip);
     /// By the user's hand, in one field or in all (`gain` empty).
     void edited(std::optional<Gain> gain);
-    void fill(int (*value)(Gain));
+    void fill(const std::function<std::optional<int>(Gain)>& value);
     void revert();
     void apply();
     void askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps);

@@ -40,8 +40,10 @@ ModulePanel::ModulePanel(QWidget* parent)
 }
 
 ModulePage& ModulePanel::servo() {
-    if (m_servo == nullptr)
+    if (m_servo == nullptr) {
         adopt(m_servo = new ServoPanel(this));
+        connect(m_servo, &ServoPanel::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
+    }
     return *m_servo;
 }
 
@@ -77,6 +79,11 @@ void ModulePanel::setHoldInterval(int milliseconds) {
     m_holdInterval = milliseconds;
     for (ModulePage* page : m_pages)
         page->setHoldInterval(milliseconds);
+}
+
+void ModulePanel::stageGains(const servo::SetGain& gains) {
+    if (m_servo != nullptr && currentWidget() == m_servo)
+        m_servo->stageGains(gains);
 }
 
 void ModulePanel::bringUp(QWidget* page) {

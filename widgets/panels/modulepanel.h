@@ -13,6 +13,7 @@ namespace nmc {
 
 class GenericPanel;
 class ModulePage;
+class ServoPanel;
 
 /// The middle of the window: the panel that fits the selected module, or what to do when there is none.
 class ModulePanel : public QStackedWidget {
@@ -29,8 +30,11 @@ public:
     void resetSpeeds();
     void endHold();
     void setHoldInterval(int milliseconds);
+    /// Into the fields of the PIC-SERVO that is shown; sends nothing.
+    void stageGains(const servo::SetGain& gains);
 
 signals:
+    void stepResponseWanted();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// On press and every 100 ms while held.
     void holdRequested(const nmc::bus::HoldToMove& hold);
@@ -48,7 +52,7 @@ private:
 
     QLabel* m_empty;
     GenericPanel* m_generic;
-    ModulePage* m_servo = nullptr;
+    ServoPanel* m_servo = nullptr;
     ModulePage* m_stepper = nullptr;
     QList<ModulePage*> m_pages;  ///< those that were built
     std::optional<int> m_holdInterval;

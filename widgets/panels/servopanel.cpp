@@ -64,6 +64,7 @@ void ServoPanel::connectBoxes() {
     connect(m_homing, &HomingBox::settingsEdited, this, &ServoPanel::passSettings);
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
+    connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
     connect(m_jog, &JogBox::holdRequested, this, &ServoPanel::holdRequested);
     connect(m_jog, &JogBox::holdReleased, this, &ServoPanel::holdReleased);
     connect(m_motion, &MotionBox::accelerationEdited, m_jog, &JogBox::endHold);
@@ -94,6 +95,11 @@ void ServoPanel::showBoxes(const PanelView& view) {
     m_pwm->showModule(view);
     m_axis->showModule(view);
     m_details->showModule(view);
+}
+
+void ServoPanel::stageGains(const servo::SetGain& gains) {
+    m_pages->setCurrentWidget(m_gains);
+    m_gains->stage(gains);
 }
 
 void ServoPanel::resetSpeeds() {

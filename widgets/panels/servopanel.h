@@ -29,6 +29,11 @@ public:
     void resetSpeeds() override;
     void endHold() override;
     void setHoldInterval(int milliseconds) override;
+    /// Into the fields, in sight; sends nothing.
+    void stageGains(const servo::SetGain& gains);
+
+signals:
+    void stepResponseWanted();
 
 protected:
     void showBoxes(const PanelView& view) override;

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step responses through the whole program, by object name, against nmcsim: what the motor did is the
+// simulator's word.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "tests/app/panel.h"
+#include "widgets/scope/stepplot.h"
+#include "widgets/scope/stepresponsepage.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+using namespace Qt::StringLiterals;
+
+class StepResponsePlace : public testing::Test {
+protected:
+    /// Connected, with gains, enabled, and the place in sight.
+    void begin() {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        applyGains(200, 2'000);
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        click("openStepResponseButton");
+        ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("stepResponsePage")->isVisible(); }));
+    }
+    void applyGains(std::uint16_t kp, std::uint16_t kd) {
+        const servo::SetGain gains{kp, kd, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
+        panel.ask(intent::ApplyGains{gains});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains == gains; }));
+    }
+    template <typename Widget>
+    Widget* find(const char* name) {
+        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
+        EXPECT_NE(widget, nullptr) << name;
+        return widget;
+    }
+    void click(const char* name) {
+        ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
+            << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
+        find<QAbstractButton>(name)->click();
+    }
+    void type(const char* field, const QString& words) {
+        auto* edit = find<QLineEdit>(field);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, words);
+    }
+    [[nodiscard]] const std::vector<KeptRun>& runs() {
+        return find<StepResponsePage>("stepResponsePage")->runs();
+    }
+    void step() {
+        const std::size_t before = runs().size();
+        click("stepResponseButton");
+        EXPECT_FALSE(find<QAbstractButton>("stepResponseButton")->isEnabled()) << "one at a time";
+        ASSERT_TRUE(panel.waitFor([&] { return runs().size() == before + 1; }))
+            << find<QLabel>("stepResponseState")->text().toStdString();
+    }
+    QString result(int row, int column) {
+        return find<QTableWidget>("stepResults")->item(row, column)->text();
+    }
+
+    NmcsimProcess sim{u"servo,servo,servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(step());
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 100, 3);
+    EXPECT_TRUE(sim.state(1)[u"servo_on"_s].toBool()) << "it holds there";
+    const KeptRun& first = runs().front();
+    EXPECT_TRUE(first.run.metrics.rise);
+    EXPECT_TRUE(first.run.metrics.settling);
+    ASSERT_TRUE(first.run.metrics.steadyError);
+    EXPECT_NEAR(first.run.metrics.steadyError->value, 0, 3);
+    // Three modules share 115 200 Bd; nearly all of it is this one's: a status takes about a millisecond.
+    EXPECT_LT(first.run.metrics.interval, 0.0025);
+    ASSERT_TRUE(first.run.pwm);
+    // (200 x 100 + 2000 x 100 - 20 x 200) / 256 is 843, far above the limit.
+    EXPECT_EQ(result(5, 0), u"limited to 255"_s);
+    EXPECT_TRUE(result(1, 0).contains(u"±"_s) && result(1, 0).endsWith(u"ms"_s))
+        << result(1, 0).toStdString();
+
+    applyGains(200, 600);
+    ASSERT_NO_FATAL_FAILURE(step());
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 200, 3);
+    EXPECT_EQ(result(0, 0), u"2"_s);
+    EXPECT_EQ(result(0, 1), u"1"_s);
+    ASSERT_TRUE(runs()[1].run.metrics.overshoot);
+    EXPECT_GT(runs()[1].run.metrics.overshoot->value, runs()[0].run.metrics.overshoot->value + 5)
+        << "with a third of the damping";
+    EXPECT_TRUE(find<StepPlot>("stepPlot")->legendText(1).startsWith(u"B: run 1"_s));
+
+    auto* table = find<QTableWidget>("stepRunTable");
+    table->setCurrentCell(1, 2);
+    click("stepUseGainsButton");
+    EXPECT_EQ(find<QLineEdit>("kdField")->text(), u"2000"_s);
+    EXPECT_EQ(find<QLabel>("kdState")->text(), u"● edited, not sent"_s);
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(panel.module().gains->kd, 600) << "the module has what it had";
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(StepResponsePlace, AStopEndsItWithoutARun) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    type("stepResponseRecordField", u"3"_s);
+    click("stepResponseButton");
+    ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() > 80; }));
+    click("stopAllButton");
+    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("stepResponseButton")->isEnabled(); }))
+        << find<QAbstractButton>("stepResponseButton")->toolTip().toStdString();
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_TRUE(runs().empty());
+    EXPECT_FALSE(testing_support::moves(sim));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST_F(StepResponsePlace, AServoThatSwingsUpIsStoppedAndSaidSo) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    applyGains(3'000, 0);
+    click("stepResponseButton");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"Module 1"_s) > 0 && !panel.module().servoOn(); }));
+    EXPECT_EQ(panel.count(u"was switched off and is free to turn: it did not calm down"_s) +
+                  panel.count(u"made no whole step: its motor went off by itself"_s),
+              1);
+    EXPECT_TRUE(runs().empty());
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLocale>
+#include <QTabWidget>
+#include <QTableWidget>
+
+#include "stepruns.h"
+#include "widgets/scope/stepplot.h"
+#include "widgets/scope/stepresponsedock.h"
+
+namespace nmc {
+namespace {
+
+/// At 90 of 100 counts after 10 ms, and at its goal after 30 ms.
+KeptRun inTwoStages() {
+    KeptRun kept = ramp();
+    for (StepPoint& point : kept.run.points)
+        if (point.seconds > 0.0005)
+            point.position = point.seconds < 0.0095 ? 500 : point.seconds < 0.0295 ? 590 : 600;
+    setBand(kept.run, kFirstBand);
+    return kept;
+}
+
+class StepResponses : public WindowTest {
+protected:
+    void open() {
+        window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    }
+    void openWith(const Servo& servo = {}) {
+        showServo(servo);
+        open();
+    }
+    /// With what was sent changed by `change`.
+    template <typename Change>
+    void showChanged(Change change) {
+        ModuleState module = Servo{}.state();
+        change(module);
+        window->showLink(connectedTo({module}));
+    }
+    void report(ProcedureStage stage, std::optional<ProcedureFailure> failure = {}) {
+        ProcedureReport r;
+        r.kind = ProcedureKind::StepResponse;
+        r.stage = stage;
+        r.failure = failure;
+        window->showProcedure(r);
+    }
+    QString reason(const QString& control) {
+        EXPECT_FALSE(button(control)->isEnabled()) << control.toStdString();
+        EXPECT_EQ(button(control)->toolTip(), button(control)->accessibleDescription());
+        return button(control)->toolTip();
+    }
+    intent::StepResponse wanted() {
+        EXPECT_EQ(intents.size(), 1);
+        return std::get<intent::StepResponse>(intents.takeFirst().at(1).value<Intent>());
+    }
+    QTableWidget* table() { return find<QTableWidget>(u"stepRunTable"_s); }
+    QString listed(int row, int column) { return table()->item(row, column)->text(); }
+    QString result(int row, int column = 0) {
+        return find<QTableWidget>(u"stepResults"_s)->item(row, column)->text();
+    }
+    QString results(int column) {
+        QStringList cells;
+        for (int row = 0; row < find<QTableWidget>(u"stepResults"_s)->rowCount(); ++row)
+            cells << result(row, column);
+        return cells.join(u" | "_s);
+    }
+    /// As the space bar does.
+    void tick(int row, int column) {
+        table()->setFocus();
+        table()->setCurrentCell(row, column);
+        QTest::keyClick(table(), Qt::Key_Space);
+    }
+    [[nodiscard]] bool ticked(int row, int column) {
+        return table()->item(row, column)->checkState() == Qt::Checked;
+    }
+
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(StepResponses, AreBehindF9AndBuiltWhenTheyAreSeen) {
+    QAction* toggle = window->findChild<QAction*>(u"stepResponseDockAction"_s);
+    ASSERT_NE(toggle, nullptr);
+    EXPECT_EQ(toggle->shortcut(), QKeySequence(Qt::Key_F9));
+    EXPECT_EQ(window->findChild<QWidget*>(u"stepResponsePage"_s), nullptr);
+    toggle->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(find(u"scopePanel"_s)->visibleRegion().isEmpty()) << "it lies in front of the scope";
+    window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
+    EXPECT_FALSE(find(u"stepResponseDock"_s)->isVisible());
+}
+
+TEST_F(StepResponses, OpenFromTheGainsPage) {
+    showServo();
+    click(u"openStepResponseButton"_s);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled()) << "it knows the module that was shown before";
+}
+
+TEST_F(StepResponses, TakeRoomFromTheMessagesBesideThem) {
+    const int before = find(u"messagesDock"_s)->width();
+    openWith();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find(u"messagesDock"_s)->width() < before; }));
+    EXPECT_GT(find(u"messagesDock"_s)->width(), 150);
+}
+
+TEST_F(StepResponses, TheStepIsWhatStandsInTheFields) {
+    openWith();
+    click(u"stepResponseButton"_s);
+    const auto first = wanted();
+    EXPECT_EQ(first.counts, 100);
+    EXPECT_EQ(first.way, StepWay::Profile);
+    EXPECT_EQ(first.record, 0.5);
+    type(u"stepResponseDistanceField"_s, u"-250"_s);
+    type(u"stepResponseRecordField"_s, u"1,25"_s);
+    find<QComboBox>(u"stepResponseWayBox"_s)->setCurrentIndex(1);
+    click(u"stepResponseButton"_s);
+    const auto second = wanted();
+    EXPECT_EQ(second.counts, -250);
+    EXPECT_EQ(second.way, StepWay::StopHere);
+    EXPECT_EQ(second.record, 1.25);
+}
+
+TEST_F(StepResponses, TheShortcutMovesNothingThatIsNotInSight) {
+    openWith();
+    QSignalSpy clicks(button(u"stepResponseButton"_s), &QAbstractButton::clicked);
+    QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 1; }));
+    EXPECT_EQ(intents.size(), 1);
+    find<QDockWidget>(u"scopeDock"_s)->raise();
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
+    QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 2; })) << "it is heard";
+    EXPECT_EQ(intents.size(), 1);
+}
+
+TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {
+    openWith();
+    Machine machine;
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 50.0, {}};
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"stepResponseDistanceField"_s)->value(), 2);
+    EXPECT_EQ(text(u"stepResponseDistanceFieldUnit"_s), u"mm"_s);
+    type(u"stepResponseDistanceField"_s, u"0.5"_s);
+    click(u"stepResponseButton"_s);
+    EXPECT_EQ(wanted().counts, 25);
+}
+
+TEST_F(StepResponses, SayWhyNot) {
+    openWith({.on = false});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::ServoOff));
+    EXPECT_EQ(text(u"stepResponseState"_s), texts::refusal(Refusal::ServoOff)) << "not only in the tool tip";
+    showServo({.gains = false});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::GainsUnknown));
+    showServo({.moveDone = false});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::Moving));
+    showChanged([](ModuleState& module) { module.gains->el = 100; });
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::StepWouldTrip));
+    showServo({.position = 0x7FFF'FFFF});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::GoalOutOfRange));
+    showServo();
+    type(u"stepResponseDistanceField"_s, u"0"_s);
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::StepTooShort));
+    for (const auto& [name, value] : {std::pair{u"stepResponseDistanceField"_s, u"2001"_s},
+                                      std::pair{u"stepResponseRecordField"_s, u"3.5"_s}}) {
+        const QString before = field(name)->text();
+        type(name, value);
+        EXPECT_EQ(reason(u"stepResponseButton"_s), field(name)->problemText());
+        EXPECT_TRUE(field(name)->problemText().contains(u"takes"_s));
+        type(name, before);
+        type(u"stepResponseDistanceField"_s, u"100"_s);
+    }
+    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled());
+    find<QComboBox>(u"stepResponseWayBox"_s)->setCurrentIndex(1);
+    showServo({.version = 1});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::VersionLacksIt));
+    window->showLink({});
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::NotConnected));
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(StepResponses, AreMadeOneAtATime) {
+    openWith();
+    report(ProcedureStage::Moving);
+    EXPECT_FALSE(reason(u"stepResponseButton"_s).isEmpty());
+    EXPECT_EQ(text(u"stepResponseState"_s), u"Moving"_s);
+    report(ProcedureStage::Failed, ProcedureFailure::TravelLimit);
+    EXPECT_EQ(text(u"stepResponseState"_s), texts::procedureFailure(ProcedureFailure::TravelLimit));
+    EXPECT_TRUE(button(u"stepResponseButton"_s)->isEnabled());
+    report(ProcedureStage::Done);
+    EXPECT_TRUE(text(u"stepResponseState"_s).isEmpty());
+}
+
+TEST_F(StepResponses, TellWhatARunComesTo) {
+    openWith();
+    window->showStepRun(ramp(120));
+    EXPECT_EQ(result(0), u"1"_s);
+    // 120 counts in 10 ms: from 10 to 90 counts in 6.67 ms, known to one sample and the ticks of both ends.
+    EXPECT_TRUE(result(1).startsWith(u"6.7 ± 1.6 ms"_s)) << result(1).toStdString();
+    // The parabola through 108, 120 and 120 is 1.5 above them; that and half a count is the doubt.
+    EXPECT_EQ(result(2), u"21.5 ± 2.0 %"_s);
+    EXPECT_EQ(result(3), u"not in this record"_s);
+    EXPECT_EQ(result(4), u"\u221220.0 ± 0.5 counts"_s);
+    EXPECT_EQ(result(5), u"not known"_s) << "the error before the step is not";
+    EXPECT_EQ(result(6), u"1 ms"_s);
+    EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
+    KeptRun limited = ramp();
+    limited.run.pwm = PwmDemand{429, 255};
+    window->showStepRun(limited);
+    EXPECT_EQ(result(5), u"limited to 255"_s);
+    limited.run.pwm = PwmDemand{23, 255};
+    window->showStepRun(limited);
+    EXPECT_EQ(result(5), u"at least 23"_s);
+}
+
+TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {
+    openWith();
+    window->showStepRun(ramp(100));
+    EXPECT_TRUE(ticked(0, 0));
+    EXPECT_EQ(result(0, 1), u"–"_s);
+    window->showStepRun(ramp(110));
+    EXPECT_EQ(listed(0, 2), u"2"_s) << "newest first";
+    EXPECT_TRUE(ticked(0, 0) && !ticked(0, 1));
+    EXPECT_TRUE(!ticked(1, 0) && ticked(1, 1));
+    window->showStepRun(ramp(120));
+    EXPECT_EQ(result(0, 0), u"3"_s);
+    EXPECT_EQ(result(0, 1), u"1"_s) << "what is compared with stays";
+    EXPECT_EQ(result(2, 0), u"21.5 ± 2.0 %"_s);
+    EXPECT_TRUE(result(2, 1).startsWith(u"1."_s)) << "10 counts in the last ms: the parabola adds 1.25";
+    EXPECT_EQ(listed(0, 4), u"21:21:02"_s);
+    EXPECT_EQ(listed(0, 5), u"100"_s);
+    EXPECT_EQ(listed(0, 6), u"1000"_s);
+    EXPECT_EQ(listed(0, 8), u"21.5 ± 2.0 %"_s);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(StepResponses, TheBoxesSayWhichTwoAreDrawn) {
+    openWith();
+    for (const double there : {100, 110, 120})
+        window->showStepRun(ramp(there));
+    tick(1, 0);
+    EXPECT_EQ(result(0, 0), u"2"_s);
+    EXPECT_FALSE(ticked(0, 0)) << "there is one A";
+    tick(0, 1);
+    EXPECT_EQ(result(0, 1), u"3"_s);
+    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    EXPECT_TRUE(plot->legendText(0).startsWith(u"A: run 2"_s)) << plot->legendText(0).toStdString();
+    EXPECT_TRUE(plot->legendText(1).startsWith(u"B: run 3"_s));
+    tick(0, 1);
+    EXPECT_EQ(result(0, 1), u"–"_s);
+    tick(1, 0);
+    EXPECT_EQ(result(0, 0), u"–"_s);
+    EXPECT_TRUE(plot->legendText(0).isEmpty());
+}
+
+TEST_F(StepResponses, AnotherBandJudgesAllRunsAnew) {
+    openWith();
+    type(u"stepResponseBandField"_s, u"20"_s);
+    window->showStepRun(inTwoStages());
+    EXPECT_TRUE(result(3).startsWith(u"9"_s) || result(3).startsWith(u"10"_s)) << result(3).toStdString();
+    type(u"stepResponseBandField"_s, u"5"_s);
+    EXPECT_TRUE(result(3).startsWith(u"29"_s) || result(3).startsWith(u"30"_s)) << result(3).toStdString();
+    EXPECT_EQ(listed(0, 9), result(3));
+    type(u"stepResponseBandField"_s, u"80"_s);
+    EXPECT_EQ(listed(0, 9), result(3)) << "8 was one, 80 is out of range";
+    EXPECT_FALSE(field(u"stepResponseBandField"_s)->problemText().isEmpty());
+}
+
+TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
+    openWith();
+    KeptRun run = ramp();
+    run.run.taken.gains.kp = 77;
+    run.run.taken.gains.kd = 770;
+    window->showStepRun(run);
+    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"Choose a run in the list first."_s);
+    table()->setCurrentCell(0, 2);
+    find<QTabWidget>(u"servoPages"_s)->setCurrentIndex(2);
+    click(u"stepUseGainsButton"_s);
+    EXPECT_TRUE(find(u"gainsBox"_s)->isVisible());
+    EXPECT_EQ(field(u"kpField"_s)->value(), 77);
+    EXPECT_EQ(field(u"kdField"_s)->value(), 770);
+    EXPECT_EQ(text(u"kpState"_s), u"● edited, not sent"_s);
+    EXPECT_EQ(text(u"elState"_s), u"✓ sent"_s) << "the run had the same";
+    EXPECT_EQ(intents.size(), 0);
+    click(u"undoGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 100);
+    EXPECT_EQ(field(u"kdField"_s)->value(), 1000);
+}
+
+TEST_F(StepResponses, GainsAreForTheModuleOfTheRun) {
+    showServos({{}, {}});
+    open();
+    window->showStepRun(ramp(100, 1));
+    table()->setCurrentCell(0, 2);
+    EXPECT_EQ(reason(u"stepUseGainsButton"_s), u"This run is of Module 2. Select that module first."_s);
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    EXPECT_TRUE(button(u"stepUseGainsButton"_s)->isEnabled());
+}
+
+TEST_F(StepResponses, RemoveTakesARunOffTheList) {
+    openWith();
+    EXPECT_FALSE(reason(u"stepRemoveButton"_s).isEmpty());
+    EXPECT_FALSE(reason(u"stepExportButton"_s).isEmpty());
+    window->showStepRun(ramp(100));
+    window->showStepRun(ramp(110));
+    table()->setCurrentCell(0, 2);
+    click(u"stepRemoveButton"_s);
+    ASSERT_EQ(table()->rowCount(), 1);
+    EXPECT_EQ(listed(0, 2), u"1"_s);
+    EXPECT_EQ(result(0, 0), u"–"_s);
+    EXPECT_EQ(result(0, 1), u"1"_s);
+    window->showStepRun(ramp(110));
+    EXPECT_EQ(listed(0, 2), u"3"_s) << "a number stands for one run";
+}
+
+TEST_F(StepResponses, TheListKeepsTheLastHundredAndWhatIsShown) {
+    openWith();
+    for (int i = 0; i < 103; ++i)
+        window->showStepRun(ramp());
+    ASSERT_EQ(table()->rowCount(), 100);
+    EXPECT_EQ(listed(0, 2), u"103"_s);
+    EXPECT_EQ(listed(98, 2), u"5"_s);
+    EXPECT_EQ(listed(99, 2), u"1"_s) << "it is B";
+}
+
+TEST_F(StepResponses, ExportIsReadableWhateverTheLocale) {
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    openWith();
+    KeptRun run = ramp(120);
+    run.moduleName = "Left, \"arm\"\nof it";
+    window->showStepRun(run);
+    click(u"stepExportButton"_s);
+    auto* dialog = find<QFileDialog>(u"stepRunsDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_FALSE(dialog->isModal());
+    dialog->close();
+    const QString path = directory.filePath(u"runs.csv"_s);
+    find<StepResponsePage>(u"stepResponsePage"_s)->saveAs(path);
+    QLocale::setDefault(QLocale::c());
+    EXPECT_EQ(text(u"stepRunsNews"_s), texts::stepRunsSaved(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split(u'\n');
+    EXPECT_TRUE(lines.contains(u"# run 1 simulated: yes (no real motor moved)"_s));
+    EXPECT_TRUE(lines.contains(u"# run 1 started: 2026-11-21T21:21:02.123+01:00"_s));
+    EXPECT_TRUE(lines.contains(u"# run 1 module: Left; \"arm\"?of it"_s));
+    EXPECT_TRUE(lines.contains(u"# run 1 steady-state error: -20 counts +- 0.5"_s));
+    EXPECT_TRUE(lines.contains(
+        u"# gains of module 1 at 0.000000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 4000 sr 1 db 0"_s));
+    const auto first = lines.indexOf(u"run,time_s,position,from_start"_s);
+    ASSERT_GT(first, 0);
+    EXPECT_EQ(lines.at(first + 1), u"1,-0.01,500,0"_s);
+    EXPECT_EQ(lines.at(first + 1 + 15), u"1,0.005,560,60"_s);
+    EXPECT_EQ(lines.size(), first + 1 + 111 + 1);
+}
+
+TEST_F(StepResponses, AFileThatCannotBeWrittenIsReported) {
+    openWith();
+    window->showStepRun(ramp());
+    find<StepResponsePage>(u"stepResponsePage"_s)->saveAs(u"/nowhere/runs.csv"_s);
+    EXPECT_TRUE(text(u"stepRunsNews"_s).startsWith(u"/nowhere/runs.csv could not be written"_s));
+    EXPECT_TRUE(find(u"stepRunsNews"_s)->isVisible());
+}
+
+TEST_F(StepResponses, ShowingEmitsNothing) {
+    openWith();
+    QSignalSpy edits(window.get(), &MainWindow::axisEdited);
+    window->showStepRun(ramp());
+    showServo({.millisecond = 20});
+    report(ProcedureStage::Done);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_EQ(edits.size(), 0);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/stepform.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "model/stepresponse.h"
+#include "model/steprun.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/texts.h"
+#include "widgets/scope/stepresponsewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr double kFirstRecord = 0.5;  ///< s
+constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
+}  // namespace
+
+StepForm::StepForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
+    look::name(this, u"stepForm"_s, tr("How the next step is made"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(look::gridUnit(this));
+    grid->setVerticalSpacing(look::gridUnit(this) / 3);
+    grid->setColumnStretch(3, 1);
+    buildFields(grid);
+    buildButton(grid);
+    refresh();
+}
+
+NumberField* StepForm::newField(int decimals, const QString& objectName, const QString& name,
+                                const QString& unit) {
+    auto* field = new NumberField(decimals, this);
+    look::name(field, objectName, name);
+    field->setWords(name, unit);
+    field->setDigits(6);
+    return field;
+}
+
+void StepForm::buildFields(QGridLayout* grid) {
+    m_distance = new QuantityField(QuantityField::Kind::Position, this);
+    m_distance->setName(u"stepResponseDistanceField"_s, tr("Distance of the step response"));
+    m_distance->setQuantity(tr("The distance of the step"));
+    m_distance->setNativeRange(-kLongestStep, kLongestStep);
+    m_distance->setMeaning(
+        tr("How far the command jumps; below 0 in reverse. Small steps show how the servo "
+           "is tuned, large ones what the amplifier can do."));
+    m_distance->setDigits(6);
+    m_distance->showNative(kFirstStep);
+    m_way = new QComboBox(this);
+    look::name(m_way, u"stepResponseWayBox"_s, tr("How the command is made to jump"));
+    for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
+        m_way->addItem(texts::stepWay(way), static_cast<int>(way));
+        m_way->setItemData(m_way->count() - 1, texts::stepWayMeaning(way), Qt::ToolTipRole);
+    }
+    m_way->setToolTip(texts::stepWayMeaning(StepWay::Profile) + u"\n"_s +
+                      texts::stepWayMeaning(StepWay::StopHere));
+    m_record = newField(2, u"stepResponseRecordField"_s, tr("The record"), tr("s"));
+    m_record->setRange(kShortestRecord, kLongestRecord);
+    m_record->setMeaning(tr("How long the motor is watched after the step. Then it is told to hold."));
+    m_record->showValue(kFirstRecord);
+    m_band = newField(1, u"stepResponseBandField"_s, tr("The settling band"), tr("% of the step"));
+    m_band->setRange(kNarrowestBand, kWidestBand);
+    m_band->setMeaning(
+        tr("The motor has settled when it stays this close to its goal, and is never judged "
+           "by less than a count. All runs are judged by it."));
+    m_band->showValue(kFirstBand);
+    int line = 0;
+    const auto addRow = [&](const QString& text, QWidget* field, QWidget* unit, QWidget* other) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        grid->addWidget(label, line, 0);
+        grid->addWidget(field, line, 1, 1, unit != nullptr ? 1 : 3);
+        if (unit != nullptr)
+            grid->addWidget(unit, line, 2);
+        if (other != nullptr)
+            grid->addWidget(other, line, 3);
+        ++line;
+    };
+    addRow(tr("Distance"), m_distance, m_distance->unitLabel(), m_distance->otherView());
+    addRow(tr("Way"), m_way, nullptr, nullptr);
+    addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
+    addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
+    connect(m_distance, &QuantityField::nativeEdited, this, &StepForm::refresh);
+    connect(m_way, &QComboBox::currentIndexChanged, this, &StepForm::refresh);
+    connect(m_record, &NumberField::edited, this, &StepForm::refresh);
+    connect(m_band, &NumberField::edited, this, [this] {
+        if (const auto band = m_band->value()) {
+            m_lastBand = *band;
+            emit bandEdited(*band);
+        }
+    });
+}
+
+void StepForm::buildButton(QGridLayout* grid) {
+    m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
+    look::name(m_step, u"stepResponseButton"_s, tr("Make a step and record it"));
+    m_step->setShortcut(Qt::SHIFT | Qt::Key_F9);
+    m_state = look::newMutedLabel({}, parentWidget());
+    m_state->setObjectName(u"stepResponseState"_s);
+    m_state->setWordWrap(true);
+    grid->addWidget(m_step, grid->rowCount(), 1);
+    connect(m_step, &QPushButton::clicked, this, &StepForm::request);
+}
+
+void StepForm::showModule(const PanelView& view) {
+    m_module = view.module;
+    m_connected = view.connected;
+    m_report.reset();
+    if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::StepResponse)
+        m_report = *view.procedure;
+    m_distance->setScale(view.scale());
+    refresh();
+}
+
+void StepForm::showNothing() {
+    m_module.reset();
+    m_report.reset();
+    m_connected = false;
+    refresh();
+}
+
+std::optional<intent::StepResponse> StepForm::entered() const {
+    const auto distance = m_distance->native();
+    const auto record = m_record->value();
+    if (!distance || !record)
+        return std::nullopt;
+    return intent::StepResponse{static_cast<std::int32_t>(*distance),
+                                static_cast<StepWay>(m_way->currentData().toInt()), *record};
+}
+
+QString StepForm::whyNotNow() const {
+    if (!m_connected || !m_module)
+        return texts::refusal(Refusal::NotConnected);
+    if (m_report && !m_report->over())
+        return tr("A step is being made already.");
+    for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_record})
+        if (const QString problem = field->problemText(); !problem.isEmpty())
+            return problem;
+    const auto step = entered();
+    const auto refusal = step ? nmc::whyNot(*step, *m_module) : std::nullopt;
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
+void StepForm::refresh() {
+    const QString reason = whyNotNow();
+    look::setPossible(m_step, reason,
+                      tr("The motor jumps by this distance, and holds there. Everything that turns with it "
+                         "must be free to (Shift+F9)."));
+    const bool runs = m_report && !m_report->over();
+    const bool failed = reason.isEmpty() && m_report && m_report->failure;
+    look::setText(m_state, runs     ? texts::procedureStage(*m_report)
+                           : failed ? texts::procedureFailure(*m_report->failure)
+                                    : reason);
+}
+
+void StepForm::request() {
+    const auto step = entered();
+    // Behind another dock's tab the shortcut is still heard.
+    const bool seen = !m_step->visibleRegion().isEmpty();
+    if (m_step->isEnabled() && seen && step)
+        emit stepRequested(m_module->info.index, *step);
+}
+
+}  // namespace nmc

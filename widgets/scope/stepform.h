@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/panels/panelview.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class NumberField;
+class QuantityField;
+
+/// How the next step is made, and the button that makes it.
+class StepForm : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StepForm(QWidget* parent = nullptr);
+
+    // Emit nothing.
+    void showModule(const PanelView& view);
+    void showNothing();
+
+    /// Percent of the step; the last one that was a number.
+    [[nodiscard]] double band() const { return m_lastBand; }
+
+    /// Why no step is possible, or how the last one goes or ended; a child of the form's parent, to be laid
+    /// out where there is room for a sentence.
+    [[nodiscard]] QLabel* stateLabel() const { return m_state; }
+
+signals:
+    void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
+    void bandEdited(double percent);
+
+private:
+    void buildFields(QGridLayout* grid);
+    void buildButton(QGridLayout* grid);
+    NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
+    void refresh();
+    void request();
+    [[nodiscard]] std::optional<intent::StepResponse> entered() const;
+    [[nodiscard]] QString whyNotNow() const;
+
+    QuantityField* m_distance = nullptr;
+    QComboBox* m_way = nullptr;
+    NumberField* m_record = nullptr;
+    NumberField* m_band = nullptr;
+    QPushButton* m_step = nullptr;
+    QLabel* m_state = nullptr;
+    std::optional<ModuleState> m_module;
+    std::optional<ProcedureReport> m_report;
+    double m_lastBand;
+    bool m_connected = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QPolygonF>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/steprunfile.h"
+#include "widgets/scope/chartbackdrop.h"
+#include "widgets/scope/tracedrawing.h"
+
+namespace nmc {
+
+/// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
+/// the goal and the settling band.
+class StepPlot : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StepPlot(QWidget* parent = nullptr);
+
+    /// Either may be null.
+    void showRuns(const KeptRun* a, const KeptRun* b);
+
+    [[nodiscard]] QString legendText(std::size_t entry) const { return m_backdrop.legendText(entry); }
+    /// Where that is drawn; value in the unit of the axis.
+    [[nodiscard]] QPointF pointAt(double seconds, double value) const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    /// In seconds and in the unit of the axis.
+    struct Curve {
+        std::vector<QPolygonF> parts;  ///< between them samples are missing
+        double goal = 0;
+        double band = 0;
+        double bandPercent = 0;
+        double record = 0;
+        QString label;
+
+        [[nodiscard]] bool sameGoal(const Curve& other) const {
+            return goal == other.goal && band == other.band;
+        }
+    };
+
+    [[nodiscard]] static Curve curveOf(const KeptRun& kept, const AxisScale& scale);
+    void adoptPalette();
+    void fit();
+    void paintGoal(QPainter& painter, const Curve& curve) const;
+    void paintCurve(QPainter& painter, std::size_t which) const;
+    [[nodiscard]] QColor colour(std::size_t which) const;
+
+    ChartBackdrop m_backdrop;
+    std::array<std::optional<Curve>, 2> m_curves;
+    PlotGeometry m_geometry;
+};
+
+}  // namespace nmc

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/stepresponsepage.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/scope/stepform.h"
+#include "widgets/scope/stepplot.h"
+#include "widgets/scope/stepresults.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+const QString kSaveDialog = u"stepRunsDialog"_s;
+}
+
+StepResponsePage::StepResponsePage(QWidget* parent)
+    : QWidget(parent),
+      m_form(new StepForm(this)),
+      m_results(new StepResults(this)),
+      m_plot(new StepPlot(this)),
+      m_table(new StepRunTable(this)),
+      m_news(new QLabel(this)) {
+    look::name(this, u"stepResponsePage"_s, tr("Step response"));
+    m_news->setObjectName(u"stepRunsNews"_s);
+    m_news->setTextFormat(Qt::PlainText);
+    m_news->setWordWrap(true);
+    m_news->hide();
+    lay();
+    connect(m_form, &StepForm::stepRequested, this, &StepResponsePage::stepRequested);
+    connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
+    connect(m_table, &StepRunTable::shownWanted, this, &StepResponsePage::showAs);
+    connect(m_table, &StepRunTable::chosenChanged, this, &StepResponsePage::refreshButtons);
+    connect(m_use, &QPushButton::clicked, this, &StepResponsePage::useGains);
+    connect(m_remove, &QPushButton::clicked, this, &StepResponsePage::removeChosen);
+    connect(m_save, &QPushButton::clicked, this, &StepResponsePage::chooseFile);
+    refreshRuns();
+}
+
+QPushButton* StepResponsePage::newButton(const QString& objectName, const QString& text,
+                                         const QKeySequence& shortcut) {
+    auto* button = new QPushButton(text, this);
+    look::name(button, objectName, text);
+    button->setShortcut(shortcut);
+    return button;
+}
+
+QWidget* StepResponsePage::newRunsPart() {
+    m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
+    m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
+    m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+    auto* part = new QWidget(this);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    buttons->addWidget(m_use);
+    buttons->addWidget(m_remove);
+    buttons->addStretch(1);
+    buttons->addWidget(m_save);
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(look::gridUnit(this) / 2);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(buttons);
+    layout->addWidget(m_news);
+    return part;
+}
+
+void StepResponsePage::lay() {
+    const int unit = look::gridUnit(this);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit / 2);
+    left->addWidget(m_form);
+    left->addWidget(m_results);
+    left->addStretch(1);
+    auto* right = new QVBoxLayout;
+    right->setSpacing(unit / 2);
+    // A line is always left to it, so that the plot does not jump with every step.
+    m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
+    right->addWidget(m_form->stateLabel());
+    right->addWidget(m_plot, 3);
+    right->addWidget(newRunsPart(), 2);
+    auto* page = new QHBoxLayout(this);
+    page->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    page->setSpacing(unit);
+    page->addLayout(left);
+    page->addLayout(right, 1);
+}
+
+void StepResponsePage::showModule(const PanelView& view) {
+    m_form->showModule(view);
+    m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
+    refreshButtons();
+}
+
+void StepResponsePage::showNothing() {
+    m_form->showNothing();
+    m_servo.reset();
+    refreshButtons();
+}
+
+const KeptRun* StepResponsePage::find(std::optional<int> number) const {
+    const auto found = std::find_if(m_runs.begin(), m_runs.end(),
+                                    [number](const KeptRun& kept) { return kept.number == number; });
+    return found != m_runs.end() ? &*found : nullptr;
+}
+
+void StepResponsePage::showRun(KeptRun run) {
+    run.number = ++m_lastNumber;
+    setBand(run.run, m_form->band());
+    if (!m_shown[1])
+        m_shown[1] = m_shown[0];
+    m_shown[0] = run.number;
+    m_runs.push_back(std::move(run));
+    if (m_runs.size() > kMostRuns)
+        m_runs.erase(std::find_if(m_runs.begin(), m_runs.end(), [this](const KeptRun& kept) {
+            return kept.number != m_shown[0] && kept.number != m_shown[1];
+        }));
+    refreshRuns();
+}
+
+void StepResponsePage::judgeAll(double bandPercent) {
+    for (KeptRun& kept : m_runs)
+        setBand(kept.run, bandPercent);
+    refreshRuns();
+}
+
+void StepResponsePage::showAs(int which, int run, bool shown) {
+    m_shown[static_cast<std::size_t>(which)] = shown ? std::optional(run) : std::nullopt;
+    refreshRuns();
+}
+
+void StepResponsePage::refreshRuns() {
+    const KeptRun* a = find(m_shown[0]);
+    const KeptRun* b = find(m_shown[1]);
+    m_table->showRuns(m_runs, m_shown);
+    m_results->showRuns(a, b);
+    m_plot->showRuns(a, b);
+    refreshButtons();
+}
+
+QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
+    if (run == nullptr)
+        return tr("Choose a run in the list first.");
+    if (m_servo != run->run.module)
+        return tr("This run is of %1. Select that module first.").arg(texts::moduleName(run->run.module));
+    return {};
+}
+
+void StepResponsePage::refreshButtons() {
+    const KeptRun* chosen = find(m_table->chosen());
+    look::setPossible(m_use, whyNotUsable(chosen),
+                      tr("Puts the gains of this run into the fields of the Gains page. Sends nothing "
+                         "(Ctrl+Shift+U)."));
+    look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
+                      tr("Takes this run off the list (Ctrl+Del)."));
+    look::setPossible(m_save, m_runs.empty() ? tr("There is no run yet.") : QString(),
+                      tr("Saves all runs of the list, with their gains and results (Ctrl+Shift+X)."));
+}
+
+void StepResponsePage::useGains() {
+    const KeptRun* chosen = find(m_table->chosen());
+    if (whyNotUsable(chosen).isEmpty())
+        emit gainsWanted(chosen->run.taken.gains);
+}
+
+void StepResponsePage::removeChosen() {
+    const std::optional<int> chosen = m_table->chosen();
+    m_runs.erase(std::remove_if(m_runs.begin(), m_runs.end(),
+                                [chosen](const KeptRun& kept) { return kept.number == chosen; }),
+                 m_runs.end());
+    for (std::optional<int>& shown : m_shown)
+        if (shown == chosen)
+            shown.reset();
+    refreshRuns();
+}
+
+void StepResponsePage::chooseFile() {
+    if (auto* open = findChild<QFileDialog*>(kSaveDialog)) {
+        open->activateWindow();
+        return;
+    }
+    auto* dialog = new QFileDialog(this, tr("Export step responses"));
+    look::name(dialog, kSaveDialog, dialog->windowTitle());
+    dialog->setOption(QFileDialog::DontUseNativeDialog);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("CSV (*.csv)"));
+    dialog->setDefaultSuffix(u"csv"_s);
+    dialog->setDirectory(QDir::homePath());
+    dialog->selectFile(u"step-responses"_s);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, &StepResponsePage::saveAs);
+    // Not modal: the panel stays usable, and STOP ALL with it.
+    dialog->setModal(false);
+    dialog->show();
+}
+
+void StepResponsePage::saveAs(const QString& path) {
+    const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
+    const std::string content = stepRunsCsv(program.toStdString(), m_runs);
+    QSaveFile file(path);
+    const bool saved = file.open(QIODevice::WriteOnly) &&
+                       file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit();
+    look::setText(m_news,
+                  saved ? texts::stepRunsSaved(path) : texts::fileNotWritten(path, file.errorString()));
+    m_news->show();
+}
+
+}  // namespace nmc

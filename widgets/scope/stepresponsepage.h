@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/steprunfile.h"
+#include "widgets/panels/panelview.h"
+#include "widgets/scope/stepruntable.h"
+
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class StepForm;
+class StepPlot;
+class StepResults;
+
+/// Step responses of the selected servo: asks for them, keeps those that were made, and compares two.
+class StepResponsePage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The oldest that is not shown gives way to a new one.
+    static constexpr std::size_t kMostRuns = 100;
+
+    explicit StepResponsePage(QWidget* parent = nullptr);
+
+    // Emit nothing.
+    void showModule(const PanelView& view);
+    void showNothing();
+    /// A new one: it becomes A, and where there is no B to compare it with, what was A becomes B. Its number
+    /// is given here, and it is judged by the band that the user has chosen.
+    void showRun(KeptRun run);
+
+    [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_runs; }
+    /// Writes all runs to that file, and says what became of it.
+    void saveAs(const QString& path);
+
+signals:
+    void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
+    /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
+    void gainsWanted(const nmc::servo::SetGain& gains);
+
+private:
+    void lay();
+    QWidget* newRunsPart();
+    QPushButton* newButton(const QString& objectName, const QString& text, const QKeySequence& shortcut);
+    void showAs(int which, int run, bool shown);
+    void judgeAll(double bandPercent);
+    void useGains();
+    void removeChosen();
+    void chooseFile();
+    void refreshRuns();
+    void refreshButtons();
+    [[nodiscard]] const KeptRun* find(std::optional<int> number) const;
+    [[nodiscard]] QString whyNotUsable(const KeptRun* run) const;
+
+    StepForm* m_form;
+    StepResults* m_results;
+    StepPlot* m_plot;
+    StepRunTable* m_table;
+    QPushButton* m_use = nullptr;
+    QPushButton* m_remove = nullptr;
+    QPushButton* m_save = nullptr;
+    QLabel* m_news;
+    std::vector<KeptRun> m_runs;  ///< oldest first
+    ShownRuns m_shown;
+    int m_lastNumber = 0;
+    std::optional<ModuleIndex> m_servo;  ///< what is selected, if it is a PIC-SERVO
+};
+
+}  // namespace nmc

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "model/axisscale.h"
+#include "model/pwmdemand.h"
+#include "model/stepmetrics.h"
+#include "model/steptaken.h"
+
+/// Step responses in words.
+namespace nmc::texts {
+
+[[nodiscard]] QString stepWay(StepWay way);
+/// What the motor is told, one sentence.
+[[nodiscard]] QString stepWayMeaning(StepWay way);
+
+/// "12.3 ± 0.4 ms": with as many digits as the doubt leaves a meaning.
+[[nodiscard]] QString plusMinus(const Measured& measured, const QString& unit);
+// The same, or why it could not be measured.
+[[nodiscard]] QString stepTime(const StepMetrics::Result<Measured>& seconds);
+[[nodiscard]] QString stepOvershoot(const StepMetrics::Result<Measured>& percent);
+[[nodiscard]] QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& scale);
+/// "limited to 127", "at least 23", "not known"; of 255.
+[[nodiscard]] QString peakPwm(const std::optional<PwmDemand>& demand);
+
+}  // namespace nmc::texts

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTableWidget>
+
+#include "model/steprunfile.h"
+
+namespace nmc {
+
+/// What the runs that are drawn come to, A beside B, each with what the samples leave open.
+class StepResults : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit StepResults(QWidget* parent = nullptr);
+
+    /// Either may be null.
+    void showRuns(const KeptRun* a, const KeptRun* b);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+private:
+    void showRun(int column, const KeptRun* kept);
+};
+
+}  // namespace nmc

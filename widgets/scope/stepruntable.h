@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTableWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/steprunfile.h"
+
+namespace nmc {
+
+/// The runs that are drawn, by their numbers: A and B.
+using ShownRuns = std::array<std::optional<int>, 2>;
+
+/// The runs so far, newest first, each with its gains and two boxes that say whether it is drawn as A or B.
+class StepRunTable : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit StepRunTable(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void showRuns(const std::vector<KeptRun>& runs, const ShownRuns& shown);
+    /// The number of the run whose row is the current one.
+    [[nodiscard]] std::optional<int> chosen() const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /// The user has ticked or cleared a box; `which`: 0 is A, 1 is B.
+    void shownWanted(int which, int run, bool shown);
+    void chosenChanged();
+
+private:
+    enum Column { A, B, Run, Module, Time, Kp, Kd, Ki, Overshoot, Settling };
+    void showRun(int row, const KeptRun& kept, const ShownRuns& shown);
+    QTableWidgetItem* cell(int row, int column);
+};
+
+}  // namespace nmc
