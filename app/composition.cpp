@@ -272,10 +272,9 @@ void Composition::clearTrip(const QString& key) {
 
 void Composition::showFrame() {
     m_window.showPackets(m_worker.takeRecords());
-    const auto selected = m_window.selectedModule();
-    if (selected && selected != m_watched) {
-        m_watched = selected;
-        m_worker.watch({*selected});
+    if (const std::vector<ModuleIndex> watched = m_window.watchedModules(); watched != m_watched) {
+        m_watched = watched;
+        m_worker.watch(watched);
     }
     // When nothing more comes in, time stands where it ended.
     const History& history = m_store.history();

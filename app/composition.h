@@ -111,9 +111,9 @@ private:
     MotionMarker m_motionMarker;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
-    std::optional<Target> m_target;        ///< what is connected, or was last
-    std::optional<Target> m_openNext;      ///< to be opened when the present connection has closed
-    std::optional<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
+    std::optional<Target> m_target;      ///< what is connected, or was last
+    std::optional<Target> m_openNext;    ///< to be opened when the present connection has closed
+    std::vector<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
     bool m_quitWhenClosed = false;
     bool m_enableFaults = false;
     std::uint32_t m_lastOperation = 0;

@@ -33,7 +33,7 @@ void Composition::told(const bus::ChainFound& found) {
         m_window.showMessage(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
     } else if (told == 0)
         m_settings.setValue(key, modules);
-    m_watched.reset();
+    m_watched.clear();
     m_window.showMessage(texts::connected(found, m_target->port));
     m_window.endMessage(texts::key::badLink());
     if (found.unaddressed)

@@ -43,6 +43,9 @@ void Engine::distrust(TimePoint now) {
 void Engine::watch(const std::vector<ModuleIndex>& modules) {
     d->watch(modules);
 }
+void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
+    d->focus(module, now);
+}
 void Engine::onBytes(ByteSpan bytes, TimePoint now) {
     d->onBytes(bytes, now);
 }
@@ -148,6 +151,7 @@ void Engine::Private::stopAll(TimePoint now) {
     cancelOperations();
     m_hold.clear();
     m_guards.clear();
+    m_schedule.unfocus();
     if (m_phase == Phase::Off) {
         events.emplace_back(StopFinished{});
         return;
@@ -185,6 +189,12 @@ void Engine::Private::distrust(TimePoint now) {
 void Engine::Private::watch(const std::vector<ModuleIndex>& modules) {
     m_watched = modules;
     m_schedule.watch(modules);
+}
+
+void Engine::Private::focus(std::optional<ModuleIndex> module, TimePoint now) {
+    m_schedule.unfocus();
+    if (module && m_phase == Phase::Running && !m_stop)
+        m_schedule.focus(*module, now);
 }
 
 void Engine::Private::onBytes(ByteSpan bytes, TimePoint now) {

@@ -74,6 +74,11 @@ public:
     /// times a second. None: all alike.
     void watch(const std::vector<ModuleIndex>& modules);
 
+    /// One module as fast as the wire carries, its position every time, for 5 s at most: the others are asked
+    /// once a second, silent ones not at all. Nothing: no longer. A stop of whatever kind ends it, and so
+    /// does another connect(). Calling it again begins the time anew.
+    void focus(std::optional<ModuleIndex> module, TimePoint now);
+
     /// `bytes` arrived; `now` is when they were read.
     void onBytes(ByteSpan bytes, TimePoint now);
     /// nextDeadline() has passed.

@@ -12,6 +12,17 @@ namespace {
 /// How often a command is repeated that was provably not carried out.
 constexpr unsigned kRepeatsAfterLook = 2;
 
+/// A stop wants to be seen through at every module. Stop Here is a step of a motor that goes on being looked
+/// at.
+[[nodiscard]] bool endsFocus(const ModuleCommand& command) {
+    if (const auto* servo = std::get_if<ServoCommand>(&command)) {
+        const auto* stop = std::get_if<servo::StopMotor>(servo);
+        return stop != nullptr && stop->manner != servo::StopManner::Here &&
+               stop->manner != servo::StopManner::AmplifierOnly;
+    }
+    return std::holds_alternative<step::StopMotor>(std::get<StepCommand>(command));
+}
+
 }  // namespace
 
 void Engine::Private::proceed(TimePoint now) {
@@ -227,7 +238,8 @@ bool Engine::Private::dispatchVerification(TimePoint now) {
         case Carried::Out:
             belief(step.module).onExecuted(step.command);
             m_attempts = 0;
-            events.emplace_back(CommandExecuted{step.module, verification.end.latched, step.command});
+            events.emplace_back(
+                CommandExecuted{step.module, verification.end.latched, step.command, verification.end.late});
             if (auto finished = m_commands.accepted())
                 events.emplace_back(std::move(*finished));
             return true;
@@ -255,6 +267,8 @@ bool Engine::Private::dispatchPoll(TimePoint now) {
         items = kIdentityItems;
     else if (turn->full)
         items = kAllItems;
+    else if (turn->brief)
+        items = kBriefItems;
     Work work = statusWork(Lane::Poll, turn->module, items);
     work.silentRepeats = 0;  // its turn comes again
     work.request.framing = Framing::Pipelined;
@@ -329,6 +343,8 @@ void Engine::Private::tell(ModuleIndex index, const ModuleCommand& command, Time
     module.watch.onSent(command);
     if (mayStartMotion(payloadOf(command)))
         module.trust.expectMotion();
+    if (endsFocus(command))
+        m_schedule.unfocus();
 }
 
 }  // namespace nmc::bus

@@ -149,7 +149,7 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
     if (work.lane == Lane::GroupLook)
         noteGroupLook(*work.module, end);
     if (reported(work))
-        events.emplace_back(CommandExecuted{*work.module, end.latched, *work.command});
+        events.emplace_back(CommandExecuted{*work.module, end.latched, *work.command, end.late});
     if (work.request.payload.code == CommandCode::SetAddress)
         events.emplace_back(GroupChanged{*work.module, module.belief.info().group});
     if (trusted)
@@ -157,7 +157,7 @@ void Engine::Private::learn(const Work& work, const ReplyEnd& end) {
 }
 
 void Engine::Private::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
-    events.emplace_back(Sample{module, end.latched, trusted});
+    events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status});
     if (const auto reason = at(module).watch.onReport(trusted))
         guard(module, *reason, trusted.position.value_or(0));
 }

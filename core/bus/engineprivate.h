@@ -44,6 +44,7 @@ public:
     void stopAll(TimePoint now);
     void distrust(TimePoint now);
     void watch(const std::vector<ModuleIndex>& modules);
+    void focus(std::optional<ModuleIndex> module, TimePoint now);
     void onBytes(ByteSpan bytes, TimePoint now);
     void onDeadline(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;

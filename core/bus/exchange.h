@@ -33,6 +33,8 @@ inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems:
 inline constexpr BusAddress kEverybody{0xFF};
 
 inline constexpr StatusItems kAllItems{StatusItems::All};
+/// Every second poll of a module in focus; with the standing items it makes two lengths (link.md 2.2).
+inline constexpr StatusItems kBriefItems{StatusItems::Position};
 inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 
 /// The layout of a reply, which the request and the module's defined items determine: there is no length on
@@ -92,6 +94,7 @@ struct ReplyEnd {
     StatusReport report;  ///< of Accepted and Refused
     TimePoint latched;    ///< when the module latched it: command's end on the wire plus half a tick
     TimePoint latchedBy;  ///< not later than this, however late this machine was
+    Duration late{};      ///< as in Sample
     ReplyBytes bytes;
     ReplyBytes early;  ///< what came while the command was still leaving, and is no answer
     TimePoint sent;
@@ -109,6 +112,9 @@ struct LineTiming {
         return byteTime * static_cast<Duration::rep>(count);
     }
     [[nodiscard]] Duration adapter() const { return std::max(latency, kMinLatency); }
+    /// Of it, what is known of the adapter: the shortest one to count with is an allowance, and explains
+    /// nothing.
+    [[nodiscard]] Duration knownAdapter() const { return latency > kMinLatency ? latency : Duration{}; }
     /// From the first byte of the command to giving up.
     [[nodiscard]] Duration timeout(std::size_t txBytes, std::size_t rxBytes) const {
         return bytes(txBytes) + kTurnaround + bytes(rxBytes) + adapter() + margin;

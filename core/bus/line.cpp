@@ -257,6 +257,8 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     end.early = pending.early;
     end.latched = std::min(pending.left + kServoTick / 2, now);
     end.latchedBy = std::max(end.latched, now - m_timing.bytes(pending.received.size()));
+    end.late = std::max(Duration{},
+                        end.latchedBy - m_timing.knownAdapter() - pending.left - kServoTick - kPromptWithin);
     end.sent = pending.sent;
     end.arrived = now;
     end.wireTime = m_timing.wireTime(pending.txBytes, pending.wanted());

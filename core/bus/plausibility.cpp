@@ -334,7 +334,9 @@ void Plausibility::take(Known& known, const ReplyEnd& end) const {
     }
     if (report.position) {
         known.position = report.position;
-        known.velocity = report.velocity;
+        // A brief reply does not tell; what the one before it said is the best there is.
+        if (report.velocity)
+            known.velocity = report.velocity;
         known.from = end.latched;
         known.to = end.latchedBy;
     }

@@ -2,6 +2,7 @@
 #include "bus/pollschedule.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nmc::bus {
 
@@ -13,14 +14,25 @@ void PollSchedule::watch(const std::vector<ModuleIndex>& modules) {
             at(index).watched = true;
 }
 
+void PollSchedule::focus(ModuleIndex index, TimePoint now) {
+    if (index.value() < m_modules.size() && !silent(index))
+        m_focus = Focus{index.value(), now + kFocus, now};
+}
+
+PollSchedule::Turn PollSchedule::take(std::size_t index, TimePoint now) {
+    Module& module = m_modules[index];
+    module.asked = now;
+    module.order = ++m_turns;
+    module.full = !module.full;
+    return Turn{ModuleIndex(static_cast<std::uint8_t>(index)), module.full};
+}
+
 std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
-    const auto turn = [&](std::size_t index) {
-        Module& module = m_modules[index];
-        module.asked = now;
-        module.order = ++m_turns;
-        module.full = !module.full;
-        return Turn{ModuleIndex(static_cast<std::uint8_t>(index)), module.full};
-    };
+    if (m_focus && (now >= m_focus->until || m_modules[m_focus->module].silent))
+        m_focus.reset();
+    if (m_focus)
+        return nextInFocus(now);
+    const auto turn = [&](std::size_t index) { return take(index, now); };
     if (const auto probe = silentTurn(now)) {
         m_lastProbe = now;
         // In full: that reply's layout does not hang on what the module remembers.
@@ -37,6 +49,22 @@ std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
     const bool theirTurn = due && !m_backgroundLast;
     m_backgroundLast = theirTurn;
     return turn(theirTurn ? *rest : *watched);
+}
+
+/// One of the others now and then, evenly: all of them at once would be a gap in what is being looked at.
+PollSchedule::Turn PollSchedule::nextInFocus(TimePoint now) {
+    const std::size_t focused = m_focus->module;
+    const auto others = static_cast<Duration::rep>(answering()) - 1;
+    const bool due = others > 0 && now - m_focus->othersAsked >= kInSight / others;
+    m_backgroundLast = due && !m_backgroundLast;
+    if (m_backgroundLast) {
+        m_focus->othersAsked = now;
+        const Module* const module = &m_modules[focused];
+        return take(*longestAgo([module](const Module& m) { return &m != module; }), now);
+    }
+    Turn turn = take(focused, now);
+    turn.brief = std::exchange(turn.full, false);
+    return turn;
 }
 
 std::optional<std::size_t> PollSchedule::silentTurn(TimePoint now) const {

@@ -101,19 +101,29 @@ struct HoldToMove {
 
 // ---- out of the engine ----
 
+/// A reply that is no later than this after the reckoned time is prompt: threads are scheduled so.
+inline constexpr Duration kPromptWithin = kServoTick / 2;
+
 /// One accepted status reply.
 struct Sample {
     ModuleIndex module;
     /// When the module latched the status: end of its command on the wire plus half a tick, +-half a tick.
     TimePoint time;
     StatusReport report;
+    /// Its reply came so much later than wire, tick, the adapter's known latency and kPromptWithin explain.
+    /// Whether the command or the reply was held up cannot be known: it was latched up to so much later than
+    /// `time`.
+    Duration late{};
+    /// The status byte as it came; `report` withholds what permits until another reply confirms it.
+    std::optional<std::uint8_t> heard{};
 };
 
-/// A command was answered as carried out; `time` as in Sample. Polls are not reported.
+/// A command was answered as carried out; `time` and `late` as in Sample. Polls are not reported.
 struct CommandExecuted {
     ModuleIndex module;
     TimePoint time;
     ModuleCommand command;
+    Duration late{};
 };
 
 enum class ConnectStage : std::uint8_t {

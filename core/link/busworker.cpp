@@ -87,6 +87,10 @@ void BusWorker::watch(std::vector<ModuleIndex> modules) {
     ask(Watch{std::move(modules)});
 }
 
+void BusWorker::focus(std::optional<ModuleIndex> module) {
+    ask(Focus{module});
+}
+
 void BusWorker::restart() {
     ask(Restart{});
 }
@@ -222,6 +226,8 @@ void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoin
             answer(transport, *line);
         else if (const auto* watched = std::get_if<Watch>(&request))
             engine.watch(watched->modules);
+        else if (const auto* focus = std::get_if<Focus>(&request))
+            engine.focus(focus->module, now);
         else if (std::holds_alternative<ConnectAgain>(request))
             engine.connect(now);
         else

@@ -81,6 +81,8 @@ public:
     void restart();
     /// Modules that somebody looks at are polled more often (Engine::watch).
     void watch(std::vector<ModuleIndex> modules);
+    /// One module as fast as the wire carries, for 5 s at most; nothing: no longer (Engine::focus).
+    void focus(std::optional<ModuleIndex> module);
     void submit(bus::Operation operation);
     /// bus::GroupFinished follows.
     void submit(bus::GroupOperation operation);
@@ -120,11 +122,14 @@ private:
     struct Watch {
         std::vector<ModuleIndex> modules;
     };
+    struct Focus {
+        std::optional<ModuleIndex> module;
+    };
     struct ControlLine {
         std::string text;
     };
     using Request = std::variant<bus::Operation, bus::GroupOperation, bus::HoldToMove, Release, ConnectAgain,
-                                 Restart, ChangeRate, Watch, ControlLine>;
+                                 Restart, ChangeRate, Watch, Focus, ControlLine>;
 
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
     void converse(Transport& transport, bus::Engine& engine);

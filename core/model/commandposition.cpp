@@ -2,90 +2,18 @@
 #include "model/commandposition.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace nmc {
 
-ProfileCurve ProfileCurve::rest(double position) {
-    ProfileCurve curve;
-    curve.m_from = position;
-    return curve;
-}
+namespace {
 
-ProfileCurve ProfileCurve::trapezoid(double from, double goal, double velocity, double acceleration) {
-    ProfileCurve curve = rest(from);
-    const double distance = std::abs(goal - from);
-    const double sign = goal < from ? -1.0 : 1.0;
-    if (distance == 0.0)
-        return curve;
-    if (velocity <= 0.0 || acceleration <= 0.0) {  // the chip would never get going
-        curve.m_slewTime = std::numeric_limits<double>::infinity();
-        return curve;
-    }
-    const double peak = std::min(velocity, std::sqrt(distance * acceleration));
-    curve.m_accelTime = curve.m_decelTime = peak / acceleration;
-    curve.m_slewTime = std::max(0.0, distance / peak - curve.m_accelTime);
-    curve.m_accel = sign * acceleration;
-    curve.m_decel = -curve.m_accel;
-    curve.m_goal = goal;
-    return curve;
-}
+using Phase = ProfileCurve::Phase;
 
-ProfileCurve ProfileCurve::velocityChange(double from, double velocity, double goalVelocity,
-                                          double acceleration) {
-    ProfileCurve curve = rest(from);
-    curve.m_startVelocity = velocity;
-    curve.m_endVelocity = goalVelocity;
-    const double change = goalVelocity - velocity;
-    if (change == 0.0)
-        return curve;
-    if (acceleration <= 0.0) {
-        curve.m_accelTime = std::numeric_limits<double>::infinity();
-        return curve;
-    }
-    curve.m_accelTime = std::abs(change) / acceleration;
-    curve.m_accel = std::copysign(acceleration, change);
-    return curve;
-}
+/// Until a command surely shows in what the chip reports: a servo tick, and another one to be safe.
+constexpr int kShowsAfter = 2;
 
-ProfileCurve ProfileCurve::stretched(double factor) const {
-    ProfileCurve curve = *this;
-    curve.m_startVelocity /= factor;
-    curve.m_endVelocity /= factor;
-    curve.m_accelTime *= factor;
-    curve.m_slewTime *= factor;
-    curve.m_decelTime *= factor;
-    curve.m_accel /= factor * factor;
-    curve.m_decel /= factor * factor;
-    return curve;
-}
-
-double ProfileCurve::position(double s) const {
-    if (s <= 0.0)
-        return m_from;
-    if (m_goal && s >= duration())
-        return *m_goal;
-    const double accelerating = std::min(s, m_accelTime);
-    double position = m_from + m_startVelocity * accelerating + 0.5 * m_accel * accelerating * accelerating;
-    const double slewVelocity = m_startVelocity + m_accel * accelerating;
-    const double afterAccel = s - accelerating;
-    if (!m_goal)
-        return position + slewVelocity * afterAccel;
-    const double slewing = std::min(afterAccel, m_slewTime);
-    const double decelerating = afterAccel - slewing;
-    position += slewVelocity * (slewing + decelerating) + 0.5 * m_decel * decelerating * decelerating;
-    return position;
-}
-
-double ProfileCurve::velocity(double s) const {
-    if (s >= duration())
-        return m_endVelocity;
-    if (s <= 0.0)
-        return m_startVelocity;
-    const double decelerating = std::max(0.0, s - m_accelTime - m_slewTime);
-    return m_startVelocity + m_accel * std::min(s, m_accelTime) + m_decel * decelerating;
-}
+}  // namespace
 
 void CommandPosition::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
@@ -94,49 +22,59 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
     if (const auto* trajectory = std::get_if<servo::LoadTrajectory>(command)) {
         load(*trajectory);
         if (trajectory->startNow)
-            start(executed.time);
+            start(executed);
     } else if (std::holds_alternative<StartMotion>(*command)) {
-        start(executed.time);
+        start(executed);
     } else if (const auto* stopMotor = std::get_if<servo::StopMotor>(command)) {
-        stop(*stopMotor, executed.time);
+        stop(*stopMotor, executed);
     } else if (std::holds_alternative<ResetPosition>(*command)) {
-        zero(executed.time);
+        zero(executed);
     } else if (const auto* gains = std::get_if<servo::SetGain>(command)) {
-        setTick(toSeconds(kServoTick) * gains->sr, executed.time);
+        setServoRate(gains->sr, executed);
     } else if (const auto* homing = std::get_if<servo::SetHoming>(command)) {
-        m_homingStops = homing->motorOff || homing->stopAbruptly || homing->stopSmoothly;
+        arm(*homing, executed);
     }
 }
 
 void CommandPosition::apply(const bus::Sample& sample) {
-    const servo::StatusByte status = sample.report.servoStatus();
     if (sample.report.aux)
         m_servoOn = servo::AuxByte{*sample.report.aux}.servoOn();
-    if (!m_servoOn) {
-        m_curve.reset();
-        m_awaiting = Awaiting::Nothing;
-        return;
-    }
-    if (m_homingStops && !status.homeInProgress()) {
-        m_homingStops = false;
-        forget();
-    }
-    if (m_awaiting == Awaiting::HeldPosition && sample.report.position)
-        begin(sample.time, ProfileCurve::rest(*sample.report.position));
-    else if (m_awaiting == Awaiting::EndOfMove && status.moveDone())
-        begin(sample.time, ProfileCurve::rest(m_goal));
+    const servo::StatusByte status{sample.heard.value_or(sample.report.status)};
+    learnHome(sample, status);
+    if (!m_servoOn)
+        switchedOff();
+    else if (m_awaiting == Awaiting::HeldPosition)
+        learnHeldPosition(sample);
+    else if (sample.report.aux && sample.time >= m_effective)
+        learnProgress(sample, status, servo::AuxByte{*sample.report.aux});
+    if (sample.report.position)
+        m_lastPosition = *sample.report.position;
 }
 
 void CommandPosition::forget() {
-    m_curve.reset();
+    m_envelope.reset();
+    m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
+    m_lastPosition.reset();
 }
 
-std::optional<double> CommandPosition::at(TimePoint time) const {
-    if (!m_curve)
+std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late) const {
+    if (!m_envelope)
         return std::nullopt;
-    return m_curve->position(secondsAt(time));
+    return m_envelope->at(shown(time, late));
 }
+
+Moments CommandPosition::shown(TimePoint time, Duration late) const {
+    const TimePoint likely = time + kServoTick / 2;
+    return {likely - m_tick / 2, likely, likely + m_tick / 2 + bus::kPromptWithin + late};
+}
+
+Moments CommandPosition::begun(TimePoint time, Duration late) const {
+    const TimePoint last = time + kServoTick / 2;
+    return {last - m_tick, last - m_tick / 2, last + bus::kPromptWithin + late};
+}
+
+// ---- Commands ----
 
 void CommandPosition::load(const servo::LoadTrajectory& load) {
     m_loaded = load;
@@ -148,87 +86,175 @@ void CommandPosition::load(const servo::LoadTrajectory& load) {
         m_acceleration = load.acceleration->value() / 65'536.0;
 }
 
-void CommandPosition::start(TimePoint time) {
-    if (!m_loaded.servo) {
-        forget();
-        m_servoOn = false;
-        return;
-    }
+void CommandPosition::start(const bus::CommandExecuted& executed) {
+    m_commanded = executed.time;
+    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    if (!m_loaded.servo)
+        return switchedOff();
     m_servoOn = true;
+    m_runningAcceleration = m_acceleration;
+    const Moments when = begun(executed.time, executed.late);
     if (m_loaded.profile == servo::ProfileMode::Velocity) {
-        changeVelocity(time, m_loaded.reverse ? -m_velocity : m_velocity);
-        return;
+        m_awaiting = Awaiting::Nothing;
+        return runAt(m_loaded.reverse ? -m_velocity : m_velocity, when);
     }
-    if (const auto from = at(time))
-        begin(effective(time), ProfileCurve::trapezoid(*from, m_goal, perSecond(m_velocity),
-                                                       perSecond(perSecond(m_acceleration))));
-    else
-        m_awaiting = Awaiting::EndOfMove;
-}
-
-void CommandPosition::changeVelocity(TimePoint time, double goal) {
-    if (!m_curve)
+    const auto from = at(executed.time, executed.late);
+    m_awaiting = from ? Awaiting::Nothing : Awaiting::EndOfMove;
+    if (!from)
         return;
-    const TimePoint start = effective(time);
-    const double s = secondsAt(start);
-    begin(start, ProfileCurve::velocityChange(m_curve->position(s), m_curve->velocity(s), perSecond(goal),
-                                              perSecond(perSecond(m_acceleration))));
+    rest(*from);
+    m_motion = Motion::Trapezoid;
+    m_envelope->moveTo(m_goal, m_velocity, {tick(), m_acceleration}, when);
 }
 
-TimePoint CommandPosition::effective(TimePoint time) const {
-    return time - fromSeconds(0.5 * (m_tick - toSeconds(kServoTick)));
+void CommandPosition::runAt(double velocity, const Moments& when) {
+    m_motion = Motion::Velocity;
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_envelope)
+        m_envelope->changeVelocity(velocity, {tick(), m_runningAcceleration}, when);
 }
 
-void CommandPosition::stop(const servo::StopMotor& stop, TimePoint time) {
-    const auto from = at(time);
+void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed) {
+    if (stop.manner == servo::StopManner::AmplifierOnly)
+        return;
+    m_commanded = executed.time;
+    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
+    const bool wasOn = std::exchange(m_servoOn, true);
     switch (stop.manner) {
         case servo::StopManner::AmplifierOnly:
-            return;
+            break;
         case servo::StopManner::MotorOff:
-            forget();
-            m_servoOn = false;
-            break;
-        case servo::StopManner::Abruptly:
-            if (from)
-                begin(time, ProfileCurve::rest(*from));
-            else if (!m_servoOn)
-                m_awaiting = Awaiting::HeldPosition;
-            m_servoOn = true;
-            break;
-        case servo::StopManner::Smoothly:
-            changeVelocity(time, 0.0);
+            switchedOff();
             break;
         case servo::StopManner::Here:
-            begin(time, ProfileCurve::rest(stop.here.value()));
-            m_servoOn = true;
+            rest({static_cast<double>(stop.here.value()), static_cast<double>(stop.here.value()),
+                  static_cast<double>(stop.here.value())});
+            break;
+        case servo::StopManner::Abruptly:
+        case servo::StopManner::Smoothly:
+            if (!wasOn)
+                m_awaiting = Awaiting::HeldPosition;
+            else if (stop.manner == servo::StopManner::Smoothly)
+                runAt(0.0, begun(executed.time, executed.late));
+            else
+                freeze(shown(executed.time, executed.late));
             break;
     }
-    m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
 }
 
-void CommandPosition::zero(TimePoint time) {
-    if (!m_curve)
-        return;
-    const double s = secondsAt(time);
-    const double velocity = m_curve->velocity(s);
-    const double goal = m_curve->goalVelocity();
-    begin(time, ProfileCurve::velocityChange(0.0, velocity, goal, perSecond(perSecond(m_acceleration))));
+/// Actual and command position become 0; the goal of a move that was made means nothing any more.
+void CommandPosition::zero(const bus::CommandExecuted& executed) {
+    m_lastPosition.reset();
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_motion == Motion::Trapezoid)
+        m_motion = Motion::None;
+    if (m_envelope)
+        m_envelope->makeZero({tick(), m_runningAcceleration}, shown(executed.time, executed.late));
 }
 
-void CommandPosition::setTick(double seconds, TimePoint time) {
-    const double factor = seconds / m_tick;
-    m_tick = seconds;
-    if (!m_curve || factor == 1.0)
-        return;
-    // The chip counts per tick, so a longer tick runs the same profile more slowly from here on.
-    m_curve = m_curve->stretched(factor);
-    m_started = time - fromSeconds(secondsAt(time) * factor);
+void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed) {
+    using servo::StopManner;
+    m_homing.reset();
+    const StopManner manner = homing.motorOff       ? StopManner::MotorOff
+                              : homing.stopAbruptly ? StopManner::Abruptly
+                                                    : StopManner::Smoothly;
+    if (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly)
+        m_homing = HomingStop{manner, executed.time + executed.late + kShowsAfter * kServoTick,
+                              shown(executed.time, executed.late)};
 }
 
-void CommandPosition::begin(TimePoint time, ProfileCurve curve) {
-    m_curve = curve;
-    m_started = time;
+void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed) {
+    const Duration old = m_tick;
+    const Moments before = begun(executed.time, executed.late);
+    m_tick = kServoTick * divisor;
+    m_effective = std::max(m_effective, executed.time + executed.late + kShowsAfter * m_tick);
+    // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
+    // ticks are longer than others, setting the gains may begin one anew.
+    if (m_envelope && (m_tick != old || divisor > 1))
+        m_envelope->stretch(toSeconds(m_tick) / toSeconds(old), before, begun(executed.time, executed.late));
+}
+
+void CommandPosition::switchedOff() {
+    m_envelope.reset();
+    m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
+    m_servoOn = false;
+}
+
+void CommandPosition::rest(const CommandEstimate& held) {
+    m_envelope = CommandEnvelope(held);
+    m_motion = Motion::None;
+    m_awaiting = Awaiting::Nothing;
+}
+
+/// Stands still where it was then, if that is known.
+void CommandPosition::freeze(const Moments& when) {
+    m_motion = Motion::None;
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_envelope)
+        m_envelope = CommandEnvelope(m_envelope->at(when));
+}
+
+// ---- What the module says ----
+
+void CommandPosition::learnHome(const bus::Sample& sample, servo::StatusByte status) {
+    if (!m_homing || sample.time < m_homing->shows)
+        return;
+    const Moments now = shown(sample.time, sample.late);
+    if (status.homeInProgress())
+        m_homing->searching = now;
+    else
+        stopAtHome({m_homing->searching.earliest,
+                    m_homing->searching.likely + (now.likely - m_homing->searching.likely) / 2, now.latest});
+}
+
+/// The moment is not known better than from one status to the next.
+void CommandPosition::stopAtHome(const Moments& found) {
+    const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
+    if (manner == servo::StopManner::MotorOff)
+        return;  // the status says that it is off
+    m_velocity = 0.0;
+    m_effective = found.latest + kShowsAfter * m_tick;
+    if (manner == servo::StopManner::Smoothly)
+        runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2});
+    else
+        freeze(found);
+}
+
+/// In the answer to the command it is where it was at that moment. Later the motor may have moved on.
+void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
+    if (!sample.report.position)
+        return;
+    const double now = *sample.report.position;
+    const double before = sample.time == m_commanded ? now : m_lastPosition.value_or(now);
+    rest({(now + before) / 2, std::min(now, before), std::max(now, before)});
+}
+
+/// DS-V 5.3: move_done is clear in a trapezoidal move and while one velocity changes into another;
+/// accel_done and slew_done tell of trapezoidal moves only.
+void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux) {
+    if (status.moveDone() && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
+        return rest({m_goal, m_goal, m_goal});
+    if (!m_envelope || m_motion == Motion::None)
+        return;
+    // A phase is over with the first step at or behind its end, which the curve passes half a tick later; a
+    // chip may count one step more or less.
+    const Moments now = shown(sample.time, sample.late);
+    const auto learn = [&](Phase phase, bool over) {
+        if (over)
+            m_envelope->ended(phase, now.latest + m_tick / 2);
+        else
+            m_envelope->goesOn(phase, now.earliest - 2 * m_tick);
+    };
+    if (m_motion == Motion::Trapezoid) {
+        learn(Phase::Acceleration, aux.accelDone());
+        learn(Phase::Slew, aux.slewDone());
+    }
+    learn(Phase::Last, status.moveDone());
 }
 
 }  // namespace nmc

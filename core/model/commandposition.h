@@ -6,54 +6,36 @@
 
 #include "base/time.h"
 #include "bus/types.h"
+#include "model/commandenvelope.h"
 #include "protocol/commands.h"
 
 namespace nmc {
 
-/// A profile as the chip would run it, in continuous time: accelerate, slew, decelerate (DS-V 4.4).
-/// Positions in counts, time in seconds from the start, velocities in counts/s.
-class ProfileCurve {
-public:
-    /// Rests at a position.
-    static ProfileCurve rest(double position);
-    /// From standstill at `from` exactly to `goal`; triangular when the distance is too short for the
-    /// velocity.
-    static ProfileCurve trapezoid(double from, double goal, double velocity, double acceleration);
-    /// From `velocity` to `goalVelocity` at `acceleration`, then on at it for ever.
-    static ProfileCurve velocityChange(double from, double velocity, double goalVelocity,
-                                       double acceleration);
-
-    [[nodiscard]] double position(double s) const;
-    [[nodiscard]] double velocity(double s) const;
-    /// Until the last phase with a changing velocity has ended; infinite when it never ends.
-    [[nodiscard]] double duration() const { return m_accelTime + m_slewTime + m_decelTime; }
-    [[nodiscard]] double goalVelocity() const { return m_endVelocity; }
-    /// The same curve in a time that runs slower by `factor`; for a changed servo rate divisor.
-    [[nodiscard]] ProfileCurve stretched(double factor) const;
-
-private:
-    double m_from = 0, m_startVelocity = 0;
-    double m_accelTime = 0, m_slewTime = 0, m_decelTime = 0;
-    double m_accel = 0, m_decel = 0;  ///< signed, counts/s^2
-    double m_endVelocity = 0;
-    std::optional<double> m_goal;  ///< where it ends exactly
-};
-
 /// The command position of one PIC-SERVO v1-v4, rebuilt from what was sent, because the chip reports neither
-/// it nor the position error (scope.md). Independent of the simulator. Nothing where it cannot be known.
+/// it nor the position error (scope.md). Independent of the simulator. Nothing where it cannot be known;
+/// elsewhere with bounds, and the true one is within them.
+///
+/// Time: the chip carries a command out, and latches a status, at the end of a maximum-rate tick t (DS-V
+/// 4.1), which is T - t/2 .. T + t/2 for the T that the bus reports, or later by as much as kPromptWithin and
+/// `late`. Its profile makes a step every servo tick S = SR x t, of unknown phase. With n steps before a
+/// command, the curve that matches the steps begins at n x S, which is the command's moment or up to S - t
+/// before it; with N steps before a status, the curve is where the steps are at (N + 1/2) x S (DS-V 4.4). So
+/// a change begins T + t/2 - S .. T + t/2, and a status shows T + t/2 - S/2 .. T + t/2 + S/2.
 ///
 /// Fed in the order of the bus: of one exchange first the command, then the sample.
 class CommandPosition {
 public:
     /// Follows a command that the module has carried out.
     void apply(const bus::CommandExecuted& executed);
-    /// Follows a status: learns of a servo that went off, and where it holds after it was switched on.
+    /// Follows a status: learns of a servo that went off, where it holds after it was switched on, how far a
+    /// motion has come, and of a stop at home.
     void apply(const bus::Sample& sample);
     /// After a doubt (silence, restart): unknown until a command fixes it again.
     void forget();
 
-    /// The command position at `time`; empty while unknown or the servo is off.
-    [[nodiscard]] std::optional<double> at(TimePoint time) const;
+    /// The command position when a status was latched, `time` and `late` as in bus::Sample; empty while
+    /// unknown or the servo is off.
+    [[nodiscard]] std::optional<CommandEstimate> at(TimePoint time, Duration late = {}) const;
 
 private:
     /// What makes the command position known again.
@@ -62,31 +44,49 @@ private:
         HeldPosition,  ///< the servo was just switched on: it holds where the next sample says it is
         EndOfMove,     ///< a trapezoidal move from an unknown place: when it is done, it is at its goal
     };
+    enum class Motion : std::uint8_t { None, Trapezoid, Velocity };
+    /// Armed to stop by itself.
+    struct HomingStop {
+        servo::StopManner manner;
+        TimePoint shows;    ///< a status from then on tells whether home has been found
+        Moments searching;  ///< when home had not been found yet
+    };
 
     void load(const servo::LoadTrajectory& load);
-    void start(TimePoint time);
-    /// Towards a goal velocity in counts/tick, signed, from what it is.
-    void changeVelocity(TimePoint time, double goal);
-    /// When the continuous curve begins for which the chip's staircase is the best match. The chip takes its
-    /// first step 1..SR maximum-rate ticks after the command, a whole step high; on average that is this.
-    [[nodiscard]] TimePoint effective(TimePoint time) const;
-    void stop(const servo::StopMotor& stop, TimePoint time);
-    void zero(TimePoint time);
-    void setTick(double seconds, TimePoint time);
-    void begin(TimePoint time, ProfileCurve curve);
-    [[nodiscard]] double secondsAt(TimePoint time) const { return toSeconds(time - m_started); }
-    [[nodiscard]] double perSecond(double countsPerTick) const { return countsPerTick / m_tick; }
+    void start(const bus::CommandExecuted& executed);
+    void stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed);
+    void zero(const bus::CommandExecuted& executed);
+    void arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed);
+    void setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed);
+    void stopAtHome(const Moments& found);
+    void learnHome(const bus::Sample& sample, servo::StatusByte status);
+    void learnHeldPosition(const bus::Sample& sample);
+    void learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux);
 
-    std::optional<ProfileCurve> m_curve;  ///< empty: unknown, or the servo is off
-    TimePoint m_started;
+    void switchedOff();
+    void rest(const CommandEstimate& held);
+    void freeze(const Moments& when);
+    void runAt(double velocity, const Moments& when);
+    /// When a status was latched, as the curve that matches the steps.
+    [[nodiscard]] Moments shown(TimePoint time, Duration late) const;
+    /// When that curve changes by a command.
+    [[nodiscard]] Moments begun(TimePoint time, Duration late) const;
+    [[nodiscard]] double tick() const { return toSeconds(m_tick); }
+
+    std::optional<CommandEnvelope> m_envelope;  ///< empty: unknown, or the servo is off
+    Motion m_motion = Motion::None;
     Awaiting m_awaiting = Awaiting::Nothing;
-    bool m_servoOn = false;                 ///< as commanded or reported, whichever is newer
-    bool m_homingStops = false;             ///< armed to stop by itself at a moment we shall not know
-    servo::LoadTrajectory m_loaded;         ///< control bits of the last load
-    double m_goal = 0;                      ///< counts; survives a load without a position
-    double m_velocity = 0;                  ///< counts/tick, >= 0
-    double m_acceleration = 0;              ///< counts/tick^2
-    double m_tick = toSeconds(kServoTick);  ///< SR x 0.512 ms
+    std::optional<HomingStop> m_homing;
+    bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
+    TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
+    TimePoint m_effective;                 ///< a status from then on shows what came of it
+    servo::LoadTrajectory m_loaded;        ///< control bits of the last load
+    double m_goal = 0;                     ///< counts; survives a load without a position
+    double m_velocity = 0;                 ///< counts/tick, >= 0
+    double m_acceleration = 0;             ///< counts/tick^2; as loaded
+    double m_runningAcceleration = 0;      ///< of the last start
+    std::optional<double> m_lastPosition;  ///< as reported last
+    Duration m_tick = kServoTick;          ///< SR x 0.512 ms
 };
 
 }  // namespace nmc

@@ -3,6 +3,7 @@
 
 #include "model/homingplan.h"
 #include "model/stepplan.h"
+#include "model/stepresponse.h"
 
 namespace nmc {
 
@@ -146,6 +147,10 @@ struct Planner {
         if (stepBy.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         return allowed(Request::Move, module, [] { return Steps{}; });
+    }
+    Plan operator()(const intent::StepResponse& response) const {
+        const auto refusal = whyNot(response, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
     }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
 

@@ -11,6 +11,7 @@
 #include "model/machine.h"
 #include "model/modulestate.h"
 #include "model/stepintent.h"
+#include "model/steptaken.h"
 
 namespace nmc {
 
@@ -70,6 +71,12 @@ struct StepBy {
     double pause = 0.0;         ///< s, after each move
     bool backAndForth = false;  ///< a round is there and back
 };
+/// A small move without a profile, to see how the servo follows (model/stepresponse.h). A procedure.
+struct StepResponse {
+    std::int32_t counts = 0;  ///< signed
+    StepWay way = StepWay::Profile;
+    double record = 0.0;  ///< s, from the step on
+};
 /// Ends whatever procedure runs with this module: the motor is stopped smoothly.
 struct CancelProcedure {};
 /// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes. Neither:
@@ -86,8 +93,9 @@ using Intent =
                  intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
                  intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                  intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                 intent::StepBy, intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
-                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
+                 intent::StepBy, intent::StepResponse, intent::CancelProcedure, intent::ArmLimitStop,
+                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                 stepintent::ChangeMotion>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -112,6 +120,10 @@ enum class Refusal : std::uint8_t {
     LimitActive,     ///< a stop on its change would come when it is left
     LimitIsOutput,   ///< the pin is an output, so it tells nothing
     StepTooShort,    ///< a move by 0 counts
+    StepTooLong,     ///< a step response is for a small move
+    StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
+    GoalOutOfRange,  ///< beyond the chip's 32 bits
+    RecordTime,      ///< none, or longer than the bus can be given to one module
     // PIC-STEP
     NotAStepper,
     ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set

@@ -120,12 +120,12 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
             accelerationLoaded = load->acceleration->value() != 0;
         loadWaiting = !load->startNow;
         if (load->startNow)
-            applyLoaded();
+            applyLoaded(executed.time);
     } else if (std::holds_alternative<StartMotion>(*command)) {
         loadWaiting = false;
-        applyLoaded();
+        applyLoaded(executed.time);
     } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
-        apply(*stop);
+        apply(*stop, executed.time);
     } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
         gains = *sent;
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
@@ -154,7 +154,8 @@ void ModuleState::attached() {
     stepper.attached();
 }
 
-void ModuleState::applyLoaded() {
+void ModuleState::applyLoaded(TimePoint time) {
+    motionCommandedAt = time;
     m_goal.reset();
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
@@ -169,10 +170,11 @@ void ModuleState::applyLoaded() {
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
 }
 
-void ModuleState::apply(const servo::StopMotor& stop) {
+void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     amplifierEnabled = stop.amplifierEnable;
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
+    motionCommandedAt = time;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
     m_goal.reset();

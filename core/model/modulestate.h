@@ -36,6 +36,8 @@ struct ModuleState {
     /// An acceleration above 0 was loaded: a smooth stop can slow down.
     bool accelerationLoaded = false;
     bool amplifierEnabled = false;
+    /// PIC-SERVO: when the last command was latched that started or stopped a motion.
+    TimePoint motionCommandedAt;
     /// A load was confirmed and waits for a start.
     bool loadWaiting = false;
     /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
@@ -75,8 +77,8 @@ struct ModuleState {
     [[nodiscard]] Activity activity() const;
 
 private:
-    void applyLoaded();
-    void apply(const servo::StopMotor& stop);
+    void applyLoaded(TimePoint time);
+    void apply(const servo::StopMotor& stop, TimePoint time);
     void watchDrift(const bus::Sample& sample);
     void watchHome(const bus::Sample& sample);
     void wentOff();

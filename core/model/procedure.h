@@ -9,6 +9,7 @@
 #include "base/time.h"
 #include "bus/types.h"
 #include "model/modulestate.h"
+#include "model/steptaken.h"
 
 namespace nmc {
 
@@ -16,6 +17,7 @@ enum class ProcedureKind : std::uint8_t {
     Homing,
     StepBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
+    StepResponse,
 };
 
 /// Where a procedure is; not every kind has every stage.
@@ -45,6 +47,8 @@ enum class ProcedureFailure : std::uint8_t {
     WentOff,  ///< servo or amplifier went off by itself
     Refused,  ///< a command was refused, forbidden or not answered
     ReadingsDiffer,
+    NotStill,   ///< it swings where it should stand; the servo stays on
+    Unstable,   ///< it has gone too far, and did not come to rest by a hold; it was switched off
     NotAtHome,  ///< it does not come to rest at home exactly, so that must not become zero
 };
 
@@ -57,6 +61,7 @@ struct ProcedureReport {
     std::optional<std::int32_t> home{};         ///< captured, before it was made zero
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
+    std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken
 
     [[nodiscard]] bool over() const {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||

@@ -29,10 +29,11 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     if (made.gapBefore)
         m_recent.clear();
     made.velocity = velocity({made.time, made.position});
-    if (const auto command = m_command.at(sample.time)) {
-        made.error = static_cast<float>(std::remainder(*command - made.position, kRange));
-        made.errorLow = made.error;
-        made.errorHigh = made.error;
+    if (const auto command = m_command.at(sample.time, sample.late)) {
+        const double error = std::remainder(command->position - made.position, kRange);
+        made.error = static_cast<float>(error);
+        made.errorLow = static_cast<float>(error + (command->low - command->position));
+        made.errorHigh = static_cast<float>(error + (command->high - command->position));
     }
     return made;
 }

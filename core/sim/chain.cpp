@@ -99,6 +99,8 @@ void Chain::Private::execute(Module& module) {
     if (faults.any() && !faultsLetExecute(module))
         return;
     module.execute();
+    if (options.onExecuted)
+        options.onExecuted(ModuleIndex(module.index()), module.snapshot(now));
     updateAddressLines();
     if (faults.any())
         strikeReply(module);

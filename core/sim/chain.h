@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ struct ChainOptions {
     /// The sheets are silent on whether a module that was awake goes deaf when its ADDR_IN rises again.
     bool deafWhenAddressInputRises = false;
     bool enableFaults = false;  ///< control lines may inject faults
+    /// Told the ground truth in the very tick in which a module has carried out a command and latched the
+    /// status of its answer. Must not call the chain.
+    std::function<void(ModuleIndex, const ModuleSnapshot&)> onExecuted{};
 };
 
 /// A byte that arrives at the host; `due` is the end of its stop bit.

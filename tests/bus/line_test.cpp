@@ -68,6 +68,23 @@ TEST(Line, ReckonsFromWhatIsStillLeaving) {
     EXPECT_EQ(end->latchedBy, now + 20ms - Duration(8 * 520'833));
 }
 
+TEST(Line, TellsHowMuchLaterAReplyCameThanIsExplained) {
+    // 4 bytes out, a tick, 8 bytes back, half a tick for this machine: 12 x 520.833 us + 768 us.
+    const Duration prompt = Duration(12 * 520'833) + 768us;
+    for (const Duration latency : {Duration(0ms), Duration(4ms), Duration(16ms)}) {
+        // 4 ms is what to wait for at least, whatever the adapter; it is not known to be one's latency.
+        const Duration known = latency == Duration(4ms) ? Duration{} : latency;
+        for (const Duration late : {Duration(-1ms), Duration(0ms), Duration(3ms)}) {
+            Line line(latency, 10ms);
+            line.begin(nop(), TimePoint(1s));
+            line.onBytes(fromHex("19 00 00 00 00 00 00 19 "), TimePoint(1s) + prompt + known + late);
+            const auto end = endOf(line);
+            ASSERT_TRUE(end);
+            EXPECT_EQ(end->late, std::max(late, Duration{}));
+        }
+    }
+}
+
 TEST(Line, TakesAReplyInPieces) {
     Line line(4ms, 10ms);
     line.begin(nop(), TimePoint(1s));

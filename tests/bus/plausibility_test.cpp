@@ -206,6 +206,21 @@ TEST(Plausibility, BelievesAServoThatSwingsAsFastAsItIsAsked) {
     }
 }
 
+/// Asked in focus, every second reply has the position only: the velocity is the one before that.
+TEST(Plausibility, BelievesAMotorThatComesToRestBehindABriefReply) {
+    Servo servo;
+    servo.sends(loadVelocity(0, 40 * 65'536, true).command);
+    const auto says = [&](std::int32_t position, std::int16_t velocity, std::uint8_t items) {
+        return servo.says({.status = 0x08, .position = position, .velocity = velocity}, items,
+                          5 * kServoTick / 2);
+    };
+    std::int32_t position = 0;
+    for (int i = 0; i < 1'000; ++i)
+        ASSERT_EQ(says(position += 100, 40, i % 2 == 0 ? kShort : kBriefItems.mask()), std::nullopt) << i;
+    EXPECT_EQ(says(position + 60, 0, kShort), std::nullopt);
+    EXPECT_EQ(says(position + 60 + 400, 0, kBriefItems.mask()), Rejection::PositionJump);
+}
+
 TEST(Plausibility, BelievesAPositionThatWrapsAtThirtyTwoBits) {
     Servo servo({.position = INT32_MAX - 2});
     EXPECT_EQ(servo.says({.position = INT32_MIN + 2, .aux = 0x06}), std::nullopt);

@@ -64,6 +64,74 @@ TEST(PollSchedule, TreatsAllAlikeWhenNobodyLooks) {
     EXPECT_EQ(pollsIn(schedule, 3, 3s), (std::vector<int>{100, 100, 100}));
 }
 
+/// Of a focus that is renewed as long as it is wanted.
+TEST(PollScheduleFocus, AsksTheOthersOnceASecondAndNeverTwiceInARow) {
+    PollSchedule schedule(32);
+    schedule.watch({kSecond});
+    std::vector<int> polls(32);
+    std::vector<TimePoint> asked(32);
+    bool otherBefore = false;
+    for (TimePoint now{}; now < TimePoint(4s); now += 2ms) {
+        if (now == TimePoint{} || now == TimePoint(2s))
+            schedule.focus(kFirst, now);
+        const std::size_t module = schedule.next(now)->module.value();
+        ++polls[module];
+        EXPECT_LE(now - asked[module], Duration(1s)) << module;
+        asked[module] = now;
+        EXPECT_FALSE(otherBefore && module != 0);
+        otherBefore = module != 0;
+    }
+    for (std::size_t i = 1; i < 32; ++i)
+        EXPECT_GE(polls[i], 4) << i;
+    EXPECT_GE(polls[0], 2'000 - 31 * 5) << "of 2000";
+}
+
+TEST(PollScheduleFocus, AlternatesTwoLayoutsOfWhichNoneIsFull) {
+    PollSchedule schedule(1);
+    schedule.focus(kFirst, TimePoint{});
+    for (int i = 0; i < 8; ++i) {
+        const auto turn = schedule.next(TimePoint{});
+        EXPECT_EQ(turn->brief, i % 2 == 0);
+        EXPECT_FALSE(turn->full);
+    }
+}
+
+TEST(PollScheduleFocus, IsOverAfterFiveSecondsOrWhenEnded) {
+    PollSchedule schedule(3);
+    schedule.focus(kSecond, TimePoint{});
+    for (int i = 0; i < 30; ++i)
+        EXPECT_EQ(schedule.next(TimePoint(10ms))->module, kSecond);
+    std::vector<int> after(3);
+    for (int i = 0; i < 30; ++i)
+        ++after[schedule.next(TimePoint(5s))->module.value()];
+    EXPECT_EQ(after, (std::vector<int>{10, 10, 10}));
+    schedule.focus(kSecond, TimePoint(6s));
+    schedule.unfocus();
+    EXPECT_FALSE(schedule.next(TimePoint(6s))->brief);
+}
+
+TEST(PollScheduleFocus, LeavesSilentModulesAlone) {
+    PollSchedule schedule(2);
+    silence(schedule, kSecond, TimePoint{});
+    schedule.focus(kFirst, TimePoint(1s));
+    for (TimePoint now(1s); now < TimePoint(5s); now += 10ms)
+        EXPECT_EQ(schedule.next(now)->module, kFirst);
+    EXPECT_EQ(schedule.next(TimePoint(6s))->module, kSecond) << "its time-outs disturb nobody any more";
+}
+
+TEST(PollScheduleFocus, IsNotForAModuleThatIsSilentOrFallsSilent) {
+    PollSchedule schedule(2);
+    silence(schedule, kSecond, TimePoint{});
+    schedule.focus(kSecond, TimePoint{});
+    EXPECT_EQ(schedule.next(TimePoint{})->module, kFirst);
+    schedule.recover(kSecond, TimePoint{});
+    schedule.focus(kFirst, TimePoint{});
+    silence(schedule, kFirst, TimePoint{});
+    const auto turn = schedule.next(TimePoint{});
+    EXPECT_EQ(turn->module, kSecond);
+    EXPECT_FALSE(turn->brief);
+}
+
 TEST(PollSchedule, ForgetsARetiredModule) {
     PollSchedule schedule(2);
     silence(schedule, kFirst, TimePoint{});

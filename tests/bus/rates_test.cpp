@@ -3,6 +3,7 @@
 // addresses of a long chain.
 #include <gtest/gtest.h>
 
+#include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {
@@ -79,6 +80,100 @@ TEST(PollRates, RememberWhoIsLookedAtThroughAnotherConnection) {
     bus.runFor(1s);
     const auto all = rates(bus);
     EXPECT_GT(all[3], 20 * all[0]);
+}
+
+/// By hand: 5 + 6 and 4 + 10 bytes take turns, each with half a tick of waiting on average. An exchange that
+/// begins with a tick fits better or worse than that.
+[[nodiscard]] double focusedPerSecond(double baud) {
+    return 2 / (25 * 10 / baud + 0.000'512);
+}
+
+TEST(FocusRates, GiveOneModuleWhatTheWireCarriesAndKeepTheOthersInSight) {
+    struct Case {
+        std::uint32_t baud;
+        std::uint8_t modules;
+    };
+    for (const auto& [baud, modules] :
+         {Case{115'200, 1}, {115'200, 8}, {115'200, 32}, {57'600, 8}, {19'200, 4}, {19'200, 16}}) {
+        SCOPED_TRACE(testing::Message() << int{modules} << " modules at " << baud);
+        VirtualBus bus(servos(modules), atRate(baud));
+        ASSERT_TRUE(bus.connect());
+        bus.runFor(1s);
+        std::vector<std::size_t> before;
+        for (std::uint8_t i = 0; i < modules; ++i)
+            before.push_back(bus.samplesOf(i));
+        bus.engine.focus(ModuleIndex(0), bus.now);
+        bus.runFor(4s);
+        const double rate = static_cast<double>(bus.samplesOf(0) - before[0]) / 4;
+        double others = 0;
+        for (std::uint8_t i = 1; i < modules; ++i) {
+            EXPECT_GE(bus.samplesOf(i) - before[i], 4U) << int{i};
+            others += static_cast<double>(bus.samplesOf(i) - before[i]) / 4;
+        }
+        std::printf("%u Bd, %u modules: %.0f/s in focus, of %.0f/s that the wire carries\n", baud,
+                    unsigned{modules}, rate, focusedPerSecond(baud));
+        EXPECT_GE(rate + 2 * others, 0.95 * focusedPerSecond(baud)) << "their polls are up to twice as long";
+        EXPECT_EQ(bus.engine.statistics().errors(), 0U);
+        bus.expectNoViolations();
+    }
+}
+
+class Focus : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
+        bus.engine.focus(ModuleIndex(0), bus.now);
+        ASSERT_TRUE(focused());
+    }
+    /// The position alone is asked for in focus only.
+    [[nodiscard]] bool focused() {
+        const std::size_t from = bus.sent.size();
+        bus.runFor(100ms);
+        return bus.sends("AA 01 13 01", from) > 10;
+    }
+    VirtualBus bus{servos(2), atRate(115'200)};
+};
+
+TEST_F(Focus, EndsByItselfAfterFiveSeconds) {
+    bus.runFor(4'900ms);
+    EXPECT_FALSE(focused());
+}
+
+TEST_F(Focus, EndsWhenItIsNotWantedAnyMore) {
+    bus.engine.focus(std::nullopt, bus.now);
+    EXPECT_FALSE(focused());
+}
+
+TEST_F(Focus, EndsWithAStopOfAll) {
+    ASSERT_TRUE(bus.stopAll());
+    EXPECT_FALSE(focused());
+}
+
+TEST_F(Focus, EndsWithAStopOfAnyOneModule) {
+    ASSERT_EQ(bus.perform({motorOff(1)}), Outcome::Done);
+    EXPECT_FALSE(focused());
+}
+
+TEST_F(Focus, GoesOnThroughAMoveAndAStopHere) {
+    ASSERT_EQ(bus.perform({loadMove(0, 50), start(0)}), Outcome::Done);
+    EXPECT_TRUE(focused());
+    ASSERT_EQ(bus.perform({toServo(1, servo::StopMotor{true, servo::StopManner::Here, Counts(3)})}),
+              Outcome::Done);
+    EXPECT_TRUE(focused());
+}
+
+TEST_F(Focus, EndsWithTheConnection) {
+    ASSERT_TRUE(bus.connect());
+    EXPECT_FALSE(focused());
+}
+
+TEST_F(Focus, EndsWhenTheModuleIsSilent) {
+    bus.losesReply = [](ByteSpan command) { return command.size() > 1 && command[1] == 1; };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 1; }, 2s));
+    bus.losesReply = {};
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleSilence>() == 2; }, 5s));
+    EXPECT_FALSE(focused());
 }
 
 /// From the first Set Address to the end.

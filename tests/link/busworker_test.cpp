@@ -108,6 +108,25 @@ TEST(BusWorker, ARealPortNeitherHearsNorAnswersControlLines) {
     EXPECT_TRUE(sim.violations().isEmpty());
 }
 
+TEST(BusWorker, GivesOneModuleTheBusForAsLongAsItIsWanted) {
+    Connection connection;
+    connection.open(simulator(1));
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    connection.worker().setRecording(true);
+    // Read Status of these items only.
+    const auto asked = [&](std::uint8_t items) {
+        const auto records = connection.worker().takeRecords();
+        return std::any_of(records.begin(), records.end(), [items](const bus::ExchangeRecord& record) {
+            return record.command.size() == 5 && record.command[2] == 0x13 && record.command[3] == items;
+        });
+    };
+    connection.worker().focus(ModuleIndex(0));
+    EXPECT_TRUE(connection.waitUntil([&] { return asked(StatusItems::Position); }));
+    connection.worker().focus(std::nullopt);
+    // Sooner than it would end by itself.
+    EXPECT_TRUE(connection.waitUntil([&] { return asked(StatusItems::All); }, 3'000)) << "in full again";
+}
+
 TEST(BusWorker, RestartFindsTheChainAnew) {
     Connection connection;
     connection.open(simulator(2));

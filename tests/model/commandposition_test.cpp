@@ -12,6 +12,10 @@ using namespace testing_support;
 
 constexpr double kTick = 0.000512;
 
+CommandEstimate exactly(double position) {
+    return {position, position, position};
+}
+
 /// Switched on at t = 0 at 100 counts.
 CommandPosition holdingAt100() {
     CommandPosition command;
@@ -29,7 +33,7 @@ TEST(CommandPosition, IsUnknownWhileTheServoIsOff) {
 }
 
 TEST(CommandPosition, HoldsWhereTheServoWasSwitchedOn) {
-    EXPECT_EQ(holdingAt100().at(atSeconds(5)), 100.0);
+    EXPECT_EQ(holdingAt100().at(atSeconds(5)), exactly(100));
 }
 
 TEST(CommandPosition, IsNotGuessedFromASampleOfARunningServo) {
@@ -38,39 +42,75 @@ TEST(CommandPosition, IsNotGuessedFromASampleOfARunningServo) {
     EXPECT_FALSE(command.at(atSeconds(0)).has_value());
 }
 
-TEST(CommandPosition, FollowsATrapezoidalMoveInCountsPerTick) {
+TEST(CommandPosition, FollowsATrapezoidalMoveInStepsOfATick) {
     CommandPosition command = holdingAt100();
-    // 8 counts/tick, 1/64 count/tick^2 = 1024: ramps of 512 ticks and 2048 counts; slew 15 904 counts in 1988
-    // ticks.
+    // 8 counts/tick, 1/64 count/tick^2 = 1024: 512 ticks to full speed, which cover 512 x 513 / 2 / 64 = 2052
+    // counts; down again another 2048 after 15 900 at full speed.
     command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
-    EXPECT_EQ(command.at(atSeconds(2)), 100.0) << "loaded only";
+    EXPECT_EQ(command.at(atSeconds(2)), exactly(100)) << "loaded only";
     command.apply(executedAt(2, StartMotion{}));
-    EXPECT_NEAR(*command.at(atSeconds(2 + 512 * kTick)), 100 + 2'048, 1e-6);
-    EXPECT_NEAR(*command.at(atSeconds(2 + 1'512 * kTick)), 100 + 2'048 + 8'000, 1e-6);
-    EXPECT_NEAR(*command.at(atSeconds(2 + 3'011 * kTick)), 20'100, 0.02);
-    EXPECT_EQ(*command.at(atSeconds(2 + 3'012 * kTick)), 20'100);
+    EXPECT_NEAR(command.at(atSeconds(2 + 512 * kTick))->position, 100 + 2'052, 0.01);
+    EXPECT_NEAR(command.at(atSeconds(2 + 1'512 * kTick))->position, 100 + 2'052 + 8'000, 0.01);
+    EXPECT_NEAR(command.at(atSeconds(2 + 3'010 * kTick))->position, 20'100, 0.1);
+    EXPECT_EQ(command.at(atSeconds(2 + 3'020 * kTick)), exactly(20'100));
+}
+
+TEST(CommandPosition, KnowsTheMomentOfACommandAndOfAStatusToHalfATickEach) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+    command.apply(executedAt(2, StartMotion{}));
+    // Both may be half a tick earlier or later, and half a tick more is still prompt: 1.5 ticks of 8 counts.
+    // What the steps are off the curve is 1/64/8 of a count; and the clocks, 0.01 % of 1000 ticks.
+    const CommandEstimate full = *command.at(atSeconds(2 + 1'000 * kTick));
+    EXPECT_NEAR(full.high - full.position, 12 + 0.8, 0.1);
+    EXPECT_NEAR(full.position - full.low, 12 + 0.8, 0.1);
+}
+
+TEST(CommandPosition, IsUncertainToOneSideWhenAReplyIsLate) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+    command.apply(executedAt(2, StartMotion{}));
+    const TimePoint then = atSeconds(2 + 1'000 * kTick);
+    const CommandEstimate prompt = *command.at(then);
+    const CommandEstimate late = *command.at(then, 10 * kServoTick);
+    EXPECT_EQ(late.position, prompt.position);
+    EXPECT_EQ(late.low, prompt.low);
+    EXPECT_NEAR(late.high, prompt.high + 80, 0.02);
 }
 
 TEST(CommandPosition, AVelocityChangedOnTheFlyStaysContinuous) {
     CommandPosition command = holdingAt100();
-    command.apply(executedAt(0, velocityMode(4 << 16, 4 << 16)));  // reaches 4 counts/tick within a tick
-    const double before = *command.at(atSeconds(1));
-    EXPECT_NEAR(before, 100 + 4 * (1 / kTick) - 2, 1e-6);
+    command.apply(
+        executedAt(0, velocityMode(4 << 16, 4 << 16)));  // reaches 4 counts/tick with its first step
+    const CommandEstimate before = *command.at(atSeconds(1));
+    EXPECT_NEAR(before.position, 100 + 4 * (1 / kTick), 1e-6);
     command.apply(executedAt(1, velocityMode(4 << 16, 1'024, true)));
-    EXPECT_EQ(*command.at(atSeconds(1)), before);
-    // From +4 to -4 at 1/64 takes 512 ticks; half-way it turns around.
-    EXPECT_NEAR(*command.at(atSeconds(1 + 512 * kTick)), before, 1e-6);
+    EXPECT_NEAR(command.at(atSeconds(1))->position, before.position, 0.01);
+    // From +4 to -4 at 1/64 takes 512 ticks, half-way it turns around: the steps end at -4, having begun
+    // below +4.
+    EXPECT_NEAR(command.at(atSeconds(1 + 512 * kTick))->position, before.position - 4, 0.01);
+}
+
+TEST(CommandPosition, OnlyTheChangeOfAVelocityLeavesADoubt) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(0, velocityMode(4 << 16, 4 << 16)));
+    const CommandEstimate before = *command.at(atSeconds(0.1));
+    command.apply(executedAt(0.1, velocityMode(4 << 16, 4 << 16)));  // the same again changes nothing
+    const CommandEstimate after = *command.at(atSeconds(0.1));
+    EXPECT_NEAR(after.low, before.low, 0.01);
+    EXPECT_NEAR(after.high, before.high, 0.01);
 }
 
 TEST(CommandPosition, AnAbruptStopFreezesItAndASmoothStopRampsDown) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));
-    const double at1 = *command.at(atSeconds(1));
+    const CommandEstimate at1 = *command.at(atSeconds(1));
     CommandPosition abrupt = command;
     abrupt.apply(executedAt(1, stopWith(servo::StopManner::Abruptly)));
     EXPECT_EQ(*abrupt.at(atSeconds(9)), at1);
     command.apply(executedAt(1, stopWith(servo::StopManner::Smoothly)));
-    EXPECT_NEAR(*command.at(atSeconds(9)), at1 + 4.0 * 4.0 * 64 / 2, 1e-6);  // v^2 / 2a
+    // 255 steps, of 255/64 to 1/64.
+    EXPECT_NEAR(command.at(atSeconds(9))->position, at1.position + 255 * 256 / 2 / 64.0, 0.01);
 }
 
 TEST(CommandPosition, AStopTakesTheVelocityAway) {
@@ -78,21 +118,21 @@ TEST(CommandPosition, AStopTakesTheVelocityAway) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));
     command.apply(executedAt(1, stopWith(servo::StopManner::Abruptly)));
-    const double held = *command.at(atSeconds(1));
+    const double held = command.at(atSeconds(1))->position;
     command.apply(executedAt(2, StartMotion{}));
-    EXPECT_EQ(*command.at(atSeconds(9)), held);
+    EXPECT_EQ(command.at(atSeconds(9))->position, held);
 }
 
 TEST(CommandPosition, StopHereJumps) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, servo::StopMotor{true, servo::StopManner::Here, Counts(130)}));
-    EXPECT_EQ(*command.at(atSeconds(1)), 130.0);
+    EXPECT_EQ(command.at(atSeconds(1)), exactly(130));
 }
 
 TEST(CommandPosition, ZeroHereMovesTheOrigin) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, ResetPosition{}));
-    EXPECT_EQ(*command.at(atSeconds(2)), 0.0);
+    EXPECT_EQ(command.at(atSeconds(2)), exactly(0));
 }
 
 TEST(CommandPosition, EndsWithMotorOffAndWithATrip) {
@@ -113,7 +153,7 @@ TEST(CommandPosition, ADoubtEndsAtTheGoalOfTheNextMove) {
     command.apply(sampleOf(1, kPower, kServoOn, 101));
     EXPECT_FALSE(command.at(atSeconds(1.1)).has_value());
     command.apply(sampleOf(2, kPower | kMoveDone, kServoOn, 499));
-    EXPECT_EQ(*command.at(atSeconds(3)), 500.0);
+    EXPECT_EQ(command.at(atSeconds(3)), exactly(500));
 }
 
 TEST(CommandPosition, ALongerServoTickSlowsTheSameProfile) {
@@ -122,26 +162,134 @@ TEST(CommandPosition, ALongerServoTickSlowsTheSameProfile) {
     gains.sr = 3;
     command.apply(executedAt(0, gains));
     command.apply(executedAt(1, velocityMode(4 << 16, 4 << 16)));
-    const double a = *command.at(atSeconds(2));
-    const double b = *command.at(atSeconds(3));
+    const double a = command.at(atSeconds(2))->position;
+    const double b = command.at(atSeconds(3))->position;
     EXPECT_NEAR(b - a, 4 / (3 * kTick), 1e-6);
     gains.sr = 1;
     command.apply(executedAt(3, gains));
     constexpr double kNanosecondOfTravel = 4 / kTick * 1e-9;  // start times are whole nanoseconds
-    EXPECT_NEAR(*command.at(atSeconds(3)), b, kNanosecondOfTravel);
-    EXPECT_NEAR(*command.at(atSeconds(4)) - b, 4 / kTick, kNanosecondOfTravel);
+    EXPECT_NEAR(command.at(atSeconds(3))->position, b, kNanosecondOfTravel);
+    EXPECT_NEAR(command.at(atSeconds(4))->position - b, 4 / kTick, kNanosecondOfTravel);
 }
 
-TEST(CommandPosition, AHomingStopAtAnUnknownMomentMakesItUnknown) {
+CommandPosition searchingHome(servo::SetHoming homing) {
     CommandPosition command = holdingAt100();
-    servo::SetHoming homing;
-    homing.onLimit1Change = homing.stopAbruptly = true;
+    homing.onLimit1Change = true;
     command.apply(executedAt(0.5, homing));
-    command.apply(executedAt(1, velocityMode(4 << 16, 1'024)));
-    command.apply(sampleOf(1.5, kPower | kHoming, kServoOn, 900));
-    EXPECT_TRUE(command.at(atSeconds(1.5)).has_value());
-    command.apply(sampleOf(2, kPower | kMoveDone, kServoOn, 1'500));
-    EXPECT_FALSE(command.at(atSeconds(2)).has_value());
+    command.apply(executedAt(1, velocityMode(4 << 16, 4 << 16)));
+    command.apply(sampleOf(1.5, kPower | kHoming | kMoveDone, kServoOn, 900));
+    return command;
+}
+
+TEST(CommandPosition, AnAbruptStopAtHomeWasSomewhereBetweenTwoSamples) {
+    servo::SetHoming homing;
+    homing.stopAbruptly = true;
+    CommandPosition command = searchingHome(homing);
+    const CommandEstimate before = *command.at(atSeconds(1.5));
+    const CommandEstimate unstopped = *command.at(atSeconds(1.6));
+    command.apply(sampleOf(1.6, kPower | kMoveDone, kServoOn, 4'500));
+    const CommandEstimate stopped = *command.at(atSeconds(1.6));
+    EXPECT_EQ(stopped.low, before.low);
+    EXPECT_EQ(stopped.high, unstopped.high);
+    EXPECT_NEAR(stopped.position, (before.position + unstopped.position) / 2, 0.01);
+    EXPECT_EQ(*command.at(atSeconds(9)), stopped);
+}
+
+TEST(CommandPosition, ASmoothStopAtHomeRampsDownFromThere) {
+    servo::SetHoming homing;
+    homing.stopSmoothly = true;
+    CommandPosition command = searchingHome(homing);
+    const CommandEstimate before = *command.at(atSeconds(1.5));
+    const CommandEstimate unstopped = *command.at(atSeconds(1.6));
+    command.apply(sampleOf(1.6, kPower | kMoveDone, kServoOn, 4'500));
+    const CommandEstimate stopped = *command.at(atSeconds(1.7));
+    EXPECT_NEAR(stopped.position, (before.position + unstopped.position) / 2, 0.01);
+    EXPECT_NEAR(stopped.low, before.low, 4);  // its ramp is one tick long
+    EXPECT_NEAR(stopped.high, unstopped.high, 4);
+}
+
+TEST(CommandPosition, HomeSwitchesTheServoOffAndNothingIsLeft) {
+    servo::SetHoming homing;
+    homing.motorOff = true;
+    CommandPosition command = searchingHome(homing);
+    command.apply(sampleOf(1.6, kPower | kMoveDone | kPosError, 0, 4'500));
+    EXPECT_FALSE(command.at(atSeconds(1.6)).has_value());
+}
+
+TEST(CommandPosition, AMoveThatIsDoneIsAtItsGoalWhateverTheClockSays) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+    command.apply(executedAt(2, StartMotion{}));  // takes 3011 ticks = 1.54 s
+    command.apply(sampleOf(3.5, kPower | kMoveDone, kServoOn | kAccelDone | kSlewDone, 20'100));
+    EXPECT_EQ(command.at(atSeconds(3.5)), exactly(20'100));
+}
+
+TEST(CommandPosition, TheEndOfAPhaseTellsWhenALateCommandWasCarriedOut) {
+    const auto afterALateStart = [] {
+        CommandPosition command = holdingAt100();
+        command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+        bus::CommandExecuted start = executedAt(2, StartMotion{});
+        start.late = 20 * kServoTick;
+        command.apply(start);
+        return command;
+    };
+    const double accelerated = 2 + 512 * kTick;
+    const TimePoint then = atSeconds(2 + 600 * kTick);
+    // It accelerates for 512 ticks; within 20 of them it began.
+    CommandPosition unknowing = afterALateStart();
+    EXPECT_GT(unknowing.at(then)->high - unknowing.at(then)->low, 20 * 8);
+    CommandPosition early = afterALateStart();
+    early.apply(sampleOf(accelerated + 2 * kTick, kPower, kServoOn | kAccelDone, 2'000));
+    EXPECT_LT(early.at(then)->high - early.at(then)->low, 7 * 8);
+    EXPECT_EQ(early.at(then)->high, unknowing.at(then)->high);
+    CommandPosition late = afterALateStart();
+    late.apply(sampleOf(accelerated + 18 * kTick, kPower, kServoOn, 2'000));
+    EXPECT_LT(late.at(then)->high - late.at(then)->low, 8 * 8);
+    EXPECT_EQ(late.at(then)->low, unknowing.at(then)->low);
+}
+
+TEST(CommandPosition, GoesByTheModuleWhereItContradictsTheClock) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));
+    command.apply(executedAt(2, StartMotion{}));
+    const TimePoint then = atSeconds(2 + 900 * kTick);
+    const CommandEstimate before = *command.at(then);
+    // It should have accelerated for 512 ticks.
+    command.apply(sampleOf(2 + 612 * kTick, kPower, kServoOn, 2'000));
+    const CommandEstimate shifted = *command.at(then);
+    EXPECT_NEAR(shifted.position, before.position - 100 * 8, 5 * 8);
+    // 98 ticks less since the start: the clocks have run apart by 0.01 % of 98 x 8 counts less, twice.
+    EXPECT_NEAR(shifted.high - shifted.low, before.high - before.low - 2 * 0.0784, 0.01);
+}
+
+TEST(CommandPosition, ALoadThatWaitsChangesNothing) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));
+    CommandPosition loaded = command;
+    auto other = velocityMode(9 << 16, 9'000);
+    other.startNow = false;
+    loaded.apply(executedAt(0.5, other));
+    loaded.apply(executedAt(1, stopWith(servo::StopManner::Smoothly)));
+    command.apply(executedAt(1, stopWith(servo::StopManner::Smoothly)));
+    EXPECT_EQ(loaded.at(atSeconds(3)), command.at(atSeconds(3)));
+}
+
+TEST(CommandPosition, AStoppedMoveHasNoGoalToEndAt) {
+    CommandPosition command;  // attached: unknown
+    command.apply(sampleOf(0, kMoveDone | kPower, kServoOn, 100));
+    command.apply(executedAt(1, trapezoid(500, 8 << 16, 1'024)));
+    command.apply(executedAt(1, StartMotion{}));
+    command.apply(executedAt(1.1, stopWith(servo::StopManner::Abruptly)));
+    command.apply(sampleOf(1.2, kMoveDone | kPower, kServoOn, 200));
+    EXPECT_FALSE(command.at(atSeconds(1.2)).has_value());
+}
+
+TEST(CommandPosition, AMotorThatMovedWhileItWasSwitchedOnIsHeldSomewhereOnItsWay) {
+    CommandPosition command;
+    command.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0, 90));
+    command.apply(executedAt(0.01, stopWith(servo::StopManner::Abruptly)));
+    command.apply(sampleOf(0.02, kMoveDone | kPosError | kPower, kServoOn, 100));
+    EXPECT_EQ(command.at(atSeconds(1)), (CommandEstimate{95, 90, 100}));
 }
 
 }  // namespace

@@ -1,73 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculated command position against the simulator's own, engine and chain together in virtual time. The
-// model knows a command's moment to half a tick, and the chip's command is a staircase of ticks: so it must
-// be within one tick of travel in motion, and exact at standstill (scope.md).
+// The calculated command position against the simulator's own, engine and chain together in virtual time:
+// what the scope draws at each sample, and what the module's command position was when it latched that one.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <random>
+#include <utility>
 
-#include "model/commandposition.h"
-#include "servofixture.h"
-#include "tests/support/virtualbus.h"
+#include "truthrig.h"
 
 namespace nmc {
 namespace {
 
 using namespace testing_support;
-using bus::Outcome;
-using test::VirtualBus;
+using namespace std::chrono_literals;
+using servo::StopManner;
 
-class CommandTruth : public testing::TestWithParam<std::uint32_t> {
+/// How the line and this machine are.
+struct Conditions {
+    const char* name;
+    std::uint32_t baud = 115'200;
+    Duration adapterLatency{};  ///< as configured
+    Duration heldReplies{};     ///< replies come up to so much later
+    Duration heldCommand{};     ///< the last byte of every 40th command leaves so much later
+};
+
+void PrintTo(const Conditions& conditions, std::ostream* os) {
+    *os << conditions.name;
+}
+
+class CommandTruth : public testing::TestWithParam<std::tuple<int, Conditions>> {
 protected:
-    void SetUp() override {
-        ASSERT_TRUE(m_bus.connect());
-        // The longer the tick, the weaker: a motor that swings would be stopped.
-        const auto kp = static_cast<std::uint16_t>(200 / m_divisor);
-        const auto kd = static_cast<std::uint16_t>(2'000 / (m_divisor * m_divisor));
-        ASSERT_EQ(perform({servo::SetGain{kp, kd, 0, 200, 255, 0, 16'000, m_divisor, std::uint8_t{0}}}),
-                  Outcome::Done);
-        ASSERT_EQ(perform({stopWith(servo::StopManner::Abruptly)}), Outcome::Done);
+    CommandTruth() : m_rig(divisor(), config(), kSeed) {
+        m_rig.bus.onCommand = [this](std::vector<std::uint8_t>&) {
+            m_rig.bus.adapterDelay = random(conditions().heldReplies);
+        };
+        m_rig.bus.holdsBack = [this] {
+            return ++m_commands % 40 == 0 ? conditions().heldCommand : Duration{};
+        };
+    }
+    void SetUp() override { ASSERT_TRUE(m_rig.enable()); }
+
+    /// scope.md: "Measured against the simulator's ground truth".
+    void TearDown() override {
+        m_rig.comparison.figures.print(testing::UnitTest::GetInstance()->current_test_info()->name());
+        EXPECT_GE(m_rig.comparison.figures.inside(), 0.99);
+        EXPECT_GT(m_rig.comparison.figures.samples(), 80U);
+        EXPECT_EQ(m_rig.comparison.figures.unknown(), 0U);
+        EXPECT_EQ(m_rig.comparison.figures.unmatched(), 0U);
+        m_rig.bus.expectNoViolations();
     }
 
-    std::optional<Outcome> perform(std::vector<ServoCommand> commands) {
-        std::vector<bus::Step> steps;
-        for (ServoCommand& command : commands)
-            steps.push_back({ModuleIndex(0), std::move(command)});
-        const auto outcome = m_bus.perform(std::move(steps));
-        follow();
-        return outcome;
+    static std::uint8_t divisor() { return static_cast<std::uint8_t>(std::get<0>(GetParam())); }
+    static const Conditions& conditions() { return std::get<1>(GetParam()); }
+    static bool prompt() {
+        return conditions().heldCommand == Duration{} &&
+               conditions().heldReplies <= conditions().adapterLatency;
     }
-
-    void follow() {
-        for (; m_followed < m_bus.events.size(); ++m_followed) {
-            const bus::Event& event = m_bus.events[m_followed];
-            if (const auto* executed = std::get_if<bus::CommandExecuted>(&event))
-                m_command.apply(*executed);
-            else if (const auto* sample = std::get_if<bus::Sample>(&event))
-                m_command.apply(*sample);
+    static bus::EngineConfig config() {
+        bus::EngineConfig config{conditions().baud};
+        config.adapterLatency = conditions().adapterLatency;
+        config.margin = 25ms;  // so that a late reply is late, and not missed
+        return config;
+    }
+    Duration random(Duration most) {
+        return Duration(std::uniform_int_distribution<Duration::rep>(0, most.count())(m_random));
+    }
+    void perform(std::vector<ServoCommand> commands) { ASSERT_TRUE(m_rig.perform(std::move(commands))); }
+    void velocity(double countsPerTick, std::uint32_t acceleration = 1'311) {
+        const auto raw = static_cast<std::uint32_t>(std::abs(countsPerTick) * 65'536);
+        perform({velocityMode(raw, acceleration, countsPerTick < 0)});
+    }
+    void expectCloseAtRestAndInMotion() const {
+        EXPECT_LE(m_rig.comparison.figures.standing(), 1.0);
+        EXPECT_LE(m_rig.comparison.figures.moving(), 1.0);
+    }
+    /// A band that is always right and says nothing would be worthless.
+    void expectNarrowBand() const {
+        if (prompt()) {
+            EXPECT_LE(m_rig.comparison.figures.halfBand(0.99), 2.5);
         }
     }
 
-    /// Watches for a while.
-    void expectTruthFor(double seconds, double toleranceCounts) {
-        for (const TimePoint end = m_bus.now + fromSeconds(seconds); m_bus.now < end;) {
-            m_bus.runFor(std::chrono::microseconds(777));
-            follow();
-            const auto calculated = m_command.at(m_bus.now);
-            ASSERT_TRUE(calculated.has_value());
-            ASSERT_NEAR(*calculated, m_bus.servo(0).commandPosition, toleranceCounts + 0.02)
-                << "at " << toSeconds(m_bus.now.time_since_epoch());
-        }
-    }
-    void expectExactly(double position) {
-        EXPECT_EQ(m_command.at(m_bus.now), position);
-        EXPECT_EQ(m_bus.servo(0).commandPosition, position);
-    }
-
-    const std::uint8_t m_divisor = static_cast<std::uint8_t>(GetParam());
-    VirtualBus m_bus{{{ModuleType::Servo, 4}}, bus::EngineConfig{115'200}};
-    CommandPosition m_command;
-    std::size_t m_followed = 0;
+    static constexpr std::uint64_t kSeed = 20'261'121;
+    std::mt19937_64 m_random{kSeed};
+    unsigned m_commands = 0;
+    TruthRig m_rig;
 };
 
 TEST_P(CommandTruth, HoldsInTrapezoidalMovesOfTenSpeeds) {
@@ -77,44 +94,147 @@ TEST_P(CommandTruth, HoldsInTrapezoidalMovesOfTenSpeeds) {
         const std::uint32_t acceleration = 150U * static_cast<unsigned>(i);
         goal = (i % 2 == 0 ? -1 : 1) * 700 * i;
         const auto raw = static_cast<std::uint32_t>(velocity * 65'536);
-        ASSERT_EQ(perform({trapezoid(goal, raw, acceleration), StartMotion{}}), Outcome::Done);
-        const double ticks = 2 * 7'000 / velocity + 2 * velocity * 65'536 / acceleration;
-        expectTruthFor((ticks + 20) * 0.000512 * m_divisor, velocity);
-        if (HasFatalFailure())
-            return;
-        expectExactly(goal);
+        perform({trapezoid(goal, raw, acceleration), StartMotion{}});
+        m_rig.runTicks(1'400 * i / velocity + velocity * 65'536 / acceleration + 100);
+        const auto calculated = m_rig.comparison.command.at(m_rig.bus.now);
+        ASSERT_TRUE(calculated);
+        EXPECT_EQ(*calculated, (CommandEstimate{1.0 * goal, 1.0 * goal, 1.0 * goal}));
+        EXPECT_EQ(m_rig.truth(), goal);
+    }
+    expectCloseAtRestAndInMotion();
+    expectNarrowBand();
+}
+
+TEST_P(CommandTruth, HoldsInShortAndHastyMoves) {
+    // Triangles, and jumps in a single tick as for a step response (DS-V 4.3).
+    std::int32_t goal = 0;
+    for (const std::uint32_t acceleration : {200U, 20'000U, 900'000U, 0x7FFF'FFFFU}) {
+        for (const std::uint32_t speed : {20'000U, 700'000U, 0x7FFF'FFFFU}) {
+            goal = goal == 0 ? 150 : 0;
+            perform({trapezoid(goal, speed, acceleration), StartMotion{}});
+            m_rig.runTicks(900);
+        }
+    }
+    expectCloseAtRestAndInMotion();
+    expectNarrowBand();
+}
+
+TEST_P(CommandTruth, HoldsInStepsOfVelocityOfBothSigns) {
+    for (const auto& [first, second] : {std::pair(2.0, -2.0),
+                                        {6.0, -6.0},
+                                        {-3.0, -5.0},
+                                        {0.5, 4.0},
+                                        {-7.5, 1.0},
+                                        {1.5, 1.6},
+                                        {-4.0, 4.0},
+                                        {5.0, 2.5}}) {
+        velocity(first);
+        m_rig.runTicks(500);
+        velocity(second, 40'000);
+        m_rig.runTicks(500);
+        perform({stopWith(StopManner::Smoothly)});
+        m_rig.runTicks(50);
+        // A move ends exactly where it was told to, and every doubt with it.
+        perform({trapezoid(100, 20 << 16, 9'000), StartMotion{}});
+        m_rig.runTicks(900);
+        EXPECT_EQ(m_rig.comparison.command.at(m_rig.bus.now), (CommandEstimate{100, 100, 100}));
+    }
+    EXPECT_LE(m_rig.comparison.figures.standing(), 1.0);
+    EXPECT_LE(m_rig.comparison.figures.movingOfFastest(), 1.0);
+}
+
+TEST_P(CommandTruth, HoldsWhileDoubtsAddUp) {
+    velocity(-3.5);
+    m_rig.runTicks(1'000);
+    expectNarrowBand();
+    for (const double to : {0.5, 6.0, -6.0, 2.0, 2.2, -0.3, 4.7, -1.0, 1.0, 0.0}) {
+        velocity(to, to < 0 ? 1'311 : 30'000);
+        m_rig.runTicks(700);
     }
 }
 
-TEST_P(CommandTruth, HoldsWhenAVelocityChangesOnTheFlyAndInBothStops) {
-    // A change by dv at a moment that is off by half a tick leaves dv/2 counts; half a tick of the staircase
-    // is v/2.
-    double doubt = 0;
-    double before = 0;
-    for (const double velocity : {0.5, 6.0, -6.0, 2.0}) {
-        const auto raw = static_cast<std::uint32_t>(std::abs(velocity) * 65'536);
-        ASSERT_EQ(perform({velocityMode(raw, 1'311, velocity < 0)}), Outcome::Done);
-        doubt += std::abs(velocity - before) / 2;
-        expectTruthFor(0.4 * m_divisor, doubt + std::max(std::abs(velocity), std::abs(before)) / 2);
-        before = velocity;
+TEST_P(CommandTruth, HoldsInAllStopsAndFromThem) {
+    const auto here = [](std::int32_t position) {
+        return servo::StopMotor{true, StopManner::Here, Counts(position)};
+    };
+    for (const double speed : {3.0, -5.5}) {
+        velocity(speed);
+        m_rig.runTicks(500);
+        perform({stopWith(StopManner::Smoothly)});
+        m_rig.runTicks(500);
+        velocity(speed, 40'000);
+        m_rig.runTicks(300);
+        perform({stopWith(StopManner::Abruptly)});
+        m_rig.runTicks(300);
+        perform({here(speed > 0 ? 2'300 : -500)});
+        m_rig.runTicks(3'000);
+        perform({trapezoid(0, 4 << 16, 900), StartMotion{}});
+        m_rig.runTicks(200);
+        perform({stopWith(StopManner::Abruptly)});
+        m_rig.runTicks(300);
+        perform({here(100), ResetPosition{}});
+        m_rig.runTicks(300);
     }
-    ASSERT_EQ(perform({stopWith(servo::StopManner::Smoothly)}), Outcome::Done);
-    doubt += before / 2;
-    expectTruthFor(0.2 * m_divisor, doubt + before / 2);
-    ASSERT_EQ(perform({velocityMode(4 << 16, 1'311)}), Outcome::Done);
-    doubt += 4.0 / 2;
-    expectTruthFor(0.3 * m_divisor, doubt + 4.0 / 2);
-    ASSERT_EQ(perform({stopWith(servo::StopManner::Abruptly)}), Outcome::Done);
-    doubt += 4.0;  // it freezes between two steps of the staircase
-    expectTruthFor(0.1 * m_divisor, doubt);
-    // The next move ends exactly where it was told to, and every doubt with it.
-    ASSERT_EQ(perform({trapezoid(100, 8 << 16, 3'000), StartMotion{}}), Outcome::Done);
-    m_bus.runFor(fromSeconds(4.0 * m_divisor));
-    follow();
-    expectExactly(100);
+    expectCloseAtRestAndInMotion();
 }
 
-INSTANTIATE_TEST_SUITE_P(ServoRateDivisors, CommandTruth, testing::Values(1U, 3U, 10U));
+TEST_P(CommandTruth, HoldsWhereHomeStopsTheMotor) {
+    for (const bool abrupt : {true, false}) {
+        servo::SetHoming homing;
+        homing.onLimit1Change = true;
+        homing.stopAbruptly = abrupt;
+        homing.stopSmoothly = !abrupt;
+        perform({homing});
+        velocity(abrupt ? 2.5 : -2.5);
+        m_rig.runTicks(700.4);
+        m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Limit1, abrupt ? 1.0 : 0.0, m_rig.bus.now);
+        m_rig.runTicks(700);
+        perform({trapezoid(100, 8 << 16, 3'000), StartMotion{}});
+        m_rig.runTicks(2'500);
+    }
+    expectCloseAtRestAndInMotion();
+}
+
+TEST_P(CommandTruth, HoldsWhenTheServoRateChangesInMotion) {
+    velocity(1.5);
+    m_rig.runTicks(600);
+    for (const std::uint8_t next : {std::uint8_t{4}, std::uint8_t{2}, divisor()}) {
+        perform({servo::SetGain{60, 200, 0, 200, 255, 0, 16'000, next, std::uint8_t{0}}});
+        m_rig.runTicks(400);
+    }
+    perform({stopWith(StopManner::Smoothly)});
+    m_rig.runTicks(800);
+}
+
+TEST_P(CommandTruth, HoldsAgainAfterTheServoWentOff) {
+    velocity(2.0);
+    m_rig.runTicks(1'000);
+    m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, m_rig.bus.now);
+    m_rig.runTicks(500);
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "it follows the motor";
+    m_rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 1.0, m_rig.bus.now);
+    m_rig.runTicks(500);
+    EXPECT_FALSE(m_rig.comparison.command.at(m_rig.bus.now).has_value()) << "and stays off";
+    perform({stopWith(StopManner::Abruptly)});
+    m_rig.runTicks(1'000);
+    ASSERT_TRUE(m_rig.comparison.command.at(m_rig.bus.now).has_value());
+    EXPECT_EQ(m_rig.comparison.command.at(m_rig.bus.now)->position, m_rig.truth());
+    velocity(-2.0);
+    m_rig.runTicks(1'000);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , CommandTruth,
+    testing::Combine(testing::Values(1, 3, 10),
+                     testing::Values(Conditions{"Prompt"}, Conditions{"Slow", 19'200},
+                                     Conditions{"Adapter", 115'200, 16ms, 16ms},
+                                     Conditions{"SlowAdapter", 19'200, 16ms, 16ms},
+                                     Conditions{"UnknownAdapter", 115'200, 0ms, 16ms},
+                                     Conditions{"LateMachine", 115'200, 0ms, 0ms, 5ms},
+                                     Conditions{"LateMachineAndReplies", 115'200, 0ms, 3ms, 5ms})),
+    [](const auto& given) {
+        return std::get<1>(given.param).name + std::string("SR") + std::to_string(std::get<0>(given.param));
+    });
 
 }  // namespace
 }  // namespace nmc

@@ -90,6 +90,26 @@ TEST(ScopeFeed, TheErrorIsKnownOnceTheServoHoldsAndNotAfterADoubt) {
     EXPECT_FALSE(feed.take(sampleOf(0.02, kHolds, kServoOn, 97))->errorKnown());
 }
 
+TEST(ScopeFeed, AStandingMotorHasAnExactErrorAndAMovingOneABand) {
+    ScopeFeed feed;
+    static_cast<void>(feed.take(sampleOf(-1, kMoveDone | kPosError | kPower, 0, 0)));
+    feed.apply(executedAt(0, stopWith(servo::StopManner::Abruptly)));
+    const auto rest = feed.take(sampleOf(0.01, kHolds, kServoOn, 0));
+    EXPECT_EQ(rest->errorLow, rest->error);
+    EXPECT_EQ(rest->errorHigh, rest->error);
+    feed.apply(executedAt(1, velocityMode(8 << 16, 8 << 16)));  // 8 counts/tick within a tick
+    const auto prompt = feed.take(sampleOf(2, kPower, kServoOn | kAccelDone, 15'000));
+    EXPECT_LT(prompt->errorLow, prompt->error);
+    EXPECT_GT(prompt->errorHigh, prompt->error);
+    EXPECT_LT(prompt->errorHigh - prompt->errorLow, 2 * 2.5 * 8 + 2);
+    bus::Sample delayed = sampleOf(2.01, kPower, kServoOn | kAccelDone, 15'156);
+    delayed.late = std::chrono::milliseconds(5);
+    const auto late = feed.take(delayed);
+    // It may have been latched up to 5 ms later, when the command was some 78 counts further on.
+    EXPECT_NEAR(late->errorHigh - late->error, (prompt->errorHigh - prompt->error) + 78, 8);
+    EXPECT_NEAR(late->error - late->errorLow, prompt->error - prompt->errorLow, 8);
+}
+
 TEST(ScopeFeed, CarriesTheLastAuxiliaryStatusOn) {
     ScopeFeed feed;
     static_cast<void>(feed.take(sampleOf(0, kHolds, kServoOn)));

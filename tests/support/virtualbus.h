@@ -45,6 +45,8 @@ public:
     Duration adapterDelay{};
     /// Changes what goes to the chain; emptied means lost.
     std::function<void(std::vector<std::uint8_t>& command)> onCommand;
+    /// Asked with each command: its last byte leaves so much later, because the machine was busy.
+    std::function<Duration()> holdsBack;
     /// Asked with each command: true loses everything the host would hear until the next one.
     std::function<bool(ByteSpan command)> losesReply;
     /// Asked for each byte to the host: true loses it.
@@ -178,7 +180,7 @@ private:
 
     void step(TimePoint end) {
         TimePoint next = end;
-        for (const auto& candidate : {engine.nextDeadline(), chain.nextEvent(), arrival()})
+        for (const auto& candidate : {engine.nextDeadline(), chain.nextEvent(), arrival(), departure()})
             if (candidate)
                 next = std::min(next, *candidate);
         // A deadline that is not in the future would be a busy loop.
@@ -188,6 +190,8 @@ private:
             next = end;
         }
         now = std::max(now, next);
+        for (; !m_leaving.empty() && m_leaving.front().time <= now; m_leaving.pop_front())
+            chain.hostSends(m_leaving.front().bytes, now);
         chain.advanceTo(now);
         if (onTime)
             onTime();
@@ -211,6 +215,10 @@ private:
         return m_arriving.empty() ? std::nullopt : std::optional(m_arriving.front().due);
     }
 
+    [[nodiscard]] std::optional<TimePoint> departure() const {
+        return m_leaving.empty() ? std::nullopt : std::optional(m_leaving.front().time);
+    }
+
     void pump() {
         for (bus::Output& output : engine.takeOutput())
             carryOut(output);
@@ -227,6 +235,11 @@ private:
             m_losesReply = losesReply && losesReply(send->bytes);
             if (onCommand)
                 onCommand(send->bytes);
+            const Duration held = holdsBack && !send->bytes.empty() ? holdsBack() : Duration{};
+            if (held > Duration{}) {
+                m_leaving.push_back({now + held, {send->bytes.back()}});
+                send->bytes.pop_back();
+            }
             chain.hostSends(send->bytes, now);
         } else {
             m_arriving.clear();
@@ -234,6 +247,7 @@ private:
     }
 
     std::deque<sim::HostByte> m_arriving;
+    std::deque<Sent> m_leaving;
     bool m_losesReply = false;
     std::uint32_t m_lastId = 0;
     unsigned m_stuck = 0;

@@ -99,8 +99,8 @@ TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
 
 TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     HandMadeHistory made(2);
-    for (int i = 0; i <= 300; ++i)
-        made.add(i / 10.0, i < 250 ? 0 : 100'000);
+    for (int i = 0; i <= 3'000; ++i)  // more than there are pixels
+        made.add(i / 100.0, i < 2'500 ? 0 : 100'000);
     show(made, 30);
     auto* plot = find<ScopePlot>(u"scopePlot1"_s);
     plot->zoomValues(0.001, 0);  // the step leaves the plot far above
@@ -123,7 +123,7 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
             EXPECT_LT(std::abs(match.next().captured().toDouble()), 5'000) << shape.toStdString();
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
-    EXPECT_GT(lines, 50);
+    EXPECT_GT(lines, 400);
     EXPECT_EQ(svg.find("<image"), std::string::npos) << "vectors only";
     EXPECT_TRUE(words.contains(u"/dev/ttyUSB0"_s)) << words.toStdString();
 }

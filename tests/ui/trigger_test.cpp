@@ -88,7 +88,7 @@ TEST_F(Trigger, WaitsForAStatusBit) {
 }
 
 TEST_F(Trigger, WaitsForAVelocityWithAnotherShareBefore) {
-    choose(u"triggerSourceBox"_s, u"velocity, from position"_s);
+    choose(u"triggerSourceBox"_s, u"velocity"_s);
     type(u"triggerLevelField"_s, u"250"_s);
     choose(u"triggerConditionBox"_s, u"falls to"_s);
     type(u"triggerBeforeField"_s, u"50"_s);
@@ -158,7 +158,7 @@ TEST_F(Trigger, WithoutALevelItCannotBeArmed) {
 TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {
     auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
     EXPECT_EQ(sources->itemText(0), u"position"_s);
-    EXPECT_GE(sources->findText(u"Module 2: velocity, from position"_s), 0);
+    EXPECT_GE(sources->findText(u"Module 2: velocity"_s), 0);
     EXPECT_GE(sources->findText(u"Module 2: move_done"_s), 0);
     EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected one";
 }

@@ -54,6 +54,9 @@ Words homingFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ReadingsDiffer:
             return {Texts::tr("%1 stands still and is not homed: two readings of its home differ.").arg(who),
                     Texts::tr("Usually noise on the cable. Repeat the search.")};
+        case ProcedureFailure::NotStill:
+        case ProcedureFailure::Unstable:
+            return {};  // of step responses
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
@@ -145,6 +148,14 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("A command was not carried out or not answered. The motor was told to stop.");
         case ProcedureFailure::ReadingsDiffer:
             return Texts::tr("Two readings of home differ. The motor stands still.");
+        case ProcedureFailure::NotStill:
+            return Texts::tr(
+                "The motor does not stand still; its servo stays on. Lower the gains, or switch "
+                "it off.");
+        case ProcedureFailure::Unstable:
+            return Texts::tr(
+                "The motor swung by more than the whole step and did not calm down, so it was "
+                "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr("It does not come to rest at home exactly, so nothing was made zero.");
     }

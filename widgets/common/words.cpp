@@ -185,6 +185,17 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The limit's pin is an output, so it tells nothing.");
         case Refusal::StepTooShort:
             return Texts::tr("A move by 0 is none.");
+        case Refusal::StepTooLong:
+            return Texts::tr("A step response is for a small move: at most 2000 counts.");
+        case Refusal::StepWouldTrip:
+            return Texts::tr(
+                "The step would switch the servo off: right after it the position error is the "
+                "whole step, which is above the position error limit, or too close to it. Make "
+                "the step shorter or raise EL.");
+        case Refusal::GoalOutOfRange:
+            return Texts::tr("The goal is beyond the positions the chip can count.");
+        case Refusal::RecordTime:
+            return Texts::tr("A record takes from 0.02 s to 3 s.");
         case Refusal::NotAStepper:
             return Texts::tr("This module is not a PIC-STEP.");
         case Refusal::ParametersUnknown:

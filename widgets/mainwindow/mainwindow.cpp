@@ -251,6 +251,14 @@ std::optional<ModuleIndex> MainWindow::selectedModule() const {
     return m_chain->selectedModule();
 }
 
+std::vector<ModuleIndex> MainWindow::watchedModules() const {
+    std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
+    const std::optional<ModuleIndex> selected = selectedModule();
+    if (selected && std::find(watched.begin(), watched.end(), *selected) == watched.end())
+        watched.push_back(*selected);
+    return watched;
+}
+
 void MainWindow::showFigures(const LinkFigures& figures) {
     m_linkBar->showFigures(figures);
     m_monitor->showFigures(figures);

@@ -87,6 +87,9 @@ public:
     /// Empty while there is no module.
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
+    /// Those that panel and scope show.
+    [[nodiscard]] std::vector<ModuleIndex> watchedModules() const;
+
     /// Closes for good: after closeConfirmed(), when the motors are known to be stopped or there is no more
     /// hope.
     void finishClose();

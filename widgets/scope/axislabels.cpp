@@ -89,20 +89,21 @@ QRectF AxisLabels::boundingRect() const {
 
 void AxisLabels::paintValues(QPainter& painter) const {
     const double height = QFontMetricsF(m_font).height();
-    const int count = static_cast<int>(std::lround((m_top - m_bottom) / m_valueInterval));
-    for (int i = 0; i <= count; ++i) {
-        const double y = m_area.bottom() - m_area.height() * i / count;
+    const double perUnit = m_area.height() / (m_top - m_bottom);
+    for (double n = std::ceil(m_bottom / m_valueInterval - 1e-6);
+         n * m_valueInterval <= m_top + 1e-6 * m_valueInterval; n += 1.0) {
+        const double y = m_area.bottom() - (n * m_valueInterval - m_bottom) * perUnit;
         const QRectF place(m_area.left() - widthNeeded(), y - height / 2, widthNeeded() - gap(), height);
         painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         numberText(m_bottom + i * m_valueInterval, m_valueInterval));
+                         numberText(n * m_valueInterval, m_valueInterval));
     }
 }
 
 void AxisLabels::paintTimes(QPainter& painter) const {
     const double height = QFontMetricsF(m_font).height();
     const double perSecond = m_area.width() / (m_right - m_left);
-    for (double n = std::ceil(m_left / m_timeInterval - 1e-6); n * m_timeInterval <= m_right + 1e-6;
-         n += 1.0) {
+    for (double n = std::ceil(m_left / m_timeInterval - 1e-6);
+         n * m_timeInterval <= m_right + 1e-6 * m_timeInterval; n += 1.0) {
         const double x = m_area.left() + (n * m_timeInterval - m_left) * perSecond;
         const QRectF place(x - 4 * height, m_area.bottom() + gap() / 2, 8 * height, height);
         painter.drawText(place, Qt::AlignHCenter | Qt::AlignTop,

@@ -23,9 +23,10 @@ ChartBackdrop::ChartBackdrop(QObject* parent)
     m_scene.addItem(m_chart);
     m_chart->addAxis(m_timeAxis, Qt::AlignBottom);
     m_chart->addAxis(m_valueAxis, Qt::AlignLeft);
-    m_timeAxis->setTickType(QValueAxis::TicksDynamic);
-    m_timeAxis->setLabelsVisible(false);
-    m_valueAxis->setLabelsVisible(false);
+    for (QValueAxis* axis : {m_timeAxis, m_valueAxis}) {
+        axis->setTickType(QValueAxis::TicksDynamic);
+        axis->setLabelsVisible(false);
+    }
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     m_chart->setBackgroundRoundness(0);
     m_chart->legend()->setAlignment(Qt::AlignTop);
@@ -101,28 +102,28 @@ void ChartBackdrop::setMargins(int left, int right, int bottom) {
 }
 
 void ChartBackdrop::setTimeAxis(double left, double right, double division, double labelInterval) {
-    if (left != m_timeAxis->min() || right != m_timeAxis->max() || division != m_timeAxis->tickInterval()) {
-        // An interval that is small beside the range hangs Qt Charts, so whichever keeps them apart goes
-        // first; and the anchor stays near, for the sake of its arithmetic.
-        if (right - left > m_timeAxis->max() - m_timeAxis->min())
-            m_timeAxis->setTickInterval(division);
-        m_timeAxis->setRange(left, right);
-        m_timeAxis->setTickInterval(division);
-        m_timeAxis->setTickAnchor(std::floor(left / division) * division);
+    if (move(*m_timeAxis, left, right, division))
         spoil();
-    }
     m_labels->setTimes(left, right, labelInterval);
 }
 
-/// The number of ticks is given, not their distance: a distance that is small beside a range that has just
-/// grown hangs Qt Charts.
 void ChartBackdrop::setValueAxis(double bottom, double top, double interval) {
-    const int ticks = qMax(2, qRound((top - bottom) / interval) + 1);
-    if (m_valueAxis->tickCount() != ticks)
-        m_valueAxis->setTickCount(ticks);
-    if (m_valueAxis->min() != bottom || m_valueAxis->max() != top)
-        m_valueAxis->setRange(bottom, top);
+    if (move(*m_valueAxis, bottom, top, interval))
+        spoil();
     m_labels->setValues(bottom, top, interval);
+}
+
+bool ChartBackdrop::move(QValueAxis& axis, double from, double to, double interval) {
+    if (from == axis.min() && to == axis.max() && interval == axis.tickInterval())
+        return false;
+    // An interval that is small beside the range hangs Qt Charts, so whichever keeps them apart goes first;
+    // and the anchor stays near, for the sake of its arithmetic.
+    if (to - from > axis.max() - axis.min())
+        axis.setTickInterval(interval);
+    axis.setRange(from, to);
+    axis.setTickInterval(interval);
+    axis.setTickAnchor(std::floor(from / interval) * interval);
+    return true;
 }
 
 QRectF ChartBackdrop::plotArea() const {

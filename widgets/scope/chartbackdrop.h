@@ -41,7 +41,6 @@ public:
     void setMargins(int left, int right, int bottom);
     /// `labelInterval` 0: this strip does not say the time.
     void setTimeAxis(double left, double right, double division, double labelInterval);
-    /// Whole intervals from bottom to top.
     void setValueAxis(double bottom, double top, double interval);
 
     [[nodiscard]] QRectF plotArea() const;
@@ -58,6 +57,7 @@ signals:
 
 private:
     void spoil();
+    [[nodiscard]] static bool move(QValueAxis& axis, double from, double to, double interval);
 
     QGraphicsScene m_scene;
     QChart* m_chart;

@@ -25,7 +25,10 @@ CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 4, parent) {
 }
 
 QSize CursorTable::sizeHint() const {
-    return {fontMetrics().height() * 24, fontMetrics().height() * 8};
+    int width = 2 * frameWidth();
+    for (int column = 0; column < columnCount(); ++column)
+        width += columnWidth(column);
+    return {width, fontMetrics().height() * 6};
 }
 
 void CursorTable::setCell(int row, int column, const QString& text) {
@@ -75,11 +78,13 @@ void CursorTable::showReadings(const ScopeStrips& strips, const History& history
             };
             const auto first = read(times[0]);
             const auto second = read(times[1]);
-            add(trace.label, text(first), text(second),
+            add(texts::signalName(trace.signal) + (trace.tag.isEmpty() ? QString() : u' ' + trace.tag),
+                text(first), text(second),
                 text(first && second ? std::optional(*second - *first) : std::nullopt));
         }
     }
     setRowCount(row);
+    updateGeometry();
 }
 
 }  // namespace nmc

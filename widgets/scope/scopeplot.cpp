@@ -53,7 +53,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
         const QString label = drawing.dashed && trace.samplesPerSecond == 0
                                   ? tr("%1 · not known now").arg(trace.label)
-                                  : tr("%1 · %2 samples/s").arg(trace.label, rate);
+                                  : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});
     }
     m_backdrop.setLegend(legend);
@@ -109,8 +109,9 @@ void ScopePlot::setValueAxis(const AxisRange::Range& range) {
         if ((range.max - range.min) / interval <= room)
             break;
     }
-    m_geometry.bottom = std::floor(range.min / interval + 1e-9) * interval;
-    m_geometry.top = std::ceil(range.max / interval - 1e-9) * interval;
+    // What fits itself ends at labels; what the user has moved stands where he put it.
+    m_geometry.bottom = m_manual ? range.min : std::floor(range.min / interval + 1e-9) * interval;
+    m_geometry.top = m_manual ? range.max : std::ceil(range.max / interval - 1e-9) * interval;
     m_backdrop.setValueAxis(m_geometry.bottom, m_geometry.top, interval);
 }
 
@@ -307,7 +308,7 @@ void ScopePlot::mouseReleaseEvent(QMouseEvent* event) {
     if (drag != Drag::Choose)
         return QWidget::mouseReleaseEvent(event);
     update();
-    const auto [from, to] = std::minmax(m_dragFrom.x(), m_dragTo.x());
+    const auto [from, to] = std::minmax({m_dragFrom.x(), m_dragTo.x()});
     if (to - from >= fontMetrics().height() / 2.0)
         emit timeChosen(m_geometry.seconds(from), m_geometry.seconds(to));
 }

@@ -32,11 +32,11 @@ QString signalName(ScopeSignal signal) {
         case ScopeSignal::Position:
             return Scope::tr("position");
         case ScopeSignal::Command:
-            return Scope::tr("command position, calculated");
+            return Scope::tr("command, calculated");
         case ScopeSignal::Error:
-            return Scope::tr("position error, calculated");
+            return Scope::tr("error, calculated");
         case ScopeSignal::Velocity:
-            return Scope::tr("velocity, from position");
+            return Scope::tr("velocity");
         case ScopeSignal::Analog:
             return Scope::tr("A/D");
     }
@@ -92,11 +92,10 @@ std::vector<ScopeBit> laneBits(ModuleType type) {
 std::vector<ScopeBit> usualLaneBits(ModuleType type) {
     constexpr auto kStatus = ScopeBit::Byte::Status;
     constexpr auto kAux = ScopeBit::Byte::Aux;
-    if (type == ModuleType::Step)  // moving, power, homing; E-stop, limits, home switch
-        return {{kStatus, 0}, {kStatus, 3}, {kStatus, 7}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
-    // move_done, power_on, servo_on, pos_error, overcurrent, limits, home_in_progress
-    return {{kStatus, 0}, {kStatus, 3}, {kAux, 2},    {kStatus, 4},
-            {kStatus, 2}, {kStatus, 5}, {kStatus, 6}, {kStatus, 7}};
+    if (type == ModuleType::Step)  // moving, power; E-stop, limits, home switch
+        return {{kStatus, 0}, {kStatus, 3}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
+    // move_done, power_on, servo_on, pos_error, limits
+    return {{kStatus, 0}, {kStatus, 3}, {kAux, 2}, {kStatus, 4}, {kStatus, 5}, {kStatus, 6}};
 }
 
 }  // namespace nmc

@@ -9,7 +9,7 @@
 /// The scope's signals in words.
 namespace nmc::texts {
 
-/// "position", "position error, calculated".
+/// "position", "error, calculated".
 [[nodiscard]] QString signalName(ScopeSignal signal);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);

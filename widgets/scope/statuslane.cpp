@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 
 StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
     look::name(this, u"scopeStatusLane"_s, tr("Status bits over time"));
-    setFont(look::scaled(font(), 0.9));
+    setFont(look::scaled(font(), 0.85));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_geometry.bottom = 0;
     m_geometry.top = 1;
@@ -27,7 +27,7 @@ void StatusLane::setBits(ModuleType type, std::vector<ScopeBit> bits) {
 }
 
 int StatusLane::rowHeight() const {
-    return fontMetrics().height() + 2;
+    return fontMetrics().height();
 }
 
 int StatusLane::labelWidth() const {
@@ -101,8 +101,8 @@ void StatusLane::renderTo(QPainter& painter) {
 
 void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const {
     const unsigned mask = 1U << (bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U));
-    const double high = row.top() + 2.5;
-    const double low = row.bottom() - 2.5;
+    const double high = row.top() + 1.5;
+    const double low = row.bottom() - 1.5;
     const QColor line = look::traceColour(0, palette());
     QColor fill = line;
     fill.setAlpha(60);

@@ -3,11 +3,11 @@
 
 #include <QFontMetricsF>
 #include <QLineF>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QVarLengthArray>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace nmc {
 
@@ -17,8 +17,33 @@ constexpr double kPenWidth = 1.6;
 constexpr double kDashPeriod = 9.0;  ///< px along the time axis
 constexpr double kDashShare = 0.6;
 constexpr int kBandAlpha = 70;
+constexpr double kDense = 0.5;  ///< columns for each pixel
+constexpr double kMargin = 10;  ///< px beyond the plot area
 
 using Lines = QVarLengthArray<QLineF, 4096>;
+
+/// The part of a line within `area`, as shares of it; false if there is none. Zoomed in far enough a line
+/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that.
+bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
+    from = 0;
+    to = 1;
+    const auto cut = [&](double start, double way, double least, double most) {
+        if (way == 0)
+            return start >= least && start <= most;
+        const double first = (way > 0 ? least - start : most - start) / way;
+        const double last = (way > 0 ? most - start : least - start) / way;
+        from = std::max(from, first);
+        to = std::min(to, last);
+        return from < to;
+    };
+    return cut(line.x1(), line.dx(), area.left(), area.right()) &&
+           cut(line.y1(), line.dy(), area.top(), area.bottom());
+}
+
+/// For paper. Such a file has pixels of any size, and no clipping (Qt 6.4).
+bool isVector(const QPainter& painter) {
+    return painter.paintEngine()->type() == QPaintEngine::SVG;
+}
 
 /// Dashes that hang on the time of the data, so that they roll with it instead of crawling along it. Where
 /// the trace is steep a gap would hide something, so it is drawn through.
@@ -36,27 +61,6 @@ void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
             lines.append(QLineF(line.pointAt((from - phase) / (next - phase)),
                                 line.pointAt((to - phase) / (next - phase))));
     }
-}
-
-/// The part of a line within `area`. A painter's own clipping is not enough: an SVG file has none.
-std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
-    double from = 0;
-    double to = 1;
-    const auto cut = [&](double start, double delta, double low, double high) {
-        if (delta == 0.0) {
-            if (start < low || start > high)
-                to = -1;
-            return;
-        }
-        const auto [first, second] = std::minmax({(low - start) / delta, (high - start) / delta});
-        from = std::max(from, first);
-        to = std::min(to, second);
-    };
-    cut(line.x1(), line.dx(), area.left(), area.right());
-    cut(line.y1(), line.dy(), area.top(), area.bottom());
-    if (from > to)
-        return std::nullopt;
-    return QLineF(line.pointAt(from), line.pointAt(to));
 }
 
 }  // namespace
@@ -110,13 +114,34 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         return;
     if (m_hasBand)
         paintBand(painter, geometry);
-    const double phasePerSecond = geometry.area.width() / (geometry.right - geometry.left) / kDashPeriod;
+    if (static_cast<double>(m_columns.size()) > geometry.area.width() * kDense && !isVector(painter))
+        paintDense(painter, geometry);
+    else
+        paintLines(painter, geometry);
+    if (!tag.isEmpty())
+        paintTag(painter, geometry);
+}
+
+double TraceDrawing::dashesPerSecond(const PlotGeometry& geometry) {
+    return geometry.area.width() / (geometry.right - geometry.left) / kDashPeriod;
+}
+
+void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) const {
+    const double dashes = dashesPerSecond(geometry);
     Lines lines;
+    const double margin = isVector(painter) ? 0 : kMargin;
+    const QRectF room = geometry.area.adjusted(-margin, -margin, margin, margin);
     const auto add = [&](const QLineF& line, double fromSecond, double toSecond) {
+        double from = 0, to = 1;
+        if (!clip(line, room, from, to))
+            return;
+        const QLineF seen(line.pointAt(from), line.pointAt(to));
+        const double seconds = toSecond - fromSecond;
         if (dashed)
-            addDashed(line, fromSecond * phasePerSecond, toSecond * phasePerSecond, lines);
+            addDashed(seen, (fromSecond + from * seconds) * dashes, (fromSecond + to * seconds) * dashes,
+                      lines);
         else
-            lines.append(line);
+            lines.append(seen);
     };
     QPointF before;
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -128,18 +153,60 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
             add(QLineF(before, entry), m_columns[i - 1].right, column.left);
         if (entry != exit)
             add(QLineF(entry, exit), column.left, column.right);
-        else if (!column.joined && !goesOn)
+        else if (!column.joined && !goesOn && room.contains(entry))
             lines.append(QLineF(entry.x() - kPenWidth, entry.y(), entry.x() + kPenWidth, entry.y()));
         before = exit;
     }
-    painter.setPen(QPen(colour, kPenWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::RoundCap));
-    Lines seen;
-    for (const QLineF& line : lines)
-        if (const auto part = within(geometry.area, line))
-            seen.append(*part);
-    painter.drawLines(seen.constData(), static_cast<int>(seen.size()));
-    if (!tag.isEmpty())
-        paintTag(painter, geometry);
+    // Round caps would cost six times as much.
+    painter.setPen(QPen(colour, kPenWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::SquareCap));
+    painter.drawLines(lines.constData(), static_cast<int>(lines.size()));
+}
+
+/// Where there is a column in nearly every pixel, each pixel's reach is filled: a third of what lines cost.
+void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) const {
+    const double dashes = dashesPerSecond(geometry);
+    double pixel = 0, low = 0, high = 0;
+    bool open = false;
+    const auto close = [&] {
+        if (!open)
+            return;
+        const double phase = geometry.seconds(pixel) * dashes;
+        const bool gap = dashed && high - low < kPenWidth * 2 && phase - std::floor(phase) > kDashShare;
+        if (!gap)
+            painter.fillRect(QRectF(pixel, low - kPenWidth / 2, 1, high - low + kPenWidth), colour);
+        open = false;
+    };
+    const auto reach = [&](double x, double from, double to) {
+        if (open && std::floor(x) != pixel)
+            close();
+        const auto [top, bottom] = std::minmax(from, to);
+        low = open ? std::min(low, top) : top;
+        high = open ? std::max(high, bottom) : bottom;
+        pixel = std::floor(x);
+        open = true;
+    };
+    // What is beyond the plot area is clipped anyway.
+    const auto within = [&](double y) {
+        return std::clamp(y, geometry.area.top() - kMargin, geometry.area.bottom() + kMargin);
+    };
+    double beforeX = 0, beforeY = 0;
+    for (const Column& column : m_columns) {
+        const double x = geometry.x(column.left);
+        const double entry = within(geometry.y(column.entry));
+        const double exit = within(geometry.y(column.exit));
+        // Pixels that lie between two columns are crossed on a straight line.
+        const double first = std::max(std::floor(beforeX) + 1, geometry.area.left());
+        for (double between = first;
+             column.joined && between < std::min(std::floor(x), geometry.area.right()); between += 1) {
+            const double slope = (entry - beforeY) / (x - beforeX);
+            reach(between, beforeY + slope * (between - beforeX), beforeY + slope * (between + 1 - beforeX));
+        }
+        reach(x, column.joined && std::floor(beforeX) + 1 >= std::floor(x) ? beforeY : entry, entry);
+        reach(x, entry, exit);
+        beforeX = x;
+        beforeY = exit;
+    }
+    close();
 }
 
 void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) const {

@@ -70,6 +70,9 @@ private:
         double bandLow, bandHigh;  ///< of a calculated error
         bool joined;               ///< to the one before
     };
+    [[nodiscard]] static double dashesPerSecond(const PlotGeometry& geometry);
+    void paintLines(QPainter& painter, const PlotGeometry& geometry) const;
+    void paintDense(QPainter& painter, const PlotGeometry& geometry) const;
     void paintBand(QPainter& painter, const PlotGeometry& geometry) const;
     void paintTag(QPainter& painter, const PlotGeometry& geometry) const;
 

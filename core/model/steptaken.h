@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "base/time.h"
+#include "protocol/servocommands.h"
+
+namespace nmc {
+
+/// How the command position of a PIC-SERVO is made to jump.
+enum class StepWay : std::uint8_t {
+    Profile,   ///< a move so fast that the profile is at its goal in a single tick (DS-V 4.3)
+    StopHere,  ///< Stop Motor with a position, which has no profile (DS-V 5.2); not version 1
+};
+
+/// A step that a motor was told to make, and what is needed to measure it.
+struct StepTaken {
+    TimePoint at;           ///< when the module latched the command, +-half a tick
+    std::int32_t from = 0;  ///< where it stood
+    std::int32_t goal = 0;  ///< where the command position jumped to
+    double record = 0.0;    ///< s, from `at` on; then the motor was told to hold
+    StepWay way = StepWay::Profile;
+    servo::SetGain gains;  ///< in force
+
+    bool operator==(const StepTaken&) const = default;
+};
+
+}  // namespace nmc

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step metrics against closed forms of first and second order, sampled at awkward times.
+#include "model/stepmetrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace nmc {
+namespace {
+
+using Curve = std::function<double(double seconds)>;  ///< 0 before the step, 1 at its goal
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// 1 - exp(-t / tau).
+[[nodiscard]] Curve firstOrder(double tau) {
+    return [tau](double s) { return s <= 0 ? 0.0 : 1 - std::exp(-s / tau); };
+}
+
+/// The textbook's: damping ratio below 1, natural frequency in rad/s.
+[[nodiscard]] Curve secondOrder(double damping, double omega) {
+    return [=](double s) {
+        if (s <= 0)
+            return 0.0;
+        const double root = std::sqrt(1 - damping * damping);
+        return 1 - std::exp(-damping * omega * s) *
+                       (std::cos(omega * root * s) + damping / root * std::sin(omega * root * s));
+    };
+}
+
+/// From before the step on; `phase` is when the first sample behind it is taken, as a share of the interval.
+[[nodiscard]] std::vector<StepPoint> sampled(const Curve& curve, double from, double goal, double interval,
+                                             double phase, double length) {
+    std::vector<StepPoint> points;
+    for (double s = interval * (phase - 3); s <= length; s += interval)
+        points.push_back({s, from + (goal - from) * curve(s)});
+    return points;
+}
+
+/// The first time at which the curve is at `level`, by bisection.
+[[nodiscard]] double timeOf(const Curve& curve, double level, double notAfter) {
+    double low = 0, high = notAfter;
+    for (int i = 0; i < 60; ++i)
+        (curve((low + high) / 2) < level ? low : high) = (low + high) / 2;
+    return low;
+}
+
+TEST(StepMetrics, OfAFirstOrderResponseAreItsTimeConstants) {
+    constexpr double kTau = 0.01;
+    for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
+        const auto points = sampled(firstOrder(kTau), 0, 1'000, 0.001, phase, 0.15);
+        const StepMetrics m = measureStep(points, 0, 1'000, 20, 0);
+        // A straight line between two samples is off by interval squared / 8 tau at most.
+        ASSERT_TRUE(m.rise && m.overshoot && m.settling && m.steadyError);
+        EXPECT_NEAR(m.rise->value, std::log(9.0) * kTau, 1.3e-5) << phase;
+        EXPECT_NEAR(m.settling->value, std::log(50.0) * kTau, 1.3e-5) << phase;
+        EXPECT_EQ(m.overshoot->value, 0.0);
+        // 12 to 15 time constants: less than e^-12 is left.
+        EXPECT_NEAR(m.steadyError->value, 0.0, 1'000 * std::exp(-12.0));
+        EXPECT_NEAR(m.interval, 0.001, 1e-9);
+    }
+}
+
+TEST(StepMetrics, OfASecondOrderResponseAreTheTextbooks) {
+    constexpr double kOmega = 300;
+    for (const double damping : {0.2, 0.4, 0.6}) {
+        const Curve curve = secondOrder(damping, kOmega);
+        const double overshoot = 100 * std::exp(-kPi * damping / std::sqrt(1 - damping * damping));
+        const double peakTime = kPi / (kOmega * std::sqrt(1 - damping * damping));
+        const double rise = timeOf(curve, 0.9, peakTime) - timeOf(curve, 0.1, peakTime);
+        // The envelope bounds when it has settled; the last crossing is no more than half a swing earlier.
+        const double envelope = -std::log(0.02 * std::sqrt(1 - damping * damping)) / (damping * kOmega);
+        for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
+            SCOPED_TRACE(testing::Message() << "damping " << damping << ", phase " << phase);
+            const auto points = sampled(curve, 500, -300, 0.000'8, phase, 0.3);
+            const StepMetrics m = measureStep(points, 500, -300, 16, 0);
+            ASSERT_TRUE(m.rise && m.overshoot && m.settling && m.steadyError);
+            EXPECT_NEAR(m.overshoot->value, overshoot, 0.1);
+            EXPECT_NEAR(m.rise->value, rise, 0.000'1);
+            EXPECT_LE(m.settling->value, envelope + 0.000'8);
+            EXPECT_GE(m.settling->value, envelope - peakTime - 0.000'8);
+            const double last = m.settling->value;
+            EXPECT_NEAR(std::abs(curve(last) - 1), 0.02, 0.004) << "it leaves the band for the last time";
+        }
+    }
+}
+
+/// 200 responses, settled or not, with samples as coarse as a sixth of the rise time.
+TEST(StepMetrics, DoubtCoversTheTruth) {
+    constexpr unsigned kSeed = 4'711;
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    int risesOutside = 0, overshootsOutside = 0;
+    for (int i = 0; i < 200; ++i) {
+        const double damping = 0.1 + 0.8 * uniform(random);
+        const double omega = 100 + 900 * uniform(random);
+        const double interval = (0.05 + 0.3 * uniform(random)) / omega;
+        const Curve curve = secondOrder(damping, omega);
+        const double peakTime = kPi / (omega * std::sqrt(1 - damping * damping));
+        const auto points = sampled(curve, 0, 200, interval, uniform(random), 30 / omega);
+        const StepMetrics m = measureStep(points, 0, 200, 4, 0);
+        ASSERT_TRUE(m.rise && m.overshoot) << "seed " << kSeed << ", number " << i;
+        const double rise = timeOf(curve, 0.9, peakTime) - timeOf(curve, 0.1, peakTime);
+        const double overshoot = 100 * std::exp(-kPi * damping / std::sqrt(1 - damping * damping));
+        risesOutside += std::abs(m.rise->value - rise) > m.rise->doubt ? 1 : 0;
+        overshootsOutside += std::abs(m.overshoot->value - overshoot) > m.overshoot->doubt ? 1 : 0;
+    }
+    EXPECT_EQ(risesOutside, 0);
+    EXPECT_EQ(overshootsOutside, 0);
+}
+
+TEST(StepMetrics, AreByHandOfTenSamples) {
+    // Goal 100, a band of 5 counts. At 10 % half-way from 0 to 20, at 90 % half-way from 80 to 100.
+    const std::vector<StepPoint> points = {{-0.001, 0},  {0.001, 20},  {0.002, 50},  {0.003, 80},
+                                           {0.004, 100}, {0.005, 110}, {0.006, 100}, {0.007, 94},
+                                           {0.008, 98},  {0.009, 99},  {0.010, 99},  {0.011, 97}};
+    const StepMetrics m = measureStep(points, 0, 100, 5, 0.000'5);
+    EXPECT_NEAR(m.rise->value, 0.003'5 - 0.000'5, 1e-12);
+    EXPECT_NEAR(m.rise->doubt, 0.000'5 + 0.000'5 + 0.000'5, 1e-12);
+    // A parabola that is as high on both sides peaks at its middle.
+    EXPECT_NEAR(m.overshoot->value, 10, 1e-9);
+    EXPECT_NEAR(m.overshoot->doubt, 0.5, 1e-9) << "half a count";
+    EXPECT_NEAR(m.settling->value, 0.007 + 0.001 / 4, 1e-12) << "from 94 to 98 by way of 95";
+    EXPECT_NEAR(m.settling->doubt, 0.000'5 + 0.000'5, 1e-12);
+    // From 8.8 ms on: 99, 99, 97.
+    EXPECT_NEAR(m.steadyError->value, 100 - 295.0 / 3, 1e-9);
+    EXPECT_NEAR(m.steadyError->doubt, 1, 1e-9);
+}
+
+TEST(StepMetrics, SettleWhereTheyLeaveTheOtherEdgeOfTheBand) {
+    // From 7 above the goal to 3 below within one interval: in at +5, which is a fifth of the way.
+    const std::vector<StepPoint> points = {{0.001, 60},  {0.002, 107}, {0.003, 97}, {0.004, 100},
+                                           {0.005, 100}, {0.006, 100}, {0.007, 100}};
+    EXPECT_NEAR(measureStep(points, 0, 100, 5, 0).settling->value, 0.002'2, 1e-12);
+}
+
+TEST(StepMetrics, SayWhatCannotBeMeasured) {
+    const Curve slow = firstOrder(1);
+    const StepMetrics never = measureStep(sampled(slow, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
+    EXPECT_EQ(never.rise.error(), Unmeasured::NeverRose);
+    EXPECT_EQ(never.settling.error(), Unmeasured::NeverSettled);
+    EXPECT_EQ(never.overshoot->value, 0.0);
+
+    // It stops 4 counts short, for good.
+    const auto points = sampled([](double s) { return s > 0.01 ? 0.96 : s * 96; }, 0, 100, 0.001, 0.5, 0.2);
+    const StepMetrics friction = measureStep(points, 0, 100, 2, 0);
+    EXPECT_TRUE(friction.rise);
+    EXPECT_EQ(friction.settling.error(), Unmeasured::NeverSettled);
+    EXPECT_NEAR(friction.steadyError->value, 4, 1e-9);
+
+    const std::vector<StepPoint> few = {{-0.002, 0}, {-0.001, 0}, {0.001, 50}, {0.002, 100}};
+    const StepMetrics none = measureStep(few, 0, 100, 2, 0);
+    EXPECT_EQ(none.rise.error(), Unmeasured::TooFewSamples);
+    EXPECT_EQ(none.overshoot.error(), Unmeasured::TooFewSamples);
+    EXPECT_EQ(none.settling.error(), Unmeasured::TooFewSamples);
+    EXPECT_EQ(none.steadyError.error(), Unmeasured::TooFewSamples);
+    EXPECT_EQ(measureStep({}, 0, 100, 2, 0).rise.error(), Unmeasured::TooFewSamples);
+}
+
+/// It comes back out of the band in the last fifth.
+TEST(StepMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
+    const auto hunting = [](double s) { return s <= 0 ? 0.0 : 1 + 0.05 * std::sin(200 * s); };
+    const StepMetrics m = measureStep(sampled(hunting, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
+    EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
+    EXPECT_NEAR(m.overshoot->value, 5, 0.1);
+    EXPECT_NEAR(m.steadyError->value, 0, 0.6);
+    EXPECT_NEAR(m.steadyError->doubt, 5, 0.1);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step responses: what is sent, what refuses them, and how they end.
+#include "model/stepresponse.h"
+
+#include <limits>
+
+#include "tests/procedures/procedurebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class StepResponse : public testing::Test {
+protected:
+    [[nodiscard]] static intent::StepResponse by(std::int32_t counts, StepWay way = StepWay::Profile) {
+        return {counts, way, 0.2};
+    }
+    [[nodiscard]] Refusal refusal(const intent::StepResponse& wanted) {
+        const auto steps = plan(wanted, bench.module());
+        EXPECT_FALSE(steps);
+        EXPECT_EQ(procedureFor(wanted, bench.module()), nullptr);
+        return steps ? Refusal::NotConnected : steps.error();
+    }
+    /// Load, start and any stop, from the entry of `sent` on.
+    [[nodiscard]] std::size_t motions(std::size_t from) const {
+        return bench.bus.sends("AA 01 D4", from) + bench.bus.sends("AA 01 05", from) +
+               bench.bus.sends("AA 01 17", from) + bench.bus.sends("AA 01 57", from);
+    }
+    [[nodiscard]] bool applyGains(std::uint16_t kp, std::uint16_t kd, std::uint16_t errorLimit) {
+        return bench.perform(intent::ApplyGains{{kp, kd, 0, 0, 255, 0, errorLimit, 1, std::uint8_t{0}}});
+    }
+    ServoBench bench;
+};
+
+TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(bench.moveTo(1'000));
+    bench.settle();
+    const std::int32_t from = bench.module().latest->position.value();
+    const std::size_t before = bench.bus.sent.size();
+    std::vector<double> commands;
+    bench.bus.onTime = [&] { commands.push_back(bench.truth().commandPosition); };
+    const ProcedureReport report = bench.run(by(100));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    ASSERT_TRUE(report.step);
+    EXPECT_EQ(report.step->from, from);
+    EXPECT_EQ(report.step->goal, from + 100);
+    EXPECT_EQ(report.step->gains.kp, 200);
+    for (const double command : commands)
+        EXPECT_TRUE(command == 1'000 || command == from + 100) << command << ": no profile in between";
+    EXPECT_TRUE(bench.truth().servoOn);
+    EXPECT_EQ(bench.truth().commandPosition, from + 100);
+    EXPECT_NEAR(bench.truth().position, from + 100, 3);
+    EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 1U);
+    EXPECT_EQ(bench.bus.sends("AA 01 05 06", before), 1U);
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U) << "abruptly, amplifier on";
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    const ProcedureReport report = bench.run(by(-100, StepWay::StopHere));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.step->goal, -100);
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 1U) << "-100";
+    EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
+    EXPECT_EQ(bench.truth().commandPosition, -100);
+    bench.bus.expectNoViolations();
+}
+
+/// The record begins when the module has latched the step, to half a tick.
+TEST_F(StepResponse, KnowsWhenItWasTaken) {
+    for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
+        ASSERT_TRUE(bench.enable());
+        std::optional<TimePoint> jumped;
+        const double before = bench.truth().commandPosition;
+        bench.bus.onTime = [&] {
+            if (!jumped && bench.truth().commandPosition != before)
+                jumped = bench.bus.now;
+        };
+        bench.begin(by(100, way));
+        while (bench.procedure->report().stage == ProcedureStage::Preparing)
+            bench.turn();
+        while (!bench.procedure->report().over())
+            bench.turn();
+        ASSERT_TRUE(jumped && bench.procedure->report().step);
+        // The tick behind the command's, and the time at which the test looks: half a millisecond or so each.
+        EXPECT_NEAR(toSeconds(*jumped - bench.procedure->report().step->at), 0.000'512, 0.001);
+    }
+}
+
+TEST_F(StepResponse, LeavesNoVelocityLoaded) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_EQ(bench.run(by(100)).stage, ProcedureStage::Done);
+    EXPECT_FALSE(bench.module().loadWaiting);
+    EXPECT_EQ(whyNot(Request::StartLoaded, bench.module()), Refusal::NothingLoaded);
+    // A move to 0 all the same, of another host, that brings no velocity along: the parameter is 0.
+    const std::vector<std::uint8_t> move{0xAA, 0x01, 0x54, 0x91, 0x00, 0x00, 0x00, 0x00, 0xE6};
+    bench.bus.chain.hostSends(move, bench.bus.now);
+    bench.bus.runFor(500ms);
+    EXPECT_EQ(bench.truth().mode, sim::ServoMode::Trapezoidal);
+    EXPECT_NEAR(bench.truth().position, 100, 5);
+}
+
+TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
+    ASSERT_TRUE(bench.connect());
+    bench.settle();
+    EXPECT_EQ(refusal(by(100)), Refusal::ServoOff);
+    ASSERT_TRUE(bench.enable(110));
+    EXPECT_EQ(refusal(by(0)), Refusal::StepTooShort);
+    EXPECT_EQ(refusal(by(2'001)), Refusal::StepTooLong);
+    EXPECT_EQ(refusal(by(-2'001)), Refusal::StepTooLong);
+    EXPECT_EQ(refusal(by(INT32_MIN)), Refusal::StepTooLong);
+    // 97 + 9 + 4 = 110; one count more would be 111.
+    EXPECT_TRUE(plan(by(97), bench.module()));
+    EXPECT_EQ(refusal(by(98)), Refusal::StepWouldTrip);
+    EXPECT_EQ(refusal(by(-98)), Refusal::StepWouldTrip);
+    for (const double seconds : {0.0, -1.0, 0.01, 3.1, std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_EQ(refusal({50, StepWay::Profile, seconds}), Refusal::RecordTime) << seconds;
+    bench.module().latest->position = 0x7FFF'FFC0;
+    EXPECT_EQ(refusal(by(64)), Refusal::GoalOutOfRange);
+    EXPECT_TRUE(plan(by(63), bench.module()));
+    bench.module().latest->position = -0x7FFF'FFC0;
+    EXPECT_EQ(refusal(by(-64)), Refusal::GoalOutOfRange);
+    bench.module().gains.reset();
+    EXPECT_EQ(refusal(by(50)), Refusal::GainsUnknown);
+    bench.module().silent = true;
+    EXPECT_EQ(refusal(by(50)), Refusal::Silent);
+}
+
+TEST_F(StepResponse, IsRefusedWhileTheMotorMoves) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(
+        bench.perform(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), false}));
+    EXPECT_EQ(refusal(by(50)), Refusal::Moving);
+}
+
+TEST(StepResponseOfVersion1, CannotStopHere) {
+    ServoBench bench(1);
+    ASSERT_TRUE(bench.enable());
+    EXPECT_EQ(plan(intent::StepResponse{50, StepWay::StopHere, 0.2}, bench.module()).error(),
+              Refusal::VersionLacksIt);
+    EXPECT_EQ(bench.run(intent::StepResponse{50, StepWay::Profile, 0.2}).stage, ProcedureStage::Done);
+}
+
+TEST(StepResponseOfAStepper, IsRefused) {
+    ProcedureBench bench({{ModuleType::Step, 1}});
+    ASSERT_TRUE(bench.connect());
+    bench.settle();
+    EXPECT_EQ(plan(intent::StepResponse{50, StepWay::Profile, 0.2}, bench.module()).error(),
+              Refusal::NotAServo);
+}
+
+TEST_F(StepResponse, DoesNotBeginWhileTheMotorSwings) {
+    ASSERT_TRUE(bench.enable());
+    // Looked at, it is somewhere else each time.
+    std::int32_t swing = 0;
+    bench.onTurn = [&](Procedure&) { bench.module().latest->position = (swing ^= 40); };
+    const std::size_t before = bench.bus.sent.size();
+    const ProcedureReport report = bench.run(by(100), 5);
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::NotStill);
+    EXPECT_FALSE(report.step);
+    EXPECT_EQ(motions(before), 0U) << "nothing was set going, so nothing is stopped";
+}
+
+TEST_F(StepResponse, ATripFailsItAndNothingIsSwitchedOnAgain) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(applyGains(3'000, 100, 130));  // hardly damped: it overshoots by far
+    const ProcedureReport report = bench.run(by(110));
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::WentOff);
+    EXPECT_FALSE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepResponse, OneThatSwingsWiderAndWiderIsSwitchedOff) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(applyGains(30'000, 0, 16'000));
+    intent::StepResponse wanted = by(50);
+    wanted.record = 2;
+    const ProcedureReport report = bench.run(wanted);
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::Unstable);
+    EXPECT_FALSE(bench.truth().servoOn);
+    EXPECT_FALSE(bench.module().switchedItselfOff) << "it was told to";
+    bench.bus.runFor(1s);
+    EXPECT_EQ(bench.truth().pwm, 0);
+}
+
+TEST_F(StepResponse, OneThatIsPushedTooFarIsHeldAndStaysOn) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    bench.begin(by(100));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.turn();
+    bench.turn();
+    bench.onTurn = [&](Procedure&) {
+        if (bench.bus.sends("AA 01 17 05", before) == 0)
+            bench.module().latest->position = 205;
+    };
+    const ProcedureReport report = bench.goOn(5);
+    EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U);
+    EXPECT_TRUE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepResponse, OneThatGoesTheWrongWayIsHeld) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    bench.begin(by(100));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.turn();
+    bench.turn();
+    bench.onTurn = [&](Procedure&) {
+        if (bench.bus.sends("AA 01 17 05", before) == 0)
+            bench.module().latest->position = -30;
+    };
+    EXPECT_EQ(bench.goOn(5).failure, ProcedureFailure::TravelLimit);
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U);
+}
+
+TEST_F(StepResponse, CancelHoldsIt) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    intent::StepResponse wanted = by(100);
+    wanted.record = 3;
+    bench.begin(wanted);
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    for (int i = 0; i < 5; ++i)
+        bench.turn();
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U);
+    EXPECT_TRUE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepResponse, CancelledBeforeTheStepSendsNothing) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    bench.begin(by(100));
+    bench.turn();
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(motions(before), 0U);
+}
+
+TEST_F(StepResponse, AnyOtherStopEndsItAndIsLeftAsItIs) {
+    ASSERT_TRUE(bench.enable());
+    intent::StepResponse wanted = by(100);
+    wanted.record = 3;
+    bench.begin(wanted);
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    for (int i = 0; i < 5; ++i)
+        bench.turn();
+    ASSERT_EQ(bench.bus.perform(
+                  {{ModuleIndex(0), ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})}}),
+              bus::Outcome::Done);
+    const std::size_t before = bench.bus.sent.size();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(motions(before), 0U);
+}
+
+TEST_F(StepResponse, AStopOfAllThatCancelsTheStepLeavesNothingToSend) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(by(100));
+    while (bench.procedure->report().stage == ProcedureStage::Preparing)
+        bench.turn();
+    ASSERT_TRUE(bench.bus.stopAll());
+    const std::size_t before = bench.bus.sent.size();
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(motions(before), 0U);
+}
+
+TEST_F(StepResponse, ALinkInDoubtEndsItWithAHold) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    bench.begin(by(100));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.turn();
+    bench.procedure->onLinkSuspect();
+    EXPECT_EQ(bench.goOn(5).failure, ProcedureFailure::LinkSuspect);
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U);
+    EXPECT_TRUE(bench.truth().servoOn);
+}
+
+/// The position error limit was lowered while it was waited for standstill.
+TEST_F(StepResponse, LooksAgainRightBeforeTheStep) {
+    ASSERT_TRUE(bench.enable());
+    const std::size_t before = bench.bus.sent.size();
+    bench.begin(by(1'000));
+    bench.module().gains->el = 1'000;
+    EXPECT_EQ(bench.goOn(5).failure, ProcedureFailure::Refused);
+    EXPECT_EQ(motions(before), 0U);
+}
+
+}  // namespace
+}  // namespace nmc::test

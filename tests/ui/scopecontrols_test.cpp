@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scope's controls, by mouse, wheel and keyboard.
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QTableWidget>
+#include <QTreeWidget>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "scopehistory.h"
+#include "widgets/scope/scopepanel.h"
+#include "widgets/scope/scopestrips.h"
+#include "widgets/scope/signalsdialog.h"
+#include "widgets/scope/statuslane.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class ScopeControls : public WindowTest {
+protected:
+    /// Two modules; the first goes up by 10 counts/s, the second stands at 500. The scope shows 10..20 s.
+    ScopeControls() {
+        showServos({Servo{.index = 0}, Servo{.index = 1}});
+        for (int i = 0; i <= 2000; ++i) {
+            made.addTo(0, i / 100.0, i / 10);
+            made.addTo(1, i / 100.0, 500);
+        }
+        frame();
+        frame();
+    }
+    void frame(double now = 20) {
+        window->showHistory(made.history(), HandMadeHistory::at(now));
+        QApplication::processEvents();
+    }
+    ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
+    ScopePlot& plot() { return *find<ScopePlot>(u"scopePlot1"_s); }
+    /// At a time that is seen, half-way up.
+    QPoint at(double seconds) {
+        const QRectF area = plot().plotArea();
+        const double share = (seconds - strips().time().left()) / strips().time().width();
+        return QPointF(area.left() + share * area.width(), area.center().y()).toPoint();
+    }
+    void wheel(double seconds, int notches, Qt::KeyboardModifiers modifiers = {}) {
+        QWheelEvent event(at(seconds), plot().mapToGlobal(at(seconds)), {}, {0, notches * 120}, Qt::NoButton,
+                          modifiers, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plot(), &event);
+        frame();
+    }
+    void drag(double from, double to, Qt::KeyboardModifiers modifiers = {}) {
+        const QPoint start = at(from);
+        const QPoint end = at(to);
+        QTest::mousePress(&plot(), Qt::LeftButton, modifiers, start);
+        QMouseEvent move(QEvent::MouseMove, end, plot().mapToGlobal(end), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
+        QApplication::sendEvent(&plot(), &move);
+        QTest::mouseRelease(&plot(), Qt::LeftButton, modifiers, end);
+        frame();
+    }
+    void key(int key, Qt::KeyboardModifiers modifiers = {}) {
+        strips().setFocus();
+        QTest::keyClick(&strips(), static_cast<Qt::Key>(key), modifiers);
+        frame();
+    }
+    double left() { return strips().time().left(); }
+    double right() { return strips().time().right(); }
+    bool paused() { return button(u"scopePauseButton"_s)->isChecked(); }
+
+    HandMadeHistory made{2};
+};
+
+TEST_F(ScopeControls, TheWheelZoomsAroundThePointer) {
+    click(u"scopePauseButton"_s);
+    wheel(14, 1);  // 1.25 times: 8 s, and 14 s stays at 4/10
+    EXPECT_NEAR(right() - left(), 8, 1e-6);
+    EXPECT_NEAR(left(), 14 - 0.4 * 8, 0.05);  // the pointer stands on a whole pixel
+    wheel(14, -1);
+    EXPECT_NEAR(right() - left(), 10, 1e-6);
+}
+
+TEST_F(ScopeControls, TheWheelWithShiftGoesAlongAndPauses) {
+    wheel(14, 1, Qt::ShiftModifier);
+    EXPECT_TRUE(paused());
+    EXPECT_NEAR(left(), 9, 1e-6);
+}
+
+TEST_F(ScopeControls, TheWheelWithCtrlZoomsTheValuesOnly) {
+    const AxisRange::Range before = plot().valueRange();
+    wheel(14, 4, Qt::ControlModifier);
+    EXPECT_LT(plot().valueRange().max - plot().valueRange().min, (before.max - before.min) * 0.8);
+    EXPECT_EQ(right() - left(), 10);
+    EXPECT_FALSE(plot().fits());
+    key(Qt::Key_A);
+    EXPECT_TRUE(plot().fits());
+    EXPECT_EQ(plot().valueRange(), before);
+}
+
+TEST_F(ScopeControls, DraggingMovesThePictureAlong) {
+    drag(12, 15);
+    EXPECT_TRUE(paused());
+    EXPECT_NEAR(left(), 7, 0.05);
+    EXPECT_NEAR(right(), 17, 0.05);
+}
+
+TEST_F(ScopeControls, DraggingWithShiftChoosesAStretch) {
+    drag(12, 15, Qt::ShiftModifier);
+    EXPECT_TRUE(paused());
+    EXPECT_NEAR(left(), 12, 0.05);
+    EXPECT_NEAR(right(), 15, 0.05);
+    EXPECT_LT(find<QComboBox>(u"scopeWindowBox"_s)->currentIndex(), 0) << "it is none of the listed lengths";
+}
+
+TEST_F(ScopeControls, ADoubleClickShowsEverything) {
+    QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at(15));
+    frame();
+    EXPECT_NEAR(left(), 0, 1e-6);
+    EXPECT_NEAR(right(), 20, 1e-6);
+}
+
+TEST_F(ScopeControls, EverythingWorksByKeyboard) {
+    key(Qt::Key_Left);
+    EXPECT_TRUE(paused());
+    EXPECT_NEAR(left(), 9, 1e-6);
+    key(Qt::Key_Right);
+    EXPECT_NEAR(left(), 10, 1e-6);
+    key(Qt::Key_Plus);
+    EXPECT_NEAR(right() - left(), 10 / 1.5, 1e-6);
+    key(Qt::Key_Minus);
+    EXPECT_NEAR(right() - left(), 10, 1e-6);
+    key(Qt::Key_Home);
+    EXPECT_NEAR(right(), 20, 1e-6);
+    EXPECT_NEAR(left(), 0, 1e-6);
+    const double bottom = plot().valueRange().min;
+    key(Qt::Key_Up);
+    EXPECT_GT(plot().valueRange().min, bottom);
+    key(Qt::Key_End);
+    EXPECT_FALSE(paused());
+    frame(30);
+    EXPECT_NEAR(right(), 30, 2.1);
+}
+
+TEST_F(ScopeControls, ArrowsInAFieldDoNotMoveTheScope) {
+    QLineEdit* goal = field(u"goalField"_s);
+    goal->setFocus();
+    QTest::keyClick(goal, Qt::Key_Left);
+    QTest::keyClick(goal, Qt::Key_Minus);
+    frame();
+    EXPECT_FALSE(paused());
+    EXPECT_EQ(right() - left(), 10);
+}
+
+TEST_F(ScopeControls, CursorsReadTimesValuesAndDifferences) {
+    click(u"scopePauseButton"_s);
+    click(u"scopeCursorsButton"_s);
+    auto* table = find<QTableWidget>(u"scopeCursorTable"_s);
+    emit strips().cursorMoved(0, 12.0);
+    emit strips().cursorMoved(1, 16.0);
+    frame();
+    ASSERT_TRUE(table->isVisible());
+    EXPECT_EQ(table->item(0, 1)->text(), u"12.0000 s"_s);
+    EXPECT_EQ(table->item(0, 3)->text(), u"4 s (0.25 Hz)"_s);
+    EXPECT_EQ(table->item(1, 0)->text(), u"position"_s);
+    EXPECT_EQ(table->item(1, 1)->text(), u"120"_s);
+    EXPECT_EQ(table->item(1, 2)->text(), u"160"_s);
+    EXPECT_EQ(table->item(1, 3)->text(), u"40"_s);
+    EXPECT_EQ(table->item(2, 1)->text(), u"–"_s) << "the command position is not known";
+    drag(12, 13);
+    EXPECT_NEAR((*strips().cursors())[0], 13, 0.05) << "a cursor under the mouse goes with it";
+    EXPECT_NEAR(left(), 10, 1e-6);
+    click(u"scopeCursorsButton"_s);
+    EXPECT_FALSE(table->isVisible());
+}
+
+TEST_F(ScopeControls, SignalsOfAnyModuleStandInAnyStripAndAreRemembered) {
+    click(u"scopeSignalsButton"_s);
+    auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);
+    auto* table = dialog->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    // Module 2: position into strips 1 and 3.
+    QTreeWidgetItem* position = table->topLevelItem(2)->child(0);
+    position->setCheckState(1, Qt::Checked);
+    position->setCheckState(3, Qt::Checked);
+    dialog->reject();
+    frame();
+    ASSERT_EQ(plot().traces().size(), 3U);
+    EXPECT_EQ(plot().traces()[2].module, ModuleIndex(1));
+    EXPECT_EQ(plot().traces()[2].tag, u"2"_s) << "where there are several modules each says its number";
+    EXPECT_GE(plot().valueRange().max, 500);
+    EXPECT_TRUE(find<ScopePlot>(u"scopePlot3"_s)->isVisible());
+    const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
+    EXPECT_TRUE(kept.shows(2, {ModuleIndex(1), ScopeSignal::Position}));
+    EXPECT_EQ(MainWindow(settings).findChild<ScopePanel*>()->setup(), kept);
+}
+
+TEST_F(ScopeControls, StatusBitsAreDrawnHighAndLow) {
+    HandMadeHistory bits;
+    for (int i = 0; i <= 1000; ++i)
+        bits.add(i / 100.0, 0).status = i < 500 ? 0x01 : 0x00;  // move_done
+    window->showHistory(bits.history(), HandMadeHistory::at(10));
+    click(u"scopeLaneButton"_s);
+    for (int i = 0; i < 2; ++i) {
+        window->showHistory(bits.history(), HandMadeHistory::at(10));
+        QApplication::processEvents();
+    }
+    auto* lane = find<StatusLane>(u"scopeStatusLane"_s);
+    ASSERT_TRUE(lane->isVisible());
+    const QImage image = lane->grab().toImage();
+    const double rowHeight = lane->height() / static_cast<double>(lane->bits().size());
+    const auto colouredRows = [&](double seconds) {
+        const int x = qRound(plot().plotArea().left() + seconds / 10 * plot().plotArea().width());
+        QList<int> rows;
+        for (int y = 0; y < static_cast<int>(rowHeight); ++y)
+            if (const QColor c = image.pixelColor(x, y); c.blue() - c.red() > 20)
+                rows << y;
+        return rows;
+    };
+    // High: a line at the top, filled below. Low: a line at the bottom only.
+    EXPECT_GT(colouredRows(2.5).size(), rowHeight / 2);
+    const QList<int> low = colouredRows(7.5);
+    ASSERT_FALSE(low.isEmpty());
+    EXPECT_GT(low.first(), rowHeight / 2);
+}
+
+TEST_F(ScopeControls, NoZoomHangsOrCrashes) {
+    click(u"scopePauseButton"_s);
+    for (int i = 0; i < 60; ++i)
+        wheel((left() + right()) / 2, 3);
+    for (int i = 0; i < 60; ++i)
+        wheel((left() + right()) / 2, 3, Qt::ControlModifier);
+    EXPECT_FALSE(plot().grab().isNull());
+    for (int i = 0; i < 120; ++i)
+        wheel((left() + right()) / 2, -3);
+    for (int i = 0; i < 120; ++i)
+        wheel((left() + right()) / 2, -3, Qt::ControlModifier);
+    EXPECT_FALSE(plot().grab().isNull());
+}
+
+TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
+    auto record = std::make_shared<ScopeRecord>();
+    record->title = u"mill.csv"_s;
+    HandMadeHistory old;
+    for (int i = 0; i <= 100; ++i)
+        old.add(i / 100.0, 7'000);
+    record->history = old.history();
+    record->modules = window->scopeModules();
+    window->showRecord(record);
+    frame();
+    EXPECT_EQ(text(u"scopeRecordLabel"_s), u"mill.csv"_s);
+    EXPECT_GT(plot().valueRange().min, 6'000);
+    EXPECT_NEAR(right(), 1, 1e-6);
+    click(u"scopeLiveButton"_s);
+    frame();
+    frame();
+    EXPECT_FALSE(paused());
+    EXPECT_LT(plot().valueRange().max, 1'000);
+}
+
+TEST_F(ScopeControls, ASpikeOfOneSampleIsSeenAtEveryZoom) {
+    HandMadeHistory spike;
+    for (int i = 0; i <= 200'000; ++i)
+        spike.add(i / 1000.0, i == 111'111 ? 1'000 : 0);
+    click(u"scopePauseButton"_s);
+    for (const double width : {200.0, 50.0, 10.0, 2.0, 0.1, 0.01}) {
+        strips().time().show(111.111 - width / 3, 111.111 + width * 2 / 3);
+        for (int i = 0; i < 2; ++i) {
+            emit strips().timeChanged();
+            window->showHistory(spike.history(), HandMadeHistory::at(200));
+            QApplication::processEvents();
+        }
+        const QRectF area = plot().plotArea();
+        const QImage image = plot().grab().toImage();
+        const int x = qRound(area.left() + area.width() / 3);
+        const double top = area.bottom() - (1000 - plot().valueRange().min) /
+                                               (plot().valueRange().max - plot().valueRange().min) *
+                                               area.height();
+        int highest = image.height();
+        for (int y = static_cast<int>(area.top()); y < static_cast<int>(area.bottom()); ++y)
+            for (int dx = -2; dx <= 2; ++dx)
+                if (const QColor c = image.pixelColor(x + dx, y); c.blue() - c.red() > 60)
+                    highest = qMin(highest, y);
+        EXPECT_NEAR(highest, top, 3) << width << " s";
+    }
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/scopesetup.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+TEST(ScopeSetup, SurvivesTheSettingsFile) {
+    ScopeSetup setup = ScopeSetup::usual();
+    setup.set(2, {ModuleIndex(4), ScopeSignal::Velocity}, true);
+    setup.set(2, {std::nullopt, ScopeSignal::Analog}, true);
+    setup.lane = true;
+    setup.seconds = 30;
+    setup.bits[ModuleType::Servo] = {{ScopeBit::Byte::Aux, 2}, {ScopeBit::Byte::Status, 7}};
+    EXPECT_EQ(ScopeSetup::fromText(setup.toText()), setup);
+}
+
+TEST(ScopeSetup, WhatCannotBeReadIsLeftOut) {
+    const ScopeSetup setup = ScopeSetup::fromText(
+        u"strip=position,nonsense,33.error,0.error,error;seconds=-3;lane=maybe;bits;strip=;strip=2.velocity,2.velocity;strip=x;strip=position;servobits=1,99,-1,x"_s);
+    ASSERT_EQ(setup.strips[0].size(), 2U);
+    EXPECT_EQ(setup.strips[0][1], (SignalRef{std::nullopt, ScopeSignal::Error}));
+    EXPECT_TRUE(setup.strips[1].empty());
+    EXPECT_EQ(setup.strips[2], (std::vector<SignalRef>{{ModuleIndex(1), ScopeSignal::Velocity}}));
+    EXPECT_EQ(setup.seconds, 10);
+    EXPECT_FALSE(setup.lane);
+    EXPECT_EQ(setup.bitsOf(ModuleType::Servo), (std::vector<ScopeBit>{{ScopeBit::Byte::Status, 1}}));
+}
+
+TEST(ScopeSetup, NothingAtAllIsTheUsual) {
+    EXPECT_EQ(ScopeSetup::fromText({}), ScopeSetup::usual());
+    EXPECT_EQ(ScopeSetup::fromText(u"\x01\x02;;;===,,,"_s), ScopeSetup::usual());
+}
+
+TEST(ScopeSetup, ModulesThatAreShownWhicheverIsSelectedAreKnown) {
+    ScopeSetup setup = ScopeSetup::usual();
+    EXPECT_TRUE(setup.fixedModules().empty());
+    setup.set(0, {ModuleIndex(3), ScopeSignal::Position}, true);
+    setup.set(1, {ModuleIndex(3), ScopeSignal::Error}, true);
+    EXPECT_EQ(setup.fixedModules(), std::vector{ModuleIndex(3)});
+    setup.set(0, {ModuleIndex(3), ScopeSignal::Position}, false);
+    setup.set(1, {ModuleIndex(3), ScopeSignal::Error}, false);
+    EXPECT_EQ(setup, ScopeSetup::usual());
+}
+
+TEST(ScopeSetup, EveryNamedBitOfBothChipsCanBeChosen) {
+    EXPECT_EQ(laneBits(ModuleType::Servo).size(), 14U);  // DS-V 5.3: 8 and 6
+    EXPECT_EQ(laneBits(ModuleType::Step).size(), 14U);   // DS-S 5.2: 8 and 6
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step})
+        for (const ScopeBit& bit : usualLaneBits(type))
+            EXPECT_FALSE(texts::bitName(bit, type).isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc
