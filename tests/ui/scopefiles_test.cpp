@@ -87,6 +87,18 @@ TEST_F(ScopeFilesTest, CsvHoldsEverySampleOfTheTimeThatIsSeen) {
         << "the first sample came 30 s before the first frame";
 }
 
+TEST_F(ScopeFilesTest, CsvSaysWhenOlderSamplesAreOnlyKeptInACoarserForm) {
+    const std::string words = "not all samples before are in this file";
+    HandMadeHistory young = twoModules();
+    show(young, 30);
+    EXPECT_EQ(exported(u"Csv"_s, young, 30).find(words), std::string::npos);
+    HandMadeHistory old(2);  // as many as there is memory for, and more
+    for (int i = 0; i < 900'000; ++i)
+        old.add(30 + i / 100'000.0, i);
+    show(old, 39);
+    EXPECT_NE(exported(u"Csv"_s, old, 39).find(words), std::string::npos);
+}
+
 TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
     HandMadeHistory made = twoModules();
     for (int i = 0; i < 3; ++i)
