@@ -39,6 +39,12 @@ std::optional<TimePoint> ModuleHistory::begin() const {
     return first;
 }
 
+std::optional<TimePoint> ModuleHistory::keptSince() const {
+    if (m_samples.empty())
+        return std::nullopt;
+    return m_samples.front().time;
+}
+
 std::optional<ScopeSample> ModuleHistory::last() const {
     if (m_samples.empty())
         return std::nullopt;

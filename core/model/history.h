@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     /// The oldest that is known of in any form.
     [[nodiscard]] std::optional<TimePoint> begin() const;
+    /// The oldest that is still kept one by one.
+    [[nodiscard]] std::optional<TimePoint> keptSince() const;
     [[nodiscard]] std::optional<ScopeSample> last() const;
     /// How many samples with a value of `signal` are kept of (from, to]: the achieved rate. A calculated
     /// signal that is not known at the end counts as none.

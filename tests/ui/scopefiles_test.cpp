@@ -87,6 +87,18 @@ TEST_F(ScopeFilesTest, CsvHoldsEverySampleOfTheTimeThatIsSeen) {
         << "the first sample came 30 s before the first frame";
 }
 
+TEST_F(ScopeFilesTest, CsvSaysWhenOlderSamplesAreOnlyKeptInACoarserForm) {
+    const std::string words = "not all samples before are in this file";
+    HandMadeHistory young = twoModules();
+    show(young, 30);
+    EXPECT_EQ(exported(u"Csv"_s, young, 30).find(words), std::string::npos);
+    HandMadeHistory old(2);  // as many as there is memory for, and more
+    for (int i = 0; i < 900'000; ++i)
+        old.add(30 + i / 100'000.0, i);
+    show(old, 39);
+    EXPECT_NE(exported(u"Csv"_s, old, 39).find(words), std::string::npos);
+}
+
 TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
     HandMadeHistory made = twoModules();
     for (int i = 0; i < 3; ++i)
@@ -99,8 +111,8 @@ TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
 
 TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     HandMadeHistory made(2);
-    for (int i = 0; i <= 300; ++i)
-        made.add(i / 10.0, i < 250 ? 0 : 100'000);
+    for (int i = 0; i <= 3'000; ++i)  // more than there are pixels
+        made.add(i / 100.0, i < 2'500 ? 0 : 100'000);
     show(made, 30);
     auto* plot = find<ScopePlot>(u"scopePlot1"_s);
     plot->zoomValues(0.001, 0);  // the step leaves the plot far above
@@ -123,7 +135,7 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
             EXPECT_LT(std::abs(match.next().captured().toDouble()), 5'000) << shape.toStdString();
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
-    EXPECT_GT(lines, 50);
+    EXPECT_GT(lines, 400);
     EXPECT_EQ(svg.find("<image"), std::string::npos) << "vectors only";
     EXPECT_TRUE(words.contains(u"/dev/ttyUSB0"_s)) << words.toStdString();
 }

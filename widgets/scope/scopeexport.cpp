@@ -30,25 +30,47 @@ class Scope {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
-using Seen = std::shared_ptr<const History>;
+struct Seen {
+    std::shared_ptr<const History> history;
+    std::optional<TimePoint> coarserBefore;
+};
+
+/// When some module's older samples, which are seen as well, are only kept in a coarser form.
+std::optional<TimePoint> coarserBefore(const History& history, TimePoint left) {
+    std::optional<TimePoint> latest;
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
+        if (const auto kept = module.keptSince(); kept && *kept > left && *module.begin() < *kept)
+            latest = std::max(latest.value_or(*kept), *kept);
+    }
+    return latest;
+}
 
 Seen seenOf(const ScopeStrips& strips, const History& history) {
     const TimePoint zero = history.zero().value_or(TimePoint{});
-    return std::make_shared<const History>(
-        history.cut(zero + fromSeconds(strips.time().left()), zero + fromSeconds(strips.time().right())));
+    const TimePoint left = zero + fromSeconds(strips.time().left());
+    return {std::make_shared<const History>(history.cut(left, zero + fromSeconds(strips.time().right()))),
+            coarserBefore(history, left)};
 }
 
 FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
     const RecordingHeader header = recordingHeader(modules, origin.port, origin.simulated,
-                                                   seen->zero().value_or(TimePoint{}), origin.zero);
-    return [seen, header] { return recordingOf(header, *seen); };
+                                                   seen.history->zero().value_or(TimePoint{}), origin.zero);
+    return [seen, header] {
+        std::string text = recordingOf(header, *seen.history);
+        if (seen.coarserBefore)
+            appendNote(text, "not all samples before are in this file because they are not kept one by one",
+                       *seen.coarserBefore, header.zero);
+        return text;
+    };
 }
 
-std::uint64_t samplesIn(const History& history) {
+/// Empty where there are many.
+std::string fewSamples(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
     std::uint64_t count = 0;
-    for (std::size_t i = 0; i < history.modules(); ++i)
-        count += history.module(ModuleIndex(static_cast<std::uint8_t>(i)))->count();
-    return count;
+    for (std::size_t i = 0; i < seen.history->modules(); ++i)
+        count += seen.history->module(ModuleIndex(static_cast<std::uint8_t>(i)))->count();
+    return count <= kMostForClipboard ? contentOf(seen, modules, origin)() : std::string();
 }
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {
@@ -136,17 +158,16 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
             emit saveRequested(wanted.path, [svg = scopeSvg(strips, caption)] { return svg.toStdString(); });
             break;
         case Kind::Clipboard:
-            copy(strips, caption, seenOf(strips, history), origin);
+            copy(scopeImage(strips, caption), fewSamples(seenOf(strips, history), strips.modules(), origin));
             break;
     }
 }
 
-void ScopeExport::copy(ScopeStrips& strips, const QStringList& caption,
-                       const std::shared_ptr<const History>& seen, const ScopeOrigin& origin) {
+void ScopeExport::copy(const QImage& image, const std::string& samples) {
     auto* data = new QMimeData;
-    data->setImageData(scopeImage(strips, caption));
-    if (samplesIn(*seen) <= kMostForClipboard)
-        data->setData(u"text/csv"_s, QByteArray::fromStdString(contentOf(seen, strips.modules(), origin)()));
+    data->setImageData(image);
+    if (!samples.empty())
+        data->setData(u"text/csv"_s, QByteArray::fromStdString(samples));
     QGuiApplication::clipboard()->setMimeData(data);
 }
 

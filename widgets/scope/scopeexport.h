@@ -3,13 +3,12 @@
 
 #include <QObject>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "widgets/scope/scoperecord.h"
 
-class QAction;
+class QImage;
 class QMenu;
 
 namespace nmc {
@@ -46,8 +45,7 @@ private:
     void addAction(Kind kind, const QString& objectName, const QString& text, const QString& meaning);
     void choose(Kind kind);
     void want(const Wanted& wanted);
-    void copy(ScopeStrips& strips, const QStringList& caption, const std::shared_ptr<const History>& seen,
-              const ScopeOrigin& origin);
+    static void copy(const QImage& image, const std::string& samples);
 
     QWidget* m_panel;
     QMenu* m_menu;

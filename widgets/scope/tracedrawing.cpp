@@ -23,8 +23,7 @@ constexpr double kMargin = 10;  ///< px beyond the plot area
 using Lines = QVarLengthArray<QLineF, 4096>;
 
 /// The part of a line within `area`, as shares of it; false if there is none. Zoomed in far enough a line
-/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that. And the
-/// painter's own clipping is not in an SVG file.
+/// between two samples is millions of pixels long: neither dashes nor the rasterizer may see that.
 bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
     from = 0;
     to = 1;
@@ -39,6 +38,11 @@ bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
     };
     return cut(line.x1(), line.dx(), area.left(), area.right()) &&
            cut(line.y1(), line.dy(), area.top(), area.bottom());
+}
+
+/// For paper. Such a file has pixels of any size, and no clipping (Qt 6.4).
+bool isVector(const QPainter& painter) {
+    return painter.paintEngine()->type() == QPaintEngine::SVG;
 }
 
 /// Dashes that hang on the time of the data, so that they roll with it instead of crawling along it. Where
@@ -110,9 +114,7 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         return;
     if (m_hasBand)
         paintBand(painter, geometry);
-    // Not on paper: there are no pixels.
-    const bool pixels = painter.paintEngine()->type() == QPaintEngine::Raster;
-    if (pixels && static_cast<double>(m_columns.size()) > geometry.area.width() * kDense)
+    if (static_cast<double>(m_columns.size()) > geometry.area.width() * kDense && !isVector(painter))
         paintDense(painter, geometry);
     else
         paintLines(painter, geometry);
@@ -149,7 +151,7 @@ void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) c
             add(QLineF(before, entry), m_columns[i - 1].right, column.left);
         if (entry != exit)
             add(QLineF(entry, exit), column.left, column.right);
-        else if (!column.joined && !goesOn)
+        else if (!column.joined && !goesOn && room.contains(entry))
             lines.append(QLineF(entry.x() - kPenWidth, entry.y(), entry.x() + kPenWidth, entry.y()));
         before = exit;
     }
