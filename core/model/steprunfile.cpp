@@ -67,7 +67,7 @@ void appendRun(std::string& out, const KeptRun& kept) {
     comments.add("counts per unit", textOf(kept.scale.counts(1.0)));
     comments.add("step", textOf(taken.from) + " to " + textOf(taken.goal) + " counts " +
                              std::string(wayText(taken.way)));
-    appendGains(out, kept.run.module, taken.gains, taken.at, taken.at);
+    appendGains(out, GainsChange{kept.run.module, taken.at, taken.gains}, taken.at);
     appendMetrics(comments, kept.run);
 }
 

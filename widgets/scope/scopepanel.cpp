@@ -23,6 +23,12 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// What is seen at first of what happened: "Show the last 2 s".
+constexpr double kBeforeEvent = 2.0;
+constexpr double kBehindEvent = 0.5;
+}  // namespace
+
 ScopePanel::ScopePanel(QWidget* parent)
     : QWidget(parent),
       m_layout(new QVBoxLayout(this)),
@@ -329,9 +335,12 @@ void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
     buildStrips();
     m_strips->forget();
     m_strips->showLevel({});
-    if (m_record->event)
-        m_strips->showMarker(toSeconds(*m_record->event - *m_record->history.zero()));
-    m_everythingWanted = true;
+    m_everythingWanted = !m_record->event;
+    if (m_record->event) {
+        const double at = toSeconds(*m_record->event - *m_record->history.zero());
+        m_strips->showMarker(at);
+        m_strips->time().show(at - kBeforeEvent, at + kBehindEvent);
+    }
     m_bar->showRecord(m_record->simulated ? tr("%1 (simulator)").arg(m_record->title) : m_record->title);
     applyModules();
     showTime();

@@ -151,7 +151,7 @@ void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) c
             add(QLineF(before, entry), m_columns[i - 1].right, column.left);
         if (entry != exit)
             add(QLineF(entry, exit), column.left, column.right);
-        else if (!column.joined && !goesOn && room.contains(entry))
+        else if (!column.joined && !goesOn && geometry.area.contains(entry))
             lines.append(QLineF(entry.x() - kPenWidth, entry.y(), entry.x() + kPenWidth, entry.y()));
         before = exit;
     }

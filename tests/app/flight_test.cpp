@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened around a fault or a stop, in the scope of the whole program.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+
+#include "panel.h"
+#include "widgets/scope/scopepanel.h"
+#include "widgets/scope/scopestrips.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class Flight : public testing::Test {
+protected:
+    void begin() {
+        panel.startMoving(sim);
+        if (HasFatalFailure())
+            return;
+        ASSERT_TRUE(panel.answersFor(0.5));
+    }
+    ScopePanel& scope() { return *panel.window().findChild<ScopePanel*>(); }
+    ScopeStrips& strips() { return *panel.window().findChild<ScopeStrips*>(); }
+    [[nodiscard]] bool clickShow(const QString& words) {
+        for (const MessageRow* row : panel.window().findChild<MessageList*>()->rows())
+            if (row->message().headline.contains(words))
+                for (QAbstractButton* button : row->findChildren<QAbstractButton*>())
+                    if (button->text().remove(QLatin1Char('&')) == QLatin1String("Show the last 2 s")) {
+                        button->click();
+                        return true;
+                    }
+        return false;
+    }
+    QString title() { return panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordLabel"))->text(); }
+
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+    IntentPanel panel;
+};
+
+TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
+    begin();
+    emit panel.window().stopAllRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) > 0; }));
+    ASSERT_TRUE(panel.answersFor(0.2));
+    ASSERT_TRUE(clickShow(QStringLiteral("2 of 2 stopped")));
+    ASSERT_TRUE(scope().showsRecord());
+    EXPECT_TRUE(title().contains(QLatin1String("Stop of all motors"))) << title().toStdString();
+    EXPECT_NEAR(strips().time().width(), 2.5, 1e-6);
+    EXPECT_GT(panel.count(QStringLiteral("2 of 2 stopped")), 0) << "the message stays";
+    // The motor moves at the left edge of what is kept and stands at the right.
+    const QString before = title();
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(title(), before);
+    panel.window().findChild<QAbstractButton*>(QStringLiteral("scopeLiveButton"))->click();
+    EXPECT_FALSE(scope().showsRecord());
+}
+
+TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
+    begin();
+    (void)sim.control(QStringLiteral("set 1 power 0"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("motor power")) > 0; }));
+    emit panel.window().disconnectRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+    ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
+    EXPECT_TRUE(scope().showsRecord());
+    EXPECT_TRUE(title().contains(QLatin1String("motor power"))) << title().toStdString();
+}
+
+TEST_F(Flight, TheHistoryIsStillThereAfterThePortIsClosed) {
+    begin();
+    const auto kept = panel.composition().store().history().module(ModuleIndex(0))->count();
+    emit panel.window().disconnectRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+    EXPECT_GE(panel.composition().store().history().module(ModuleIndex(0))->count(), kept);
+}
+
+}  // namespace
+}  // namespace nmc
