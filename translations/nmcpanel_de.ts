@@ -334,6 +334,97 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>Scope</name>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation type="unfinished">NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1, by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1; 0 s is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the present</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom values in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom values out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished">Position</translation>
+    </message>
+    <message>
+        <source>command, calculated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error, calculated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation type="unfinished">A/D</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished">%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished">%1 s</translation>
+    </message>
+</context>
+<context>
     <name>StepMeaning</name>
     <message>
         <source>Speed mode</source>
@@ -422,6 +513,57 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>speed %1</source>
         <translation>Geschwindigkeit %1</translation>
+    </message>
+</context>
+<context>
+    <name>StepTexts</name>
+    <message>
+        <source>too few samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did not reach 90 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in this record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Very fast profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop here, at the goal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A move with so much velocity and acceleration that its profile is at the goal in one tick.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The goal is made the position to hold, without a profile. Not with version 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished">s</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limited to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2461,6 +2603,218 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Not there now; its settings are kept.</source>
         <translation>Jetzt nicht da; seine Einstellungen werden behalten.</translation>
     </message>
+    <message>
+        <source>%1 holds again: it went the wrong way, or farther than twice its step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo swings, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was switched off and is free to turn: it did not calm down after its step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not stand still; its servo stays on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 made no whole step: its motor went off by itself, and is free to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor was too far from where it should be, or lost its power. Check for a jam, raise EL or make the step shorter, then enable it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer, so its step is not recorded. Motor state unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was told to hold. Use the hardware stop if it moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was told to hold, and its step is not recorded: the link was in doubt meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to the link, then step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no step recorded and was told to hold: a command was not carried out, or its answer was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor does not stand still; its servo stays on. Lower the gains, or switch it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step responses were saved to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its folder is not there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is a folder or a device, not a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your user account may not write there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk can only be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk takes no larger file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file was deleted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is too slow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk does not take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends before the names of its columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no column %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is longer than %1 bytes, as no line of a recording is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends here, in the middle of the line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 cells for %2 columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of module %2 goes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is recorded: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was written before (%1) is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to &quot;%1&quot; ended: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Control goes on. To go on recording, choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a recording of NMC Panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to show of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope shows what stands above that line: %1 samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no samples in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the last 2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop of all motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step response is for a small move: at most 2000 counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step would switch the servo off: right after it the position error is the whole step, which is above the position error limit, or too close to it. Make the step shorter or raise EL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The goal is beyond the positions the chip can count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A record takes from 0.02 s to 3 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3018,6 +3372,41 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::CursorTable</name>
+    <message>
+        <source>What the cursors read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished">%1 s</translation>
+    </message>
+</context>
+<context>
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
@@ -3447,6 +3836,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Step response…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the step response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the place where a small step shows how the motor follows (F9).</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5221,65 +5622,261 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::ScopeBar</name>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished">Pause</translation>
+    </message>
+    <message>
+        <source>Holds the picture still (Ctrl+P). Samples are still recorded.</source>
+        <translation type="unfinished">Hält das Bild an (Ctrl+P). Die Aufzeichnung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two cursors to measure with: drag them (C).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The status bits of the selected module over time (B).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished">%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished">%1 min</translation>
+    </message>
+    <message>
+        <source>Time shown by the scope</source>
+        <translation type="unfinished">Dargestellte Zeit des Oszilloskops</translation>
+    </message>
+    <message>
+        <source>How much time the scope shows.</source>
+        <translation type="unfinished">Wie viel Zeit das Oszilloskop darstellt.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation type="unfinished">&amp;Zeitraum</translation>
+    </message>
+    <message>
+        <source>Signals…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which signals of which modules stand in which strip (S).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waits for a signal or a status bit, and holds what was around it (T).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what the modules say now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown instead of the present</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopeExport</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Samples (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every sample of all modules in the time that is seen, to be opened here again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is seen, as an image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is seen, in lines that stay sharp at any size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is seen, onto the clipboard; with its samples where these are few.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export from the scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopeFiles</name>
+    <message>
+        <source>Open &amp;recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the recording and closes its file (Ctrl+Shift+R).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leaves the file alone; the scope stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows a recording in the scope. Control of the motors goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes every sample of all modules to a file from now on (Ctrl+Shift+R).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to record: no module is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Recording %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished">%1 s</translation>
+    </message>
+    <message>
+        <source>Opening %1, %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>nmc::ScopePanel</name>
     <message>
         <source>Scope</source>
         <translation>Oszilloskop</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>Takes what is seen out of the scope: samples or a picture.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time shown by the scope</source>
-        <translation>Dargestellte Zeit des Oszilloskops</translation>
+        <source>Bits of the lane</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much time the scope shows.</source>
-        <translation>Wie viel Zeit das Oszilloskop darstellt.</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Holds the picture still (Ctrl+P). Samples are still recorded.</source>
-        <translation>Hält das Bild an (Ctrl+P). Die Aufzeichnung läuft weiter.</translation>
-    </message>
-    <message>
-        <source>Pause the scope</source>
-        <translation>Oszilloskop anhalten</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>&amp;Zeitraum</translation>
-    </message>
-    <message>
-        <source>position, counts</source>
-        <translation>Position, Inkremente</translation>
-    </message>
-    <message>
-        <source>command position, calculated</source>
-        <translation>Sollposition, berechnet</translation>
-    </message>
-    <message>
-        <source>Position and calculated command position over time</source>
-        <translation>Position und berechnete Sollposition über der Zeit</translation>
-    </message>
-    <message>
-        <source>position error, calculated, counts</source>
-        <translation>Regelabweichung, berechnet, Inkremente</translation>
-    </message>
-    <message>
-        <source>Calculated position error over time</source>
-        <translation>Berechnete Regelabweichung über der Zeit</translation>
+        <source>%1 (simulator)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
     <message>
-        <source>%1 · %2 samples/s</source>
-        <translation>%1 · %2 Werte/s</translation>
+        <source>%1 · not known now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopeStrips</name>
+    <message>
+        <source>Plots; arrow keys move, plus and minus zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strip %1 of the scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5318,6 +5915,49 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::SignalsDialog</name>
+    <message>
+        <source>Signals of the scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals, and the strips they stand in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strip %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tick puts the signal into that strip. A strip without a tick is not shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Usual signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position with its command position, and the error below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 in strip %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>nmc::SimulatorDock</name>
     <message>
         <source>Simulator</source>
@@ -5330,6 +5970,13 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Follows the list of modules. Has those too that the panel does not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StatusLane</name>
+    <message>
+        <source>Status bits over time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5615,6 +6262,85 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Keeps the present position as home. The motor does not move.</source>
         <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepForm</name>
+    <message>
+        <source>How the next step is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the step response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the command jumps; below 0 in reverse. Small steps show how the servo is tuned, large ones what the amplifier can do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the command is made to jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished">s</translation>
+    </message>
+    <message>
+        <source>How long the motor is watched after the step. Then it is told to hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settling band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>% of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal, and is never judged by less than a count. All runs are judged by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished">Strecke</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished">Schrittweite</translation>
+    </message>
+    <message>
+        <source>Make a step and record it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step is being made already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9).</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6116,6 +6842,37 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::StepPlot</name>
+    <message>
+        <source>Step responses over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No run is shown. A step shows how the motor follows when its command jumps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>nmc::StepRampBox</name>
     <message>
         <source>Acceleration time</source>
@@ -6167,6 +6924,183 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::StepResponsePage</name>
+    <message>
+        <source>Step response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a run in the list first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run is of %1. Select that module first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the gains of this run into the fields of the Gains page. Sends nothing (Ctrl+Shift+U).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes this run off the list (Ctrl+Del).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves all runs of the list, with their gains and results (Ctrl+Shift+X).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export step responses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepResults</name>
+    <message>
+        <source>What the runs that are shown come to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished">A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished">Dauerlauf</translation>
+    </message>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak PWM, of 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sample interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time from 10 % to 90 % of the step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far it went beyond its goal, in % of the step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time until it stays within the settling band. Nothing if that is not before the last fifth of the record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goal less the mean position of the last fifth of the record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask for more, so below the output limit OL it is only a lower bound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean time between two positions of the record. The doubts come from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished">%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepRunTable</name>
+    <message>
+        <source>Step responses so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step responses so far, newest first. Tick two of them to compare their curves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished">A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished">Dauerlauf</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run %1 as A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run %1 as B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws this run as A, with a solid line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws this run as B, with a dashed line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>nmc::StopButton</name>
     <message>
         <source>STOP ALL  Esc</source>
@@ -6197,6 +7131,140 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TriggerBar</name>
+    <message>
+        <source>Trigger on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The signal or status bit to wait for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it has to do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it has to do that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished">Betriebsart</translation>
+    </message>
+    <message>
+        <source>Single: holds the first picture. Normal: shows picture after picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the picture is from before the trigger, in percent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>rises to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>falls to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>becomes 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>becomes 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No module is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a mode first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waits for the next trigger from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TriggerControl</name>
+    <message>
+        <source>waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triggered %1, more samples to come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triggered %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

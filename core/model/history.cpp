@@ -131,40 +131,41 @@ std::uint64_t ModuleHistory::numberAt(TimePoint time) const {
     return first;
 }
 
-const ScopeSpan* ModuleHistory::spanAt(std::size_t level, std::uint64_t index) const {
-    const Level& spans = m_levels[level];
-    if (index < spans.firstIndex || index - spans.firstIndex >= spans.spans.size())
+/// The span of a level, from 1 on, that begins with this sample.
+const ScopeSpan* ModuleHistory::spanFrom(std::size_t level, std::uint64_t number) const {
+    const Level& spans = m_levels[level - 1];
+    const std::uint64_t index = number >> (kFanBits * level);
+    if (index << (kFanBits * level) != number || index < spans.firstIndex ||
+        index - spans.firstIndex >= spans.spans.size())
         return nullptr;
     return &spans.spans[index - spans.firstIndex];
 }
 
-ModuleHistory::Entry ModuleHistory::entryAt(std::uint64_t number, Duration widest) const {
+ModuleHistory::Entry ModuleHistory::entryAt(std::uint64_t number, Duration widest, std::size_t& level) const {
     const auto fits = [widest](TimePoint first, TimePoint last) { return last - first <= widest; };
-    Entry entry;
-    std::size_t above = 0;  // in m_levels
-    if (number >= m_firstSample)
-        entry = {ScopeSpan::of(m_samples[number - m_firstSample]), 1};
-    std::uint64_t size = 1;
-    for (; above < m_levels.size(); ++above) {
-        size *= kFan;
-        if (number % size != 0)
+    const ScopeSpan* span = nullptr;
+    for (; level > 0; --level)
+        if (span = spanFrom(level, number); span != nullptr && fits(span->first, span->last))
             break;
-        const ScopeSpan* span = spanAt(above, number / size);
-        if (span == nullptr && entry.samples > 0)
+    if (level == 0)
+        span = nullptr;
+    // Where it has been coarsened, the finest there is.
+    while (span == nullptr && number < m_firstSample && level < m_levels.size())
+        span = spanFrom(++level, number);
+    while (level < m_levels.size()) {
+        const ScopeSpan* wider = spanFrom(level + 1, number);
+        if (wider == nullptr || !fits(wider->first, wider->last))
             break;
-        if (span == nullptr)
-            continue;
-        if (entry.samples > 0 && !fits(span->first, span->last))
-            break;
-        entry = {*span, size};
+        span = wider;
+        ++level;
     }
+    if (span == nullptr)
+        return {ScopeSpan::of(m_samples[number - m_firstSample]), 1};
+    Entry entry{*span, std::uint64_t{1} << (kFanBits * level)};
     // Two that fit into one: counted from the first sample on, like everything here.
-    if (entry.samples > 1 && number % (2 * entry.samples) == 0) {
-        std::size_t level = 0;
-        for (std::uint64_t covered = kFan; covered < entry.samples; covered *= kFan)
-            ++level;
-        const ScopeSpan* twin = spanAt(level, number / entry.samples + 1);
-        if (twin != nullptr && fits(entry.span.first, twin->last)) {
+    if (number % (2 * entry.samples) == 0) {
+        const ScopeSpan* twin = spanFrom(level, number + entry.samples);
+        if (twin != nullptr && fits(span->first, twin->last)) {
             entry.span.add(*twin);
             entry.samples *= 2;
         }

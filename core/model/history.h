@@ -55,7 +55,8 @@ public:
 
 private:
     friend class History;
-    static constexpr std::uint64_t kFan = 4;
+    static constexpr unsigned kFanBits = 2;
+    static constexpr std::uint64_t kFan = 1U << kFanBits;
     /// Entries of a level go this many at a time, so that what is left begins where a span above begins.
     static constexpr std::size_t kBatch = 1024;
 
@@ -72,8 +73,9 @@ private:
         ScopeSpan span;
         std::uint64_t samples = 0;
     };
-    [[nodiscard]] Entry entryAt(std::uint64_t number, Duration widest) const;
-    [[nodiscard]] const ScopeSpan* spanAt(std::size_t level, std::uint64_t number) const;
+    /// `level`: where to look first, and where it was found; neighbours are mostly of the same.
+    [[nodiscard]] Entry entryAt(std::uint64_t number, Duration widest, std::size_t& level) const;
+    [[nodiscard]] const ScopeSpan* spanFrom(std::size_t level, std::uint64_t number) const;
     void sumUp(std::size_t level, ScopeSpan span);
     /// Gives up the oldest entries of a level; 0 are the samples.
     void coarsen(std::size_t level);
@@ -124,8 +126,9 @@ private:
 
 template <typename Visit>
 void ModuleHistory::visit(TimePoint from, TimePoint to, Duration widest, Visit&& visit) const {
+    std::size_t level = 0;
     for (std::uint64_t number = numberAt(from); number < m_count;) {
-        const Entry entry = entryAt(number, widest);
+        const Entry entry = entryAt(number, widest, level);
         visit(entry.span);
         if (entry.span.last > to)
             return;

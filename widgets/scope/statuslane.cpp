@@ -86,7 +86,8 @@ void StatusLane::renderTo(QPainter& painter) {
         painter.setClipping(false);
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(0, row.top(), row.left() - fontMetrics().height() / 3.0, row.height()),
-                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, texts::bitName(m_bits[i], m_type));
+                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
+                         texts::bitName(m_bits[i], m_type));
         painter.setClipRect(row);
         paintBit(painter, m_bits[i], row);
     }

@@ -130,7 +130,8 @@ void TriggerBar::layOut() {
 void TriggerBar::showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
         return;
-    const std::optional<Source> before = source() != nullptr ? std::optional(*source()) : std::nullopt;
+    const int chosen = m_source->currentIndex();
+    const std::vector<Source> before = std::move(m_sources);
     m_modules = modules;
     m_selected = selected;
     const QSignalBlocker quiet(m_source);
@@ -141,7 +142,9 @@ void TriggerBar::showModules(const std::vector<ScopeModule>& modules, std::optio
     for (std::size_t i = 0; i < modules.size(); ++i)
         if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != selected)
             addSources(index, modules[i]);
-    const auto again = std::find(m_sources.begin(), m_sources.end(), before);
+    const auto again =
+        chosen >= 0 ? std::find(m_sources.begin(), m_sources.end(), before[static_cast<std::size_t>(chosen)])
+                    : m_sources.end();
     m_source->setCurrentIndex(again != m_sources.end() ? static_cast<int>(again - m_sources.begin())
                               : m_sources.empty()      ? -1
                                                        : 0);
