@@ -337,91 +337,91 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
-        <translation type="unfinished">NMC Panel %1</translation>
+        <translation>NMC Panel %1</translation>
     </message>
     <message>
         <source>%1, by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, von %2</translation>
     </message>
     <message>
         <source>SIMULATOR, no real motor moved</source>
-        <translation type="unfinished"></translation>
+        <translation>SIMULATOR, kein echter Motor bewegt</translation>
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab %1; 0 s ist %2</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Früher</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
     <message>
         <source>To the present</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Gegenwart</translation>
     </message>
     <message>
         <source>Values up</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte nach oben</translation>
     </message>
     <message>
         <source>Values down</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte nach unten</translation>
     </message>
     <message>
         <source>Zoom values in</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte vergrößern</translation>
     </message>
     <message>
         <source>Zoom values out</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte verkleinern</translation>
     </message>
     <message>
         <source>Fit the values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte einpassen</translation>
     </message>
     <message>
         <source>Show everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zeigen</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished">Position</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>command, calculated</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollposition, berechnet</translation>
     </message>
     <message>
         <source>error, calculated</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionsfehler, berechnet</translation>
     </message>
     <message>
         <source>velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>A/D</source>
-        <translation type="unfinished">A/D</translation>
+        <translation>A/D</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished">%1 ms</translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished">%1 s</translation>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -519,51 +519,51 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <name>StepTexts</name>
     <message>
         <source>too few samples</source>
-        <translation type="unfinished"></translation>
+        <translation>zu wenige Messwerte</translation>
     </message>
     <message>
         <source>did not reach 90 %</source>
-        <translation type="unfinished"></translation>
+        <translation>90 % nicht erreicht</translation>
     </message>
     <message>
         <source>not in this record</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht in dieser Aufzeichnung</translation>
     </message>
     <message>
         <source>Very fast profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr schnelles Profil</translation>
     </message>
     <message>
         <source>Stop here, at the goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier stoppen, am Ziel</translation>
     </message>
     <message>
         <source>A move with so much velocity and acceleration that its profile is at the goal in one tick.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
     </message>
     <message>
         <source>The goal is made the position to hold, without a profile. Not with version 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel wird ohne Profil zur gehaltenen Position. Nicht mit Version 1.</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished">s</translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>limited to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>begrenzt auf %1</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1</translation>
     </message>
 </context>
 <context>
@@ -2605,215 +2605,215 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>%1 holds again: it went the wrong way, or farther than twice its step.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hält wieder: der Motor lief in die falsche Richtung oder weiter als die doppelte Sprungstrecke.</translation>
     </message>
     <message>
         <source>The servo swings, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Servo schwingt, oder etwas anderes dreht den Motor. Kp und Ki senken oder Kd erhöhen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
         <source>%1 was switched off and is free to turn: it did not calm down after its step.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde abgeschaltet und ist frei drehbar: der Motor kam nach dem Sprung nicht zur Ruhe.</translation>
     </message>
     <message>
         <source>The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Servo ist mit diesen Reglerwerten nicht stabil. Kp und Ki senken oder Kd erhöhen, die Werte anwenden, dann einschalten.</translation>
     </message>
     <message>
         <source>%1 does not stand still; its servo stays on.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 steht nicht still; der Servo bleibt ein.</translation>
     </message>
     <message>
         <source>It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor schwingt oder wird von außen gedreht. Kp und Ki senken oder Kd erhöhen; „Motor aus“ beendet es sofort.</translation>
     </message>
     <message>
         <source>%1 made no whole step: its motor went off by itself, and is free to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen ganzen Sprung gemacht: der Motor ging von selbst aus und ist frei drehbar.</translation>
     </message>
     <message>
         <source>The motor was too far from where it should be, or lost its power. Check for a jam, raise EL or make the step shorter, then enable it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor war zu weit von der Sollposition entfernt oder verlor seine Versorgung. Prüfen, ob etwas klemmt, EL erhöhen oder den Sprung verkleinern, dann einschalten.</translation>
     </message>
     <message>
         <source>%1 does not answer, so its step is not recorded. Motor state unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 antwortet nicht, der Sprung ist daher nicht aufgezeichnet. Motorzustand unbekannt.</translation>
     </message>
     <message>
         <source>It was told to hold. Use the hardware stop if it moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Haltebefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
         <source>%1 was told to hold, and its step is not recorded: the link was in doubt meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bekam einen Haltebefehl, und der Sprung ist nicht aufgezeichnet: die Verbindung war währenddessen zweifelhaft.</translation>
     </message>
     <message>
         <source>See to the link, then step again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung prüfen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
         <source>%1 has no step recorded and was told to hold: a command was not carried out, or its answer was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Sprung aufgezeichnet und bekam einen Haltebefehl: ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
         <source>Usually noise on the cable. Step again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meist Störungen auf dem Kabel. Den Sprung wiederholen.</translation>
     </message>
     <message>
         <source>The motor does not stand still; its servo stays on. Lower the gains, or switch it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor steht nicht still; sein Servo bleibt ein. Die Reglerwerte senken oder den Motor abschalten.</translation>
     </message>
     <message>
         <source>The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor schwang um mehr als den ganzen Sprung und kam nicht zur Ruhe; er wurde daher abgeschaltet und ist frei drehbar. Kp und Ki senken oder Kd erhöhen.</translation>
     </message>
     <message>
         <source>The step responses were saved to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprungantworten wurden in %1 gespeichert.</translation>
     </message>
     <message>
         <source>its folder is not there.</source>
-        <translation type="unfinished"></translation>
+        <translation>den Ordner gibt es nicht.</translation>
     </message>
     <message>
         <source>this is a folder or a device, not a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist ein Ordner oder ein Gerät, keine Datei.</translation>
     </message>
     <message>
         <source>your user account may not write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Benutzerkonto darf dort nicht schreiben.</translation>
     </message>
     <message>
         <source>the disk can only be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger ist nur lesbar.</translation>
     </message>
     <message>
         <source>the disk is full.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger ist voll.</translation>
     </message>
     <message>
         <source>the disk takes no larger file.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger nimmt keine größere Datei auf.</translation>
     </message>
     <message>
         <source>the file was deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei wurde gelöscht.</translation>
     </message>
     <message>
         <source>the disk is too slow.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger ist zu langsam.</translation>
     </message>
     <message>
         <source>the disk does not take it.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger nimmt sie nicht an.</translation>
     </message>
     <message>
         <source>the file ends before the names of its columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet vor den Namen ihrer Spalten.</translation>
     </message>
     <message>
         <source>there is no column %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spalte %1 fehlt.</translation>
     </message>
     <message>
         <source>the line is longer than %1 bytes, as no line of a recording is.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeile ist länger als %1 Byte, wie keine Zeile einer Aufzeichnung.</translation>
     </message>
     <message>
         <source>the file ends here, in the middle of the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet hier, mitten in der Zeile.</translation>
     </message>
     <message>
         <source>there are %1 cells for %2 columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind %1 Zellen für %2 Spalten.</translation>
     </message>
     <message>
         <source>%1 is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist leer.</translation>
     </message>
     <message>
         <source>%1 is &quot;%2&quot;, which is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist „%2“, und das ist keine Zahl.</translation>
     </message>
     <message>
         <source>%1 of module %2 goes back.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von Modul %2 läuft zurück.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is recorded: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist aufgezeichnet: %2.</translation>
     </message>
     <message>
         <source>It is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist in %1.</translation>
     </message>
     <message>
         <source>What was written before (%1) is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das zuvor Geschriebene (%1) bleibt erhalten.</translation>
     </message>
     <message>
         <source>Nothing is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts bleibt erhalten.</translation>
     </message>
     <message>
         <source>Recording to &quot;%1&quot; ended: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung in „%1“ ist beendet: %2</translation>
     </message>
     <message>
         <source>%1 Control goes on. To go on recording, choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Die Steuerung läuft weiter. Um weiter aufzuzeichnen, eine andere Datei wählen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a recording of NMC Panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Aufzeichnung von NMC Panel.</translation>
     </message>
     <message>
         <source>There is nothing to show of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Davon lässt sich nichts zeigen.</translation>
     </message>
     <message>
         <source>The scope shows what stands above that line: %1 samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Oszilloskop zeigt, was über dieser Zeile steht: %1 Messwerte.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no samples in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ enthält keine Messwerte.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist gespeichert.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde nicht gespeichert.</translation>
     </message>
     <message>
         <source>Show the last 2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten 2 s zeigen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Stop of all motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp aller Motoren</translation>
     </message>
     <message>
         <source>A step response is for a small move: at most 2000 counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sprungantwort ist für eine kleine Bewegung: höchstens 2000 Inkremente.</translation>
     </message>
     <message>
         <source>The step would switch the servo off: right after it the position error is the whole step, which is above the position error limit, or too close to it. Make the step shorter or raise EL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Sprung würde den Servo abschalten: gleich danach ist der Positionsfehler der ganze Sprung, und der liegt über der Grenze der Regelabweichung oder zu nahe an ihr. Den Sprung verkleinern oder EL erhöhen.</translation>
     </message>
     <message>
         <source>The goal is beyond the positions the chip can count.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel liegt außerhalb der Positionen, die der Chip zählen kann.</translation>
     </message>
     <message>
         <source>A record takes from 0.02 s to 3 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufzeichnung dauert 0,02 s bis 3 s.</translation>
     </message>
 </context>
 <context>
@@ -3375,35 +3375,35 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <name>nmc::CursorTable</name>
     <message>
         <source>What the cursors read</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Cursor anzeigen</translation>
     </message>
     <message>
         <source>Signal</source>
-        <translation type="unfinished"></translation>
+        <translation>Signal</translation>
     </message>
     <message>
         <source>Cursor 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cursor 1</translation>
     </message>
     <message>
         <source>Cursor 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Cursor 2</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source> (%1 Hz)</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1 Hz)</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished">%1 s</translation>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -3839,15 +3839,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Step response…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprungantwort…</translation>
     </message>
     <message>
         <source>Open the step response</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprungantwort öffnen</translation>
     </message>
     <message>
         <source>Opens the place where a small step shows how the motor follows (F9).</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet den Ort, an dem ein kleiner Sprung zeigt, wie der Motor folgt (F9).</translation>
     </message>
 </context>
 <context>
@@ -5625,209 +5625,209 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::ScopeBar</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished">Pause</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Holds the picture still (Ctrl+P). Samples are still recorded.</source>
-        <translation type="unfinished">Hält das Bild an (Ctrl+P). Die Aufzeichnung läuft weiter.</translation>
+        <translation>Hält das Bild an (Strg+P). Messwerte werden weiter erfasst.</translation>
     </message>
     <message>
         <source>Cursors</source>
-        <translation type="unfinished"></translation>
+        <translation>Cursor</translation>
     </message>
     <message>
         <source>Two cursors to measure with: drag them (C).</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Cursor zum Messen, die sich ziehen lassen (C).</translation>
     </message>
     <message>
         <source>Status bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Statusbits</translation>
     </message>
     <message>
         <source>The status bits of the selected module over time (B).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Statusbits des gewählten Moduls über der Zeit (B).</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished">%1 s</translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished">%1 min</translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>Time shown by the scope</source>
-        <translation type="unfinished">Dargestellte Zeit des Oszilloskops</translation>
+        <translation>Dargestellte Zeit des Oszilloskops</translation>
     </message>
     <message>
         <source>How much time the scope shows.</source>
-        <translation type="unfinished">Wie viel Zeit das Oszilloskop darstellt.</translation>
+        <translation>Wie viel Zeit das Oszilloskop darstellt.</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
-        <translation type="unfinished">&amp;Zeitraum</translation>
+        <translation>&amp;Zeitraum</translation>
     </message>
     <message>
         <source>Signals…</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale…</translation>
     </message>
     <message>
         <source>Which signals of which modules stand in which strip (S).</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Signale welcher Module in welchem Streifen stehen (S).</translation>
     </message>
     <message>
         <source>Trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>Waits for a signal or a status bit, and holds what was around it (T).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf ein Signal oder ein Statusbit und hält fest, was darum herum war (T).</translation>
     </message>
     <message>
         <source>Back to live</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu live</translation>
     </message>
     <message>
         <source>Shows what the modules say now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt, was die Module jetzt melden.</translation>
     </message>
     <message>
         <source>What is shown instead of the present</source>
-        <translation type="unfinished"></translation>
+        <translation>Was statt der Gegenwart gezeigt wird</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeExport</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Export</translation>
     </message>
     <message>
         <source>&amp;Samples (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Messwerte (CSV)…</translation>
     </message>
     <message>
         <source>Every sample of all modules in the time that is seen, to be opened here again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Messwert aller Module in der sichtbaren Zeit; lässt sich hier wieder öffnen.</translation>
     </message>
     <message>
         <source>&amp;Picture (PNG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild (PNG)…</translation>
     </message>
     <message>
         <source>What is seen, as an image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Sichtbare als Bild.</translation>
     </message>
     <message>
         <source>&amp;Vector picture (SVG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vektorbild (SVG)…</translation>
     </message>
     <message>
         <source>What is seen, in lines that stay sharp at any size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
         <source>What is seen, onto the clipboard; with its samples where these are few.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Sichtbare in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
     </message>
     <message>
         <source>Export from the scope</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem Oszilloskop exportieren</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished">Alle Dateien (*)</translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>scope</source>
-        <translation type="unfinished"></translation>
+        <translation>oszilloskop</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeFiles</name>
     <message>
         <source>Open &amp;recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aufzeichnung öffnen…</translation>
     </message>
     <message>
         <source>Recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Stop recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
         <source>Ends the recording and closes its file (Ctrl+Shift+R).</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet die Aufzeichnung und schließt ihre Datei (Strg+Umschalt+R).</translation>
     </message>
     <message>
         <source>Opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Leaves the file alone; the scope stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt die Datei, wie sie ist; das Oszilloskop bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>Shows a recording in the scope. Control of the motors goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt eine Aufzeichnung im Oszilloskop. Die Steuerung der Motoren läuft weiter.</translation>
     </message>
     <message>
         <source>Writes every sample of all modules to a file from now on (Ctrl+Shift+R).</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt ab jetzt jeden Messwert aller Module in eine Datei (Strg+Umschalt+R).</translation>
     </message>
     <message>
         <source>Record…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnen…</translation>
     </message>
     <message>
         <source>There is nothing to record: no module is connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts aufzuzeichnen: kein Modul ist verbunden.</translation>
     </message>
     <message>
         <source>● Recording %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>● Zeichnet auf: %1, %2, %3</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished">%1 s</translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Opening %1, %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet %1, %2 %</translation>
     </message>
     <message>
         <source>Record to a file</source>
-        <translation type="unfinished"></translation>
+        <translation>In eine Datei aufzeichnen</translation>
     </message>
     <message>
         <source>Recordings (*.%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnungen (*.%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished">Alle Dateien (*)</translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung öffnen</translation>
     </message>
 </context>
 <context>
@@ -5838,45 +5838,45 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Takes what is seen out of the scope: samples or a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Holt das Sichtbare aus dem Oszilloskop: Messwerte oder ein Bild.</translation>
     </message>
     <message>
         <source>Bits of the lane</source>
-        <translation type="unfinished"></translation>
+        <translation>Bits der Statusspur</translation>
     </message>
     <message>
         <source>%1 (simulator)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Simulator)</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
     <message>
         <source>%1 · not known now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · jetzt nicht bekannt</translation>
     </message>
     <message>
         <source>%1 · %2/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2/s</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeStrips</name>
     <message>
         <source>Plots; arrow keys move, plus and minus zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme; Pfeiltasten verschieben, Plus und Minus zoomen</translation>
     </message>
     <message>
         <source>Strip %1 of the scope</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen %1 des Oszilloskops</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5918,43 +5918,43 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::SignalsDialog</name>
     <message>
         <source>Signals of the scope</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale des Oszilloskops</translation>
     </message>
     <message>
         <source>Signals, and the strips they stand in</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale und die Streifen, in denen sie stehen</translation>
     </message>
     <message>
         <source>Signal</source>
-        <translation type="unfinished"></translation>
+        <translation>Signal</translation>
     </message>
     <message>
         <source>Strip %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen %1</translation>
     </message>
     <message>
         <source>A tick puts the signal into that strip. A strip without a tick is not shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Haken setzt das Signal in diesen Streifen. Ein Streifen ohne Haken wird nicht gezeigt.</translation>
     </message>
     <message>
         <source>The selected module</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Modul</translation>
     </message>
     <message>
         <source>&amp;Usual signals</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Übliche Signale</translation>
     </message>
     <message>
         <source>Usual signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Übliche Signale</translation>
     </message>
     <message>
         <source>Position with its command position, and the error below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Position mit ihrer Sollposition, darunter der Positionsfehler.</translation>
     </message>
     <message>
         <source>%1: %2 in strip %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 in Streifen %3</translation>
     </message>
 </context>
 <context>
@@ -5976,7 +5976,7 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StatusLane</name>
     <message>
         <source>Status bits over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Statusbits über der Zeit</translation>
     </message>
 </context>
 <context>
@@ -6268,79 +6268,79 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StepForm</name>
     <message>
         <source>How the next step is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der nächste Sprung gemacht wird</translation>
     </message>
     <message>
         <source>Distance of the step response</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke der Sprungantwort</translation>
     </message>
     <message>
         <source>The distance of the step</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strecke des Sprungs</translation>
     </message>
     <message>
         <source>How far the command jumps; below 0 in reverse. Small steps show how the servo is tuned, large ones what the amplifier can do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
     </message>
     <message>
         <source>How the command is made to jump</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Sollposition zum Springen gebracht wird</translation>
     </message>
     <message>
         <source>The record</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished">s</translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>How long the motor is watched after the step. Then it is told to hold.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
     </message>
     <message>
         <source>The settling band</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Toleranzband</translation>
     </message>
     <message>
         <source>% of the step</source>
-        <translation type="unfinished"></translation>
+        <translation>% des Sprungs</translation>
     </message>
     <message>
         <source>The motor has settled when it stays this close to its goal, and is never judged by less than a count. All runs are judged by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor ist eingeschwungen, wenn er so nahe am Ziel bleibt; strenger als auf ein Inkrement wird nie geprüft. Gilt für alle Läufe.</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished">Strecke</translation>
+        <translation>Strecke</translation>
     </message>
     <message>
         <source>Way</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Settling band</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranzband</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished">Schrittweite</translation>
+        <translation>Sprung</translation>
     </message>
     <message>
         <source>Make a step and record it</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Sprung machen und aufzeichnen</translation>
     </message>
     <message>
         <source>A step is being made already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es läuft bereits ein Sprung.</translation>
     </message>
     <message>
         <source>The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
     </message>
 </context>
 <context>
@@ -6845,31 +6845,31 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StepPlot</name>
     <message>
         <source>Step responses over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprungantworten über der Zeit</translation>
     </message>
     <message>
         <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen seit dem Sprung, gezählt ab seinem Beginn. Das getönte Band ist das Toleranzband um das Ziel.</translation>
     </message>
     <message>
         <source>run %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf %1, %2</translation>
     </message>
     <message>
         <source>A: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A: %1</translation>
     </message>
     <message>
         <source>B: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>B: %1</translation>
     </message>
     <message>
         <source>goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>No run is shown. A step shows how the motor follows when its command jumps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Lauf gezeigt. Ein Sprung zeigt, wie der Motor folgt, wenn seine Sollposition springt.</translation>
     </message>
 </context>
 <context>
@@ -6927,177 +6927,177 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StepResponsePage</name>
     <message>
         <source>Step response</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprungantwort</translation>
     </message>
     <message>
         <source>Use these gains</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte übernehmen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Export CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV exportieren…</translation>
     </message>
     <message>
         <source>Choose a run in the list first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Lauf in der Liste wählen.</translation>
     </message>
     <message>
         <source>This run is of %1. Select that module first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Lauf ist von %1. Zuerst dieses Modul wählen.</translation>
     </message>
     <message>
         <source>Puts the gains of this run into the fields of the Gains page. Sends nothing (Ctrl+Shift+U).</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägt die Reglerwerte dieses Laufs in die Felder der Seite Reglerwerte ein. Sendet nichts (Strg+Umschalt+U).</translation>
     </message>
     <message>
         <source>Takes this run off the list (Ctrl+Del).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt diesen Lauf aus der Liste (Strg+Entf).</translation>
     </message>
     <message>
         <source>There is no run yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keinen Lauf.</translation>
     </message>
     <message>
         <source>Saves all runs of the list, with their gains and results (Ctrl+Shift+X).</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert alle Läufe der Liste mit ihren Reglerwerten und Ergebnissen (Strg+Umschalt+X).</translation>
     </message>
     <message>
         <source>Export step responses</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprungantworten exportieren</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepResults</name>
     <message>
         <source>What the runs that are shown come to</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die gezeigten Läufe ergeben</translation>
     </message>
     <message>
         <source>A</source>
-        <translation type="unfinished">A</translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>B</source>
-        <translation type="unfinished"></translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Dauerlauf</translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Rise, 10 to 90 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anstieg, 10 bis 90 %</translation>
     </message>
     <message>
         <source>Overshoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschwingen</translation>
     </message>
     <message>
         <source>Settling</source>
-        <translation type="unfinished"></translation>
+        <translation>Einschwingen</translation>
     </message>
     <message>
         <source>Steady-state error</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibende Abweichung</translation>
     </message>
     <message>
         <source>Peak PWM, of 255</source>
-        <translation type="unfinished"></translation>
+        <translation>PWM-Spitze, von 255</translation>
     </message>
     <message>
         <source>Sample interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Messabstand</translation>
     </message>
     <message>
         <source>Time from 10 % to 90 % of the step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit von 10 % bis 90 % des Sprungs.</translation>
     </message>
     <message>
         <source>How far it went beyond its goal, in % of the step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
     </message>
     <message>
         <source>Time until it stays within the settling band. Nothing if that is not before the last fifth of the record.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, bis es im Toleranzband bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
     </message>
     <message>
         <source>Goal less the mean position of the last fifth of the record.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
     </message>
     <message>
         <source>What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask for more, so below the output limit OL it is only a lower bound.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Servo vom Verstärker verlangt, wenn die Sollposition springt, aus den Reglerwerten. Ein späterer Takt kann mehr verlangen; unter der Ausgangsgrenze OL ist es daher nur eine untere Schranke.</translation>
     </message>
     <message>
         <source>The mean time between two positions of the record. The doubts come from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Aus ihr ergeben sich die Unsicherheiten.</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished">%1 ms</translation>
+        <translation>%1 ms</translation>
     </message>
 </context>
 <context>
     <name>nmc::StepRunTable</name>
     <message>
         <source>Step responses so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisherige Sprungantworten</translation>
     </message>
     <message>
         <source>The step responses so far, newest first. Tick two of them to compare their curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Zwei davon anhaken, um ihre Kurven zu vergleichen.</translation>
     </message>
     <message>
         <source>A</source>
-        <translation type="unfinished">A</translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>B</source>
-        <translation type="unfinished"></translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Dauerlauf</translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Module</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Overshoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschwingen</translation>
     </message>
     <message>
         <source>Settling</source>
-        <translation type="unfinished"></translation>
+        <translation>Einschwingen</translation>
     </message>
     <message>
         <source>Run %1 as A</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf %1 als A</translation>
     </message>
     <message>
         <source>Run %1 as B</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf %1 als B</translation>
     </message>
     <message>
         <source>Draws this run as A, with a solid line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet diesen Lauf als A, mit durchgezogener Linie.</translation>
     </message>
     <message>
         <source>Draws this run as B, with a dashed line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
     </message>
 </context>
 <context>
@@ -7137,134 +7137,134 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <name>nmc::TriggerBar</name>
     <message>
         <source>Trigger on</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger auf</translation>
     </message>
     <message>
         <source>The signal or status bit to wait for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Signal oder Statusbit, auf das gewartet wird.</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>What it has to do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es tun muss.</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Where it has to do that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo es das tun muss.</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished">Betriebsart</translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Single: holds the first picture. Normal: shows picture after picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzeln: hält das erste Bild. Normal: zeigt Bild um Bild.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Davor</translation>
     </message>
     <message>
         <source>How much of the picture is from before the trigger, in percent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel des Bildes aus der Zeit vor dem Trigger ist, in Prozent.</translation>
     </message>
     <message>
         <source>Arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Scharf schalten</translation>
     </message>
     <message>
         <source>Trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>State of the trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Triggers</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Single</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzeln</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>%</source>
-        <translation type="unfinished"></translation>
+        <translation>%</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>rises to</source>
-        <translation type="unfinished"></translation>
+        <translation>steigt auf</translation>
     </message>
     <message>
         <source>falls to</source>
-        <translation type="unfinished"></translation>
+        <translation>fällt auf</translation>
     </message>
     <message>
         <source>is above</source>
-        <translation type="unfinished"></translation>
+        <translation>liegt über</translation>
     </message>
     <message>
         <source>is below</source>
-        <translation type="unfinished"></translation>
+        <translation>liegt unter</translation>
     </message>
     <message>
         <source>becomes 1</source>
-        <translation type="unfinished"></translation>
+        <translation>wird 1</translation>
     </message>
     <message>
         <source>becomes 0</source>
-        <translation type="unfinished"></translation>
+        <translation>wird 0</translation>
     </message>
     <message>
         <source>is 1</source>
-        <translation type="unfinished"></translation>
+        <translation>ist 1</translation>
     </message>
     <message>
         <source>is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ist 0</translation>
     </message>
     <message>
         <source>No module is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Modul ist da.</translation>
     </message>
     <message>
         <source>Choose a mode first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Modus wählen.</translation>
     </message>
     <message>
         <source>Waits for the next trigger from now on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet ab jetzt auf den nächsten Trigger.</translation>
     </message>
 </context>
 <context>
     <name>nmc::TriggerControl</name>
     <message>
         <source>waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>wartet</translation>
     </message>
     <message>
         <source>triggered %1, more samples to come</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgelöst um %1, weitere Messwerte folgen</translation>
     </message>
     <message>
         <source>triggered %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgelöst um %1</translation>
     </message>
 </context>
 <context>
