@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
@@ -57,7 +58,11 @@ Banner::Banner(QWidget* parent)
 
 void Banner::showMessage(const Message& message) {
     endMessage(message.key);
-    if (message.severity == Severity::Normal && message.actions.isEmpty())
+    // What went well is not worth moving everything below, though it can be looked at from the list.
+    const bool toDo =
+        std::any_of(message.actions.begin(), message.actions.end(),
+                    [](const Message::Action& action) { return action.id != texts::action::kShowRecord; });
+    if (message.severity == Severity::Normal && !toDo)
         return;
     m_active.append(message);
     present();

@@ -331,7 +331,6 @@ void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
     if (record == nullptr || record->history.empty())
         return;
     m_record = std::move(record);
-    window()->raise();
     buildStrips();
     m_strips->forget();
     m_strips->showLevel({});
