@@ -102,34 +102,34 @@ void ScopeStrips::label(const History& history, double now) {
     if (m_labelled && std::abs(now - *m_labelled) < kRateTime)
         return;
     m_labelled = now;
-    const bool live = m_time.rolls();
-    const double to = live ? now : m_time.right();
-    const double from = live ? now - kRateTime : m_time.left();
-    const TimePoint zero = history.zero().value_or(TimePoint{});
-    for (std::size_t i = 0; i < m_plots.size(); ++i) {
-        std::vector<ScopePlot::Trace> traces;
-        const auto& strip = m_setup.strips[i];
-        const bool mixed = std::any_of(strip.begin(), strip.end(), [&](const SignalRef& signal) {
-            return signal.module != strip.front().module;
-        });
-        for (const SignalRef& signal : strip) {
-            const std::optional<ModuleIndex> index = signal.module ? signal.module : m_selected;
-            if (!index || index->value() >= m_modules.size())
-                continue;
-            const ScopeModule& module = m_modules[index->value()];
-            ScopePlot::Trace trace{*index, signal.signal, module.scaleOf(signal.signal),
-                                   labelOf(signal, module),
-                                   mixed ? QString::number(index->value() + 1) : QString()};
-            if (const ModuleHistory* samples = history.module(*index))
-                trace.samplesPerSecond =
-                    static_cast<double>(samples->countBetween(zero + fromSeconds(from),
-                                                              zero + fromSeconds(to), signal.signal)) /
-                    (to - from);
-            traces.push_back(trace);
-        }
+    const double to = m_time.rolls() ? now : m_time.right();
+    const double from = m_time.rolls() ? now - kRateTime : m_time.left();
+    for (std::size_t i = 0; i < m_plots.size(); ++i)
         if (m_plots[i] != nullptr)
-            m_plots[i]->setTraces(std::move(traces));
+            m_plots[i]->setTraces(tracesOf(m_setup.strips[i], history, from, to));
+}
+
+std::vector<ScopePlot::Trace> ScopeStrips::tracesOf(const std::vector<SignalRef>& strip,
+                                                    const History& history, double from, double to) const {
+    const TimePoint zero = history.zero().value_or(TimePoint{});
+    const bool mixed = std::any_of(strip.begin(), strip.end(), [&](const SignalRef& signal) {
+        return signal.module != strip.front().module;
+    });
+    std::vector<ScopePlot::Trace> traces;
+    for (const SignalRef& signal : strip) {
+        const std::optional<ModuleIndex> index = signal.module ? signal.module : m_selected;
+        if (!index || index->value() >= m_modules.size())
+            continue;
+        const ScopeModule& module = m_modules[index->value()];
+        ScopePlot::Trace trace{*index, signal.signal, module.scaleOf(signal.signal), labelOf(signal, module),
+                               mixed ? QString::number(index->value() + 1) : QString()};
+        if (const ModuleHistory* samples = history.module(*index))
+            trace.samplesPerSecond = static_cast<double>(samples->countBetween(
+                                         zero + fromSeconds(from), zero + fromSeconds(to), signal.signal)) /
+                                     (to - from);
+        traces.push_back(trace);
     }
+    return traces;
 }
 
 void ScopeStrips::showFrame(const History& history, double now) {

@@ -69,6 +69,10 @@ private:
     [[nodiscard]] ScopePlot* newPlot(std::size_t strip);
     void arrange();
     void label(const History& history, double now);
+    /// `from`, `to`: over what time their rates are counted, s.
+    [[nodiscard]] std::vector<ScopePlot::Trace> tracesOf(const std::vector<SignalRef>& strip,
+                                                         const History& history, double from,
+                                                         double to) const;
     [[nodiscard]] QString labelOf(const SignalRef& signal, const ScopeModule& module) const;
     void align();
 
