@@ -3743,7 +3743,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>● edited, not sent</source>
-        <translation>● geändert, nicht gesendet</translation>
+        <translation>● nicht gesendet</translation>
     </message>
     <message>
         <source>Gains cannot be read back from the module. Until you apply them they are unknown.</source>
@@ -6798,7 +6798,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>● edited, not sent</source>
-        <translation>● geändert, nicht gesendet</translation>
+        <translation>● nicht gesendet</translation>
     </message>
     <message>
         <source>✓ sent</source>
@@ -6920,7 +6920,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>● edited, not sent</source>
-        <translation>● geändert, nicht gesendet</translation>
+        <translation>● nicht gesendet</translation>
     </message>
 </context>
 <context>
