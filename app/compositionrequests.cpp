@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is asked of a module: a plan of commands at once, or a procedure that runs for a while.
 #include <QDateTime>
+#include <algorithm>
 
 #include "app/composition.h"
 #include "link/clock.h"
@@ -45,7 +46,12 @@ bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
 }
 
 void Composition::followStepResponse(const ProcedureReport& report) {
-    m_worker.focus(report.over() ? std::nullopt : std::optional(report.module));
+    // While another motor moves it is watched as closely as ever, and the step has fewer samples.
+    const std::vector<ModuleState>& modules = m_store.link().modules;
+    const bool othersMove = std::any_of(modules.begin(), modules.end(), [&report](const ModuleState& other) {
+        return other.info.index != report.module && other.moving();
+    });
+    m_worker.focus(report.over() || othersMove ? std::nullopt : std::optional(report.module));
     // One that does not come to rest afterwards has a whole record all the same.
     const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
     const ModuleState* module = m_store.module(report.module);

@@ -15,14 +15,15 @@ constexpr double kRange = 4294967296.0;  ///< positions go round (DS-V 4.5)
 
 std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     m_command.apply(sample);
-    if (sample.report.aux)
-        m_aux = *sample.report.aux;
+    // A brief reply has neither; they stand as they were last reported.
+    m_aux = sample.report.aux.value_or(m_aux);
+    m_analog = sample.report.analog.value_or(m_analog);
     if (!sample.report.position)
         return std::nullopt;
     ScopeSample made;
     made.time = sample.time;
     made.position = *sample.report.position;
-    made.analog = sample.report.analog.value_or(0);
+    made.analog = m_analog;
     made.status = sample.report.status;
     made.aux = m_aux;
     made.gapBefore = missingBefore(sample);

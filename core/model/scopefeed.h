@@ -41,6 +41,7 @@ private:
     std::deque<Place> m_recent;  ///< back to kVelocityTime before the last, and one beyond
     std::optional<Duration> m_interval;
     std::uint8_t m_aux = 0;
+    std::uint8_t m_analog = 0;
 };
 
 }  // namespace nmc

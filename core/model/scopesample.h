@@ -19,7 +19,7 @@ struct ScopeSample {
     float errorLow = kUnknown;   ///< the true error is not below this...
     float errorHigh = kUnknown;  ///< ... nor above this
     float velocity = kUnknown;   ///< counts/s, from the positions of the last 20 ms
-    std::uint8_t analog = 0;
+    std::uint8_t analog = 0;     ///< as last reported
     std::uint8_t status = 0;
     std::uint8_t aux = 0;  ///< as last reported; PIC-STEP: its inputs
     /// Data is missing between the sample before and this one.

@@ -110,12 +110,15 @@ TEST(ScopeFeed, AStandingMotorHasAnExactErrorAndAMovingOneABand) {
     EXPECT_NEAR(late->error - late->errorLow, prompt->error - prompt->errorLow, 8);
 }
 
-TEST(ScopeFeed, CarriesTheLastAuxiliaryStatusOn) {
+TEST(ScopeFeed, CarriesOnWhatABriefReplyDoesNotTell) {
     ScopeFeed feed;
-    static_cast<void>(feed.take(sampleOf(0, kHolds, kServoOn)));
-    bus::Sample without = sampleOf(0.01, kHolds, 0);
-    without.report.aux.reset();
-    EXPECT_EQ(feed.take(without)->aux, kServoOn);
+    bus::Sample full = sampleOf(0, kHolds, kServoOn);
+    full.report.analog = std::uint8_t{77};
+    static_cast<void>(feed.take(full));
+    bus::Sample brief = sampleOf(0.01, kHolds, 0);
+    brief.report.aux.reset();
+    EXPECT_EQ(feed.take(brief)->aux, kServoOn);
+    EXPECT_EQ(feed.take(brief)->analog, 77);
 }
 
 }  // namespace
