@@ -87,7 +87,7 @@ void expectSums(const ScopeSpan& span, const std::vector<ScopeSample>& samples, 
             continue;
         RC_ASSERT(extremes.low == *low);
         RC_ASSERT(extremes.high == *high);
-        RC_ASSERT(*low == *high || extremes.lowFirst == lowFirst);
+        RC_ASSERT((*low == *high || extremes.lowFirst == lowFirst));
     }
     std::uint8_t all = 0xFF, any = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -114,12 +114,13 @@ RC_GTEST_PROP(History, AWindowShowsAllItsSamplesAndOneBeyondEachEndInSpansThatFi
     history.visit(from, to, widest, [&](const ScopeSpan& span) {
         RC_ASSERT(number < samples.size());
         RC_ASSERT(span.first == samples[number].time);
-        RC_ASSERT(number == 0 || samples[number - 1].time <= to);
+        // In brackets, or rapidcheck evaluates both sides.
+        RC_ASSERT((number == 0 || samples[number - 1].time <= to));
         RC_ASSERT(span.last - span.first <= widest);
         expectSums(span, samples, number, numberBehind(samples, span));
         number = numberBehind(samples, span);
     });
-    RC_ASSERT(number == samples.size() || samples[number - 1].time > to);
+    RC_ASSERT((number == samples.size() || samples[number - 1].time > to));
 }
 
 TEST(History, APictureThatScrollsIsCutAtTheSamePlaces) {

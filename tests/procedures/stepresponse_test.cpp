@@ -88,6 +88,7 @@ TEST_F(StepResponse, KnowsWhenItWasTaken) {
         ASSERT_TRUE(jumped && bench.procedure->report().step);
         // The tick behind the command's, and the time at which the test looks: half a millisecond or so each.
         EXPECT_NEAR(toSeconds(*jumped - bench.procedure->report().step->at), 0.000'512, 0.001);
+        bench.bus.onTime = {};
     }
 }
 

@@ -10,6 +10,7 @@
 #include <QSaveFile>
 #include <algorithm>
 
+#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/stepform.h"
@@ -185,22 +186,14 @@ void StepResponsePage::removeChosen() {
 }
 
 void StepResponsePage::chooseFile() {
-    if (auto* open = findChild<QFileDialog*>(kSaveDialog)) {
-        open->activateWindow();
+    QFileDialog* dialog =
+        newFileDialog(this, kSaveDialog, tr("Export step responses"), {tr("CSV (*.csv)")}, QDir::homePath());
+    if (dialog == nullptr)
         return;
-    }
-    auto* dialog = new QFileDialog(this, tr("Export step responses"));
-    look::name(dialog, kSaveDialog, dialog->windowTitle());
-    dialog->setOption(QFileDialog::DontUseNativeDialog);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(tr("CSV (*.csv)"));
     dialog->setDefaultSuffix(u"csv"_s);
-    dialog->setDirectory(QDir::homePath());
     dialog->selectFile(u"step-responses"_s);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, &StepResponsePage::saveAs);
-    // Not modal: the panel stays usable, and STOP ALL with it.
-    dialog->setModal(false);
     dialog->show();
 }
 
