@@ -3,7 +3,6 @@
 
 #include <QClipboard>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
@@ -12,7 +11,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "model/modulescale.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
@@ -237,30 +235,8 @@ void MainWindow::showSelected() {
     showScopeModules();
 }
 
-/// Without a connection the scope still shows what was, and whose it was.
-void MainWindow::showScopeModules() {
-    if (m_link.modules.empty())
-        return;
-    m_scopeModules.clear();
-    for (const ModuleState& module : m_link.modules) {
-        const AxisSettings& axis = m_machine.axis(module.info.index);
-        m_scopeModules.push_back(
-            {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
-    }
-    m_scope->showModules(m_scopeModules, selectedModule());
-    m_scope->showSession(QString::fromStdString(m_link.port), m_link.simulated);
-}
-
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
     return m_chain->selectedModule();
-}
-
-std::vector<ModuleIndex> MainWindow::watchedModules() const {
-    std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
-    const std::optional<ModuleIndex> selected = selectedModule();
-    if (selected && std::find(watched.begin(), watched.end(), *selected) == watched.end())
-        watched.push_back(*selected);
-    return watched;
 }
 
 void MainWindow::showFigures(const LinkFigures& figures) {
@@ -292,22 +268,6 @@ void MainWindow::showProcedure(const ProcedureReport& report) {
 
 void MainWindow::showStepRun(const KeptRun& run) {
     m_stepResponse->showRun(run);
-}
-
-void MainWindow::showHistory(const History& history, TimePoint now) {
-    m_now = now;
-    m_scope->showHistory(history, now);
-    if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
-        showSelected();
-}
-
-void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
-    for (QDockWidget* dock : m_docks)
-        if (dock->widget() == m_scope) {
-            dock->show();
-            dock->raise();
-        }
-    m_scope->showRecord(std::move(record));
 }
 
 ScopeFiles& MainWindow::scopeFiles() {
