@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "model/scopesignal.h"
 
@@ -20,11 +20,12 @@ struct ScopeSpan {
     };
 
     TimePoint first, last;
-    double commandLow = NAN, commandHigh = NAN;
+    double commandLow = std::numeric_limits<double>::quiet_NaN();
+    double commandHigh = std::numeric_limits<double>::quiet_NaN();
     std::int32_t positionLow = 0, positionHigh = 0;
-    float errorLow = NAN, errorHigh = NAN;
-    float bandLow = NAN, bandHigh = NAN;  ///< of the error
-    float velocityLow = NAN, velocityHigh = NAN;
+    float errorLow = ScopeSample::kUnknown, errorHigh = ScopeSample::kUnknown;
+    float bandLow = ScopeSample::kUnknown, bandHigh = ScopeSample::kUnknown;  ///< of the error
+    float velocityLow = ScopeSample::kUnknown, velocityHigh = ScopeSample::kUnknown;
     std::uint8_t analogLow = 0, analogHigh = 0;
     std::uint8_t statusAll = 0, statusAny = 0;  ///< bits that were set all the time; at any time
     std::uint8_t auxAll = 0, auxAny = 0;

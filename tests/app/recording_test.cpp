@@ -183,12 +183,13 @@ TEST_F(RecordingProgram, AFileThatIsCutIsShownAndSaysSo) {
 }
 
 TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
-    for (const auto& [file, words] :
-         {std::pair(directory.path(), QStringLiteral("was not opened")),
-          {QStringLiteral("/dev/zero"), QStringLiteral("\"zero\" was not opened")},
-          {path("none.csv"), QStringLiteral("\"none.csv\" was not opened")}}) {
+    const std::vector<std::pair<QString, const char*>> wrong{
+        {directory.path(), "was not opened"},
+        {QStringLiteral("/dev/zero"), "\"zero\" was not opened"},
+        {path("none.csv"), "\"none.csv\" was not opened"}};
+    for (const auto& [file, words] : wrong) {
         emit files().openRequested(file);
-        EXPECT_TRUE(panel.waitFor([&] { return panel.count(words) > 0; })) << file.toStdString();
+        EXPECT_TRUE(told(words)) << file.toStdString();
     }
     QFile picture(path("picture.csv"));
     ASSERT_TRUE(picture.open(QIODevice::WriteOnly));

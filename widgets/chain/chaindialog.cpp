@@ -42,7 +42,7 @@ ChainDialog::ChainDialog(QWidget* parent)
     connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);
 }
 
-void ChainDialog::open(Page page) {
+void ChainDialog::openAt(Page page) {
     m_pages->setCurrentIndex(page);
     show();
     raise();

@@ -25,7 +25,7 @@ public:
 
     explicit ChainDialog(QWidget* parent = nullptr);
 
-    void open(Page page);
+    void openAt(Page page);
     /// Emits nothing.
     void showChain(const Machine& machine, const LinkState& link);
 

@@ -71,7 +71,7 @@ void ChainMenu::open(int page) {
         connect(m_dialog, &ChainDialog::rateRequested, this, &ChainMenu::rateRequested);
     }
     m_dialog->showChain(m_machine, m_link);
-    m_dialog->open(static_cast<ChainDialog::Page>(page));
+    m_dialog->openAt(static_cast<ChainDialog::Page>(page));
 }
 
 }  // namespace nmc
