@@ -9,6 +9,7 @@
 #include "model/procedures.h"
 #include "model/steprunfile.h"
 #include "widgets/common/texts.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -69,8 +70,7 @@ void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
     const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
     KeptRun kept;
     kept.run = takeRun(index, samples, taken, kFirstBand);
-    kept.startedAt =
-        started.toOffsetFromUtc(started.offsetFromUtc()).toString(Qt::ISODateWithMs).toStdString();
+    kept.startedAt = isoDate(started).toStdString();
     kept.moduleName = texts::moduleName(index).toStdString();
     kept.scale = scaleOf(module, m_machine.machine().axis(index));
     kept.port = m_store.link().port;

@@ -62,7 +62,7 @@ public:
     /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     /// How the scope reads the modules that are there, or were last.
-    [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const { return m_scopeModules; }
+    [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const;
     /// What the user has told about the machine: names, units, values kept for each axis.
     void showMachine(const Machine& machine);
     /// How a procedure of some module goes, or went.
@@ -163,7 +163,6 @@ private:
     LinkState m_link;
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
-    std::vector<ScopeModule> m_scopeModules;
     std::optional<TimePoint> m_now;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;

@@ -2,6 +2,7 @@
 // What the window hands to its scope.
 #include <QDockWidget>
 #include <algorithm>
+#include <utility>
 
 #include "model/modulescale.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -13,14 +14,18 @@ namespace nmc {
 void MainWindow::showScopeModules() {
     if (m_link.modules.empty())
         return;
-    m_scopeModules.clear();
+    std::vector<ScopeModule> modules;
     for (const ModuleState& module : m_link.modules) {
         const AxisSettings& axis = m_machine.axis(module.info.index);
-        m_scopeModules.push_back(
+        modules.push_back(
             {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
     }
-    m_scope->showModules(m_scopeModules, selectedModule());
+    m_scope->showModules(std::move(modules), selectedModule());
     m_scope->showSession(QString::fromStdString(m_link.port), m_link.simulated);
+}
+
+const std::vector<ScopeModule>& MainWindow::scopeModules() const {
+    return m_scope->modules();
 }
 
 void MainWindow::showHistory(const History& history, TimePoint now) {

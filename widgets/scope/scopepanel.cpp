@@ -241,11 +241,11 @@ void ScopePanel::touch() {
 
 // ---- what is shown ----
 
-void ScopePanel::showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
+void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected) {
     const bool another = selected != m_selected;
-    m_modules = modules;
+    m_modules = std::move(modules);
     m_selected = selected;
-    m_trigger->showModules(modules, selected);
+    m_trigger->showModules(m_modules, selected);
     if (another && !m_record && m_strips != nullptr) {
         m_strips->time().roll();
         showTime();

@@ -32,7 +32,8 @@ public:
     explicit ScopePanel(QWidget* parent = nullptr);
 
     /// How to read the live samples, and whose are "the selected module's".
-    void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
+    void showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected);
+    [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
     /// At most 60 times a second. Nothing is kept of `history` but what this frame shows.
     void showHistory(const History& history, TimePoint now);
     /// Instead of what is live, until backToLive().
