@@ -2,9 +2,10 @@
 #include "model/recording.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 
+#include "model/numbertext.h"
 #include "model/recordingwords.h"
 
 namespace nmc {
@@ -27,12 +28,6 @@ constexpr std::string_view kMeaning =
     "# gap = 1 where replies of this module are missing before the row\n"
     "# Divide by counts per unit to get the unit of the module.\n"
     "#\n";
-
-template <typename Number>
-void appendNumber(std::string& out, Number number) {
-    std::array<char, 32> digits;
-    out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
 
 template <typename Real>
 void appendReal(std::string& out, Real number) {
@@ -65,13 +60,6 @@ std::string oneLine(std::string_view text) {
 void appendEntry(std::string& out, std::string_view key, std::string_view value) {
     if (!value.empty())
         out.append("# ").append(key).append(words::kBehindKey).append(oneLine(value)) += '\n';
-}
-
-template <typename Number>
-std::string textOf(Number number) {
-    std::string text;
-    appendNumber(text, number);
-    return text;
 }
 
 std::string typeText(ModuleType type) {

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/steprunfile.h"
 
-#include <array>
-#include <charconv>
-
+#include "model/numbertext.h"
 #include "model/recording.h"
 
 namespace nmc {
 
 namespace {
-
-template <typename Number>
-std::string textOf(Number number) {
-    std::array<char, 32> digits;
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
-}
 
 class Comments {
 public:

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace nmc {
+
+/// Numbers of files: with the C locale's decimal point whatever the locale is, and just as many digits as
+/// bring the same number back.
+template <typename Number>
+void appendNumber(std::string& out, Number number) {
+    std::array<char, 32> digits;
+    out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+template <typename Number>
+[[nodiscard]] std::string textOf(Number number) {
+    std::string text;
+    appendNumber(text, number);
+    return text;
+}
+
+}  // namespace nmc
