@@ -151,8 +151,8 @@ void Composition::told(const MachineSlept& slept) {
 }
 
 void Composition::told(const ServoWentOff& off) {
-    const ModuleState* gone = m_store.module(off.module);
-    if (gone != nullptr && gone->isStepper()) {
+    const ModuleState* module = m_store.module(off.module);
+    if (module != nullptr && module->isStepper()) {
         tellIncident(texts::amplifierWentOff(off.module, off.activity), off.module);
         return;
     }
@@ -160,7 +160,6 @@ void Composition::told(const ServoWentOff& off) {
         tellIncident(texts::powerLost(off.module), off.module);
         return;
     }
-    const ModuleState* module = m_store.module(off.module);
     const auto limit =
         module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
     tellIncident(texts::tripped(off.module, limit), off.module);

@@ -68,12 +68,12 @@ private:
     };
 
     [[nodiscard]] std::uint64_t numberAt(TimePoint time) const;
-    /// The widest span that begins at sample `number` and fits; nothing if nothing begins there.
     struct Entry {
         ScopeSpan span;
         std::uint64_t samples = 0;
     };
-    /// `level`: where to look first, and where it was found; neighbours are mostly of the same.
+    /// The widest span that begins at sample `number` and fits, or the narrowest that is left. `level`: where
+    /// to look first, and where it was found; neighbours are mostly of the same.
     [[nodiscard]] Entry entryAt(std::uint64_t number, Duration widest, std::size_t& level) const;
     [[nodiscard]] const ScopeSpan* spanFrom(std::size_t level, std::uint64_t number) const;
     void sumUp(std::size_t level, ScopeSpan span);
