@@ -17,7 +17,7 @@
 #include "app/recordingcontroller.h"
 #include "link/busstore.h"
 #include "link/busworker.h"
-#include "model/intent.h"
+#include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {

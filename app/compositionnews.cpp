@@ -2,7 +2,7 @@
 // What the store tells, as messages for the window.
 #include "app/composition.h"
 #include "link/clock.h"
-#include "model/chaindiagnosis.h"
+#include "model/module/chaindiagnosis.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {

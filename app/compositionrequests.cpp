@@ -5,9 +5,9 @@
 
 #include "app/composition.h"
 #include "link/clock.h"
-#include "model/modulescale.h"
-#include "model/procedures.h"
-#include "model/steprunfile.h"
+#include "model/module/modulescale.h"
+#include "model/procedure/procedures.h"
+#include "model/response/steprunfile.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scoperecord.h"
 

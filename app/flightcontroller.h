@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "link/busstore.h"
-#include "model/flightrecorder.h"
+#include "model/scope/flightrecorder.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {

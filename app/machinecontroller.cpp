@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "link/machineio.h"
-#include "model/machinegroups.h"
+#include "model/machinefile/machinegroups.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 

@@ -8,8 +8,8 @@
 
 #include "link/busstore.h"
 #include "link/unsavedwork.h"
-#include "model/intent.h"
-#include "model/machinefile.h"
+#include "model/intent/intent.h"
+#include "model/machinefile/machinefile.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <vector>
 
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 namespace nmc {
 

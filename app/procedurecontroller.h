@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "link/busstore.h"
-#include "model/procedure.h"
+#include "model/procedure/procedure.h"
 
 namespace nmc {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "link/busworker.h"
-#include "model/history.h"
-#include "model/linkstate.h"
-#include "model/scopefeed.h"
+#include "model/module/linkstate.h"
+#include "model/scope/history.h"
+#include "model/scope/scopefeed.h"
 
 namespace nmc {
 

@@ -8,8 +8,8 @@
 
 #include "link/backgroundjob.h"
 #include "link/machineio.h"
-#include "model/history.h"
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
+#include "model/scope/history.h"
 
 namespace nmc {
 

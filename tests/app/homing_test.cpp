@@ -11,7 +11,7 @@
 #include <QTabWidget>
 #include <QTimer>
 
-#include "model/homingplan.h"
+#include "model/intent/homingplan.h"
 #include "tests/app/panel.h"
 
 namespace nmc {

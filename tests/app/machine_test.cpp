@@ -13,7 +13,7 @@
 #include <QTreeWidget>
 
 #include "link/machineio.h"
-#include "model/machinefile.h"
+#include "model/machinefile/machinefile.h"
 #include "tests/app/panel.h"
 #include "widgets/machine/machinemenu.h"
 

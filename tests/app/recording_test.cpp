@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <bit>
 
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 #include "panel.h"
 #include "widgets/scope/scopefiles.h"
 

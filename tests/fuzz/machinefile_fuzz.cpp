@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "model/machinefile.h"
+#include "model/machinefile/machinefile.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "model/packetfile.h"
+#include "model/packets/packetfile.h"
 #include "protocol/describe.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 
 namespace {
 

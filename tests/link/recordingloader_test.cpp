@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "model/recording.h"
+#include "model/recording/recording.h"
 
 namespace nmc {
 namespace {

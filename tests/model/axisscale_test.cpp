@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/axisscale.h"
+#include "model/settings/axisscale.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "model/machinefile.h"
+#include "model/machinefile/machinefile.h"
 #include "tests/model/machines.h"
 
 namespace nmc {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/chaindiagnosis.h"
+#include "model/module/chaindiagnosis.h"
 
 #include <gtest/gtest.h>
 

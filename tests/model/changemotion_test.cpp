@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stop, wait, go against the real bus engine and the simulated chip, in virtual time; the oracle is what the
 // simulator knows.
-#include "model/changemotion.h"
+#include "model/procedure/changemotion.h"
 
 #include <gtest/gtest.h>
 
-#include "model/procedures.h"
-#include "model/stepplan.h"
-#include "model/stepspeed.h"
+#include "model/intent/stepplan.h"
+#include "model/module/stepspeed.h"
+#include "model/procedure/procedures.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc {

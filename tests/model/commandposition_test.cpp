@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/commandposition.h"
+#include "model/scope/commandposition.h"
 
 #include <gtest/gtest.h>
 

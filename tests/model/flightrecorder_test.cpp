@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/flightrecorder.h"
+#include "model/scope/flightrecorder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/history.h"
+#include "model/scope/history.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

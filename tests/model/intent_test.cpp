@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/intent.h"
+#include "model/intent/intent.h"
 
 #include <gtest/gtest.h>
 

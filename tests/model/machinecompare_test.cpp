@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // H-12, F-39, F-40: what opening a file would change, and that nothing is changed or sent that was not
 // chosen.
-#include "model/machinecompare.h"
+#include "model/machinefile/machinecompare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

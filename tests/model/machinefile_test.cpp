@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a machine file says is what is read, and what was written. Numbers and lines are counted by hand.
-#include "model/machinefile.h"
+#include "model/machinefile/machinefile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/machinegroups.h"
+#include "model/machinefile/machinegroups.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "model/machine.h"
+#include "model/settings/machine.h"
 
 /// Machines for tests: one with something in every place, and any.
 namespace nmc::testing_support {

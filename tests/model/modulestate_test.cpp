@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/modulestate.h"
+#include "model/module/modulestate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/moveforecast.h"
+#include "model/intent/moveforecast.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/packetlog.h"
+#include "model/packets/packetlog.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // A log that was saved and read back, played to a fresh chain: the same commands get the same replies.
 #include <gtest/gtest.h>
 
-#include "model/packetfile.h"
+#include "model/packets/packetfile.h"
 #include "tests/support/packetreplay.h"
 #include "tests/support/virtualbus.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/recording.h"
+#include "model/recording/recording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

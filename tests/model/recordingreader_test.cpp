@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 
 namespace nmc::testing_support {
 

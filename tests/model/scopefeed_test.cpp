@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/scopefeed.h"
+#include "model/scope/scopefeed.h"
 
 #include <gtest/gtest.h>
 

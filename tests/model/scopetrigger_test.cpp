@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/scopetrigger.h"
+#include "model/scope/scopetrigger.h"
 
 #include <gtest/gtest.h>
 

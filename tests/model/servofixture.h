@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/modulestate.h"
+#include "model/module/modulestate.h"
 
 namespace nmc::testing_support {
 

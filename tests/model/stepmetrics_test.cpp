@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step metrics against closed forms of first and second order, sampled at awkward times.
-#include "model/stepmetrics.h"
+#include "model/response/stepmetrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/stepplan.h"
+#include "model/intent/stepplan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/steprun.h"
+#include "model/response/steprun.h"
 
 #include <gtest/gtest.h>
 

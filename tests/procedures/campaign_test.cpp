@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "model/homingplan.h"
+#include "model/intent/homingplan.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {

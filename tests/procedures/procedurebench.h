@@ -4,7 +4,7 @@
 #include <memory>
 #include <set>
 
-#include "model/procedures.h"
+#include "model/procedure/procedures.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses: what is sent, what refuses them, and how they end.
-#include "model/stepresponse.h"
+#include "model/procedure/stepresponse.h"
 
 #include <limits>
 

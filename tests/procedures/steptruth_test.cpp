@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "model/stepresponse.h"
-#include "model/steprun.h"
+#include "model/procedure/stepresponse.h"
+#include "model/response/steprun.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {

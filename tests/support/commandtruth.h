@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/commandposition.h"
+#include "model/scope/commandposition.h"
 #include "sim/snapshot.h"
 
 namespace nmc::testing_support {

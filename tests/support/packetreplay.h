@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/packetfile.h"
+#include "model/packets/packetfile.h"
 #include "sim/chain.h"
 
 namespace nmc::test {

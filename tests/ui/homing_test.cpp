@@ -2,7 +2,7 @@
 #include <QAbstractButton>
 #include <QTabWidget>
 
-#include "model/homingplan.h"
+#include "model/intent/homingplan.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/homingbox.h"

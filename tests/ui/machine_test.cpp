@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "model/fieldlist.h"
+#include "model/machinefile/fieldlist.h"
 #include "widgets/machine/machinemenu.h"
 #include "windowtest.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "link/recordingwriter.h"
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 #include "widgets/common/texts.h"
 #include "windowtest.h"
 

@@ -10,7 +10,7 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 #include "scopehistory.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"

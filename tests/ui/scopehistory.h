@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/history.h"
+#include "model/scope/history.h"
 
 namespace nmc {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/steprunfile.h"
+#include "model/response/steprunfile.h"
 #include "windowtest.h"
 
 namespace nmc {

@@ -4,8 +4,8 @@
 #include <QObject>
 
 #include "bus/types.h"
-#include "model/linkstate.h"
-#include "model/machine.h"
+#include "model/module/linkstate.h"
+#include "model/settings/machine.h"
 
 class QAction;
 class QMenu;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "model/modulescale.h"
+#include "model/module/modulescale.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 

@@ -4,8 +4,8 @@
 #include <QAbstractListModel>
 #include <vector>
 
-#include "model/linkstate.h"
-#include "model/machine.h"
+#include "model/module/linkstate.h"
+#include "model/settings/machine.h"
 
 namespace nmc {
 

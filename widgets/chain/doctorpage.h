@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "model/chaindiagnosis.h"
+#include "model/module/chaindiagnosis.h"
 
 class QLabel;
 class QPushButton;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bus/types.h"
-#include "model/intent.h"
-#include "model/linkstate.h"
+#include "model/intent/intent.h"
+#include "model/module/linkstate.h"
 
 class QCheckBox;
 class QComboBox;

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "model/intent.h"
+#include "model/intent/intent.h"
 #include "protocol/baud.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"

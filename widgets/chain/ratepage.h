@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 class QComboBox;
 class QLabel;

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "model/chaindiagnosis.h"
+#include "model/module/chaindiagnosis.h"
 
 /// The chain doctor's part of the table of texts.
 namespace nmc::texts {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "model/modulestate.h"
+#include "model/module/modulestate.h"
 
 class QPainter;
 

@@ -5,7 +5,7 @@
 #include <QFont>
 #include <QPalette>
 
-#include "model/modulestate.h"
+#include "model/module/modulestate.h"
 
 class QApplication;
 class QLabel;

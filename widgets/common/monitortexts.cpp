@@ -2,7 +2,7 @@
 // The packet monitor's part of the table of texts.
 #include <QDir>
 
-#include "model/packetlog.h"
+#include "model/packets/packetlog.h"
 #include "protocol/frame.h"
 #include "widgets/common/textparts.h"
 

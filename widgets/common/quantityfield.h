@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/axisscale.h"
+#include "model/settings/axisscale.h"
 #include "widgets/common/numberfield.h"
 
 class QLabel;
@@ -9,8 +9,8 @@ class QLabel;
 namespace nmc {
 
 /// A field for a position, velocity or acceleration of one axis: kept in the chip's own numbers ("native",
-/// model/axisscale.h), shown in the user's unit, with the other view beside it. Changing the unit keeps the
-/// physical amount to the last bit and emits nothing.
+/// model/settings/axisscale.h), shown in the user's unit, with the other view beside it. Changing the unit
+/// keeps the physical amount to the last bit and emits nothing.
 class QuantityField : public NumberField {
     Q_OBJECT
 

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "link/recordingwriter.h"
-#include "model/recordingreader.h"
+#include "model/recording/recordingreader.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {

@@ -11,11 +11,11 @@
 #include "bus/types.h"
 #include "link/linktypes.h"
 #include "link/machineio.h"
-#include "model/axisscale.h"
-#include "model/fileproblem.h"
-#include "model/machinecompare.h"
-#include "model/modulestate.h"
-#include "model/procedure.h"
+#include "model/machinefile/fileproblem.h"
+#include "model/machinefile/machinecompare.h"
+#include "model/module/modulestate.h"
+#include "model/procedure/procedure.h"
+#include "model/settings/axisscale.h"
 #include "widgets/common/words.h"
 
 namespace nmc {

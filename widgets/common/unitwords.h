@@ -3,8 +3,8 @@
 
 #include <QString>
 
-#include "model/axisscale.h"
-#include "model/machine.h"
+#include "model/settings/axisscale.h"
+#include "model/settings/machine.h"
 
 /// Numbers of an axis in words, in the unit that its user reads it in.
 namespace nmc::texts {

@@ -5,9 +5,9 @@
 #include <QStringList>
 
 #include "bus/types.h"
-#include "model/intent.h"
-#include "model/linkstate.h"
-#include "model/modulestate.h"
+#include "model/intent/intent.h"
+#include "model/module/linkstate.h"
+#include "model/module/modulestate.h"
 
 /// The short words of the panel, one place for all: states, reasons, names, numbers.
 namespace nmc::texts {

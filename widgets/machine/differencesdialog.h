@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "model/machinecompare.h"
+#include "model/machinefile/machinecompare.h"
 
 class QLabel;
 class QPushButton;

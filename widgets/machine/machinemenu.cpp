@@ -7,7 +7,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "model/machinefile.h"
+#include "model/machinefile/machinefile.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"

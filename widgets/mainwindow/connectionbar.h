@@ -6,7 +6,7 @@
 #include <QList>
 
 #include "link/linktypes.h"
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 class QLabel;
 class QPushButton;

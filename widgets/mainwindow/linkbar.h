@@ -3,7 +3,7 @@
 
 #include <QStatusBar>
 
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 class QLabel;
 

@@ -9,12 +9,12 @@
 #include <optional>
 
 #include "link/linktypes.h"
-#include "model/history.h"
-#include "model/intent.h"
-#include "model/linkstate.h"
-#include "model/machine.h"
-#include "model/packetlog.h"
-#include "model/procedure.h"
+#include "model/intent/intent.h"
+#include "model/module/linkstate.h"
+#include "model/packets/packetlog.h"
+#include "model/procedure/procedure.h"
+#include "model/scope/history.h"
+#include "model/settings/machine.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scoperecord.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/modulescale.h"
+#include "model/module/modulescale.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/scope/scopepanel.h"
 

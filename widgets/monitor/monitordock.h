@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bus/exchangerecord.h"
-#include "model/linkstate.h"
-#include "model/packetlog.h"
+#include "model/module/linkstate.h"
+#include "model/packets/packetlog.h"
 
 namespace nmc {
 

@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "model/packetlog.h"
+#include "model/packets/packetlog.h"
 
 namespace nmc {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bus/exchangerecord.h"
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 class QComboBox;
 class QLabel;

@@ -3,7 +3,7 @@
 
 #include <QSaveFile>
 
-#include "model/packetfile.h"
+#include "model/packets/packetfile.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {

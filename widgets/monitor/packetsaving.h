@@ -4,11 +4,11 @@
 #include <QString>
 #include <tl/expected.hpp>
 
-#include "model/packetlog.h"
+#include "model/packets/packetlog.h"
 
 namespace nmc {
 
-/// How a name of a replayable log (model/packetfile.h) ends; any other name makes a text for people.
+/// How a name of a replayable log (model/packets/packetfile.h) ends; any other name makes a text for people.
 inline const QString kPacketLogSuffix = QStringLiteral(".nmclog");
 
 /// Writes the whole log, whatever the filter shows; a file that cannot be written whole is left as it was.

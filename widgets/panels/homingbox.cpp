@@ -7,8 +7,8 @@
 #include <QScrollArea>
 #include <QScrollBar>
 
-#include "model/homingplan.h"
-#include "model/stepspeed.h"
+#include "model/intent/homingplan.h"
+#include "model/module/stepspeed.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"

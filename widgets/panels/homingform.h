@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "model/machine.h"
+#include "model/settings/machine.h"
 #include "widgets/common/quantityfield.h"
 
 class QAbstractButton;

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 
-#include "model/homingplan.h"
+#include "model/intent/homingplan.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 

@@ -8,7 +8,7 @@
 #include <QSignalBlocker>
 #include <limits>
 
-#include "model/moveforecast.h"
+#include "model/intent/moveforecast.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"

@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "model/axisscale.h"
-#include "model/intent.h"
-#include "model/machine.h"
-#include "model/modulescale.h"
-#include "model/procedure.h"
+#include "model/intent/intent.h"
+#include "model/module/modulescale.h"
+#include "model/procedure/procedure.h"
+#include "model/settings/axisscale.h"
+#include "model/settings/machine.h"
 
 namespace nmc {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/machine.h"
+#include "model/settings/machine.h"
 
 /// What a servo's fields begin with while the user has said nothing. Counts per tick: about 1950, 980 and 490
 /// counts/s at the fastest servo rate; a slow turn of a common encoder.

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/machine.h"
-#include "model/modulestate.h"
-#include "model/stepspeed.h"
+#include "model/module/modulestate.h"
+#include "model/module/stepspeed.h"
+#include "model/settings/machine.h"
 
 /// Where a PIC-STEP begins that nothing was set for: slow, whatever motor it drives. Steps/s.
 namespace nmc::stepdefaults {

@@ -8,7 +8,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "model/stepplan.h"
+#include "model/intent/stepplan.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"

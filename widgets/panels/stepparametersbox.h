@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "model/stepspeed.h"
+#include "model/module/stepspeed.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/panels/stepmeaning.h"
 

@@ -3,8 +3,8 @@
 
 #include <QString>
 
-#include "model/machine.h"
-#include "model/stepspeed.h"
+#include "model/module/stepspeed.h"
+#include "model/settings/machine.h"
 
 /// What a PIC-STEP makes of the numbers that the user typed, in words.
 namespace nmc::texts {

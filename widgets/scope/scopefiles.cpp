@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "model/recording.h"
+#include "model/recording/recording.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"

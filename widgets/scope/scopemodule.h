@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "model/axisscale.h"
-#include "model/history.h"
-#include "model/machine.h"
+#include "model/scope/history.h"
+#include "model/settings/axisscale.h"
+#include "model/settings/machine.h"
 #include "widgets/scope/tracedrawing.h"
 
 namespace nmc {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/scopetrigger.h"
+#include "model/scope/scopetrigger.h"
 #include "widgets/scope/scoperecord.h"
 #include "widgets/scope/scopesetup.h"
 

@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "model/recording.h"
+#include "model/recording/recording.h"
 #include "widgets/scope/scopemodule.h"
 
 namespace nmc {

@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "model/stepresponse.h"
-#include "model/steprun.h"
+#include "model/procedure/stepresponse.h"
+#include "model/response/steprun.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/steprunfile.h"
+#include "model/response/steprunfile.h"
 #include "widgets/scope/chartbackdrop.h"
 #include "widgets/scope/tracedrawing.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/steprunfile.h"
+#include "model/response/steprunfile.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/scope/stepruntable.h"
 

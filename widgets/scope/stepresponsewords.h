@@ -4,10 +4,10 @@
 #include <QString>
 #include <optional>
 
-#include "model/axisscale.h"
-#include "model/pwmdemand.h"
-#include "model/stepmetrics.h"
-#include "model/steptaken.h"
+#include "model/intent/steptaken.h"
+#include "model/module/pwmdemand.h"
+#include "model/response/stepmetrics.h"
+#include "model/settings/axisscale.h"
 
 /// Step responses in words.
 namespace nmc::texts {

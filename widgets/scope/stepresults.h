@@ -3,7 +3,7 @@
 
 #include <QTableWidget>
 
-#include "model/steprunfile.h"
+#include "model/response/steprunfile.h"
 
 namespace nmc {
 

@@ -7,7 +7,7 @@
 #include <QString>
 #include <vector>
 
-#include "model/history.h"
+#include "model/scope/history.h"
 
 class QPainter;
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/scopetrigger.h"
+#include "model/scope/scopetrigger.h"
 #include "widgets/scope/scopemodule.h"
 
 class QComboBox;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/history.h"
+#include "model/scope/history.h"
 #include "widgets/scope/triggerbar.h"
 
 namespace nmc {

@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "model/linkstate.h"
+#include "model/module/linkstate.h"
 
 class QComboBox;
 class QJsonObject;

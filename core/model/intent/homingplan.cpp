@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/homingplan.h"
+
+namespace nmc {
+
+namespace {
+
+[[nodiscard]] bool hasCondition(const HomingRecipe& r) {
+    return r.onLimit1 || r.onLimit2 || r.onIndex || r.onPositionError || r.onCurrentLimit || r.onHomeSwitch;
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotHomeServo(const ModuleState& module) {
+    if (!module.latest->servoStatus().powerOn())
+        return Refusal::NoPower;
+    if (!module.servoOn())
+        return Refusal::ServoOff;
+    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotHomeStep(const ModuleState& module) {
+    const step::StatusByte status = module.latest->stepStatus();
+    if (!status.powerOn())
+        return Refusal::NoPower;
+    if (!module.stepper.parameters())
+        return Refusal::ParametersUnknown;
+    if (!status.amplifierEnabled())
+        return Refusal::AmplifierOff;
+    return status.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Refusal> whyNotHome(const ModuleState& module) {
+    if (module.silent || module.hasRestarted || !module.latest)
+        return Refusal::Silent;
+    if (!module.latest->position || !module.latest->aux)
+        return Refusal::PositionUnknown;
+    switch (module.info.identity.type) {
+        case ModuleType::Servo:
+            return whyNotHomeServo(module);
+        case ModuleType::Step:
+            return whyNotHomeStep(module);
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return Refusal::NotAServo;
+}
+
+std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState& module) {
+    if (const auto refusal = whyNotHome(module))
+        return refusal;
+    const HomingRecipe r = effective(recipe, module.info.identity);
+    if (!hasCondition(r))
+        return Refusal::NothingToFind;
+    if (r.velocity <= 0.0 || (r.thenIndex && r.indexVelocity <= 0.0))
+        return Refusal::NoVelocity;
+    if (r.acceleration <= 0.0)
+        return Refusal::NoAcceleration;
+    if (r.travelLimit <= 0.0 || r.timeLimit <= 0.0)
+        return Refusal::NoSearchLimits;
+    const bool output =
+        module.io && ((r.onLimit1 && !module.io->limit1IsInput) || (r.onLimit2 && !module.io->limit2IsInput));
+    return output ? std::optional(Refusal::LimitIsOutput) : std::nullopt;
+}
+
+std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module) {
+    if (const auto refusal = whyNot(Request::ArmLimitStop, module))
+        return refusal;
+    if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
+        return Refusal::LimitIsOutput;
+    const servo::StatusByte status = module.latest->servoStatus();
+    const bool active = (arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2());
+    return active ? std::optional(Refusal::LimitActive) : std::nullopt;
+}
+
+servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
+    servo::SetHoming homing;
+    if (!arm.limit1 && !arm.limit2)
+        return homing;
+    homing.onLimit1Change = arm.limit1;
+    homing.onLimit2Change = arm.limit2;
+    homing.motorOff = arm.manner == HomingRecipe::Stop::MotorOff;
+    homing.stopAbruptly = arm.manner == HomingRecipe::Stop::Abruptly;
+    homing.stopSmoothly = arm.manner == HomingRecipe::Stop::Smoothly;
+    return homing;
+}
+
+HomingRecipe firstRecipe(const ModuleIdentity& identity) {
+    HomingRecipe recipe;
+    recipe.timeLimit = 60.0;
+    if (identity.type == ModuleType::Step) {
+        recipe.onHomeSwitch = true;
+        recipe.velocity = 400.0;  // steps/s: two turns of a common motor in full steps
+        recipe.acceleration = 2'000.0;
+        recipe.travelLimit = 20'000.0;
+    } else {
+        recipe.onLimit1 = true;
+        recipe.velocity = 0.5;  // counts/tick: about 980 counts/s at the fastest servo rate
+        recipe.indexVelocity = 0.1;
+        recipe.acceleration = 0.002;
+        recipe.travelLimit = 50'000.0;
+    }
+    return recipe;
+}
+
+HomingRecipe effective(HomingRecipe recipe, const ModuleIdentity& identity) {
+    if (identity.type == ModuleType::Step) {
+        recipe.onIndex = recipe.onPositionError = recipe.onCurrentLimit = recipe.thenIndex = false;
+    } else {
+        recipe.onHomeSwitch = false;
+        if (recipe.onPositionError)
+            recipe.stop = HomingRecipe::Stop::MotorOff;
+        // The index alone has no neighbourhood to find first.
+        if (recipe.onIndex)
+            recipe.thenIndex = false;
+    }
+    recipe.makeZero = recipe.makeZero && recipe.goToHome;
+    return recipe;
+}
+
+}  // namespace nmc

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/intent.h"
+
+#include "model/intent/homingplan.h"
+#include "model/intent/stepplan.h"
+#include "model/procedure/stepresponse.h"
+
+namespace nmc {
+
+namespace {
+
+using Steps = std::vector<bus::Step>;
+using Plan = tl::expected<Steps, Refusal>;
+
+template <typename... Commands>
+Steps stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Step{module.info.index, ServoCommand(std::move(commands))}...};
+}
+
+bool gainsHold(const ModuleState& module) {
+    // Without Kp nothing pulls the motor back, and without an output limit above 0 nothing drives it.
+    return module.gains && module.gains->kp != 0 && module.gains->ol != 0;
+}
+
+/// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
+template <typename MakeSteps>
+Plan allowed(Request request, const ModuleState& module, MakeSteps makeSteps) {
+    if (const auto refusal = whyNot(request, module))
+        return tl::unexpected(*refusal);
+    return makeSteps();
+}
+
+struct Planner {
+    const ModuleState& module;
+
+    Plan operator()(const intent::AskAnew&) const { return Steps{}; }
+
+    Plan operator()(const intent::Enable&) const {
+        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2).
+        return allowed(Request::Enable, module, [this] {
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+        });
+    }
+
+    Plan operator()(const intent::GoTo& goTo) const {
+        if (const auto refusal = lacking(goTo))
+            return tl::unexpected(*refusal);
+        return allowed(Request::Move, module,
+                       [&] { return stepsFor(module, trajectory(goTo), StartMotion{}); });
+    }
+
+    Plan operator()(const intent::LoadMove& load) const {
+        if (const auto refusal = lacking(load.move))
+            return tl::unexpected(*refusal);
+        return allowed(Request::Move, module, [&] { return stepsFor(module, trajectory(load.move)); });
+    }
+
+    Plan operator()(const intent::StartLoaded&) const {
+        return allowed(Request::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
+    }
+
+    Plan operator()(const intent::RunAtVelocity& run) const {
+        if (run.acceleration.value() == 0)
+            return tl::unexpected(Refusal::NoAcceleration);
+        servo::LoadTrajectory load;
+        load.velocity = run.velocity;
+        load.acceleration = run.acceleration;
+        load.profile = servo::ProfileMode::Velocity;
+        load.reverse = run.reverse;
+        return allowed(Request::Run, module, [&] { return stepsFor(module, load, StartMotion{}); });
+    }
+
+    Plan operator()(const intent::StopSmoothly&) const {
+        // With acceleration 0 the chip could not slow down (link.md 2.6).
+        const auto manner =
+            module.accelerationLoaded ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
+        return stop(manner);
+    }
+    Plan operator()(const intent::StopAbruptly&) const { return stop(servo::StopManner::Abruptly); }
+
+    Plan operator()(const intent::MotorOff&) const {
+        return allowed(Request::MotorOff, module, [this] {
+            return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
+        });
+    }
+
+    Plan operator()(const intent::ApplyGains& apply) const {
+        servo::SetGain gains = apply.gains;
+        if (module.info.identity.version < servo::kDeadbandVersion)
+            gains.db.reset();
+        return allowed(Request::ApplyGains, module, [&] { return stepsFor(module, gains); });
+    }
+
+    Plan operator()(const intent::ClearStickyBits&) const {
+        return allowed(Request::ClearStickyBits, module,
+                       [this] { return stepsFor(module, servo::ClearStickyBits{}); });
+    }
+
+    Plan operator()(const intent::ResetPosition&) const {
+        return allowed(Request::ResetPosition, module,
+                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
+    }
+
+    Plan operator()(const intent::SaveAsHome&) const {
+        return allowed(Request::SaveAsHome, module, [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+    }
+
+    Plan operator()(const intent::StopHere&) const {
+        return allowed(Request::StopHere, module, [this] {
+            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here,
+                                                     Counts(*module.latest->position)});
+        });
+    }
+
+    Plan operator()(const intent::DrivePwm& drive) const {
+        servo::LoadTrajectory load;
+        load.servo = false;
+        load.pwm = drive.pwm;
+        load.reverse = drive.reverse;
+        return allowed(Request::DrivePwm, module, [&]() -> Steps {
+            if (module.amplifierEnabled)
+                return stepsFor(module, load, StartMotion{});
+            // Without AMP_EN nothing would turn.
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,
+                            StartMotion{});
+        });
+    }
+
+    Plan operator()(const intent::SetAmplifier& amplifier) const {
+        return allowed(Request::SetAmplifier, module, [&] {
+            return stepsFor(module, servo::StopMotor{amplifier.enable, servo::StopManner::AmplifierOnly, {}});
+        });
+    }
+
+    Plan operator()(const intent::ControlIo& control) const {
+        return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
+    }
+
+    // Procedures have their own way (model/procedure/procedures.h); only why one is not possible is told
+    // here.
+    Plan operator()(const intent::Home& home) const {
+        const auto refusal = whyNotHome(home.recipe, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
+    Plan operator()(const intent::StepBy& stepBy) const {
+        if (const auto refusal = lacking({{}, stepBy.velocity, stepBy.acceleration}))
+            return tl::unexpected(*refusal);
+        if (stepBy.counts == 0)
+            return tl::unexpected(Refusal::StepTooShort);
+        return allowed(Request::Move, module, [] { return Steps{}; });
+    }
+    Plan operator()(const intent::StepResponse& response) const {
+        const auto refusal = whyNot(response, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
+    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+
+    Plan operator()(const intent::ArmLimitStop& arm) const {
+        if (const auto refusal = whyNotArm(arm, module))
+            return tl::unexpected(*refusal);
+        return stepsFor(module, limitStop(arm));
+    }
+
+    template <stepintent::Any Other>
+    Plan operator()(const Other&) const {
+        return tl::unexpected(Refusal::NotAStepper);
+    }
+
+private:
+    [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
+        if (goTo.velocity.value() == 0)
+            return Refusal::NoVelocity;
+        if (goTo.acceleration.value() == 0)
+            return Refusal::NoAcceleration;
+        return std::nullopt;
+    }
+    [[nodiscard]] static servo::LoadTrajectory trajectory(const intent::GoTo& goTo) {
+        servo::LoadTrajectory load;
+        load.position = goTo.position;
+        load.velocity = goTo.velocity;
+        load.acceleration = goTo.acceleration;
+        return load;
+    }
+    [[nodiscard]] Plan stop(servo::StopManner manner) const {
+        return allowed(Request::StopMotion, module, [&] {
+            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, manner, {}});
+        });
+    }
+};
+
+}  // namespace
+
+bool isStop(const Intent& intent) {
+    return std::holds_alternative<intent::StopSmoothly>(intent) ||
+           std::holds_alternative<intent::StopAbruptly>(intent) ||
+           std::holds_alternative<intent::StopHere>(intent) ||
+           std::holds_alternative<intent::MotorOff>(intent);
+}
+
+tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
+    if (std::holds_alternative<intent::AskAnew>(intent))
+        return stepsFor(module, Nop{});
+    if (module.isStepper())
+        return planStep(intent, module);
+    return std::visit(Planner{module}, intent);
+}
+
+std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
+    if (module.isStepper())
+        return whyNotStep(request, module);
+    if (request == Request::Home)
+        return whyNotHome(module);
+    if (!module.isServo())
+        return Refusal::NotAServo;
+    if (request == Request::MotorOff)
+        return std::nullopt;  // worth trying whatever is believed
+    if (module.silent || !module.latest)
+        return Refusal::Silent;
+
+    switch (request) {
+        case Request::Enable:
+            if (!module.latest->servoStatus().powerOn())
+                return Refusal::NoPower;
+            return gainsHold(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
+        case Request::Move:
+            if (!module.servoOn())
+                return Refusal::ServoOff;
+            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::Run:
+        case Request::Hold:
+        case Request::StopMotion:  // to a servo that is off a stop would switch it on
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+        case Request::ResetPosition:
+            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::StartLoaded:
+            if (!module.loadWaiting)
+                return Refusal::NothingLoaded;
+            return whyNot(Request::Move, module);
+        case Request::StopHere:
+            if (module.info.identity.version < servo::kStopHereVersion)
+                return Refusal::VersionLacksIt;
+            if (!module.latest->position)
+                return Refusal::PositionUnknown;
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+        case Request::DrivePwm:
+            if (!module.latest->servoStatus().powerOn())
+                return Refusal::NoPower;
+            return module.servoOn() ? std::optional(Refusal::ServoOn) : std::nullopt;
+        case Request::ControlIo:
+            return module.info.identity.version < servo::kOtherIoVersion
+                       ? std::nullopt
+                       : std::optional(Refusal::VersionLacksIt);
+        case Request::ArmLimitStop:
+            return module.info.identity.version < servo::kAutoStopVersion
+                       ? std::optional(Refusal::VersionLacksIt)
+                       : std::nullopt;
+        case Request::Home:  // above
+        case Request::SaveAsHome:
+        case Request::SetAmplifier:
+        case Request::MotorOff:
+        case Request::ApplyGains:
+        case Request::ClearStickyBits:
+            return std::nullopt;
+        case Request::SetParameters:
+        case Request::SetOutputs:
+            return Refusal::NotAStepper;
+    }
+    return std::nullopt;
+}
+
+}  // namespace nmc

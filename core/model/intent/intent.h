@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include <tl/expected.hpp>
+
+#include "bus/types.h"
+#include "model/intent/stepintent.h"
+#include "model/intent/steptaken.h"
+#include "model/module/modulestate.h"
+#include "model/settings/machine.h"
+
+namespace nmc {
+
+/// What the operator asks of one module; a PIC-STEP has more in stepintent.h. Values only; planning it is
+/// plan()'s business.
+namespace intent {
+struct AskAnew {};  ///< No Operation: of any module, whatever it is
+struct Enable {};   ///< amplifier on, hold the present position
+struct GoTo {
+    Counts position;
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+};
+struct RunAtVelocity {
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+    bool reverse = false;
+};
+struct StopSmoothly {};
+struct StopAbruptly {};
+struct MotorOff {};
+struct ApplyGains {
+    servo::SetGain gains;
+};
+struct ClearStickyBits {};
+struct ResetPosition {};  ///< "zero here"
+struct SaveAsHome {};     ///< the present position
+/// As GoTo, to be started by StartLoaded: of this module, or of its group.
+struct LoadMove {
+    GoTo move;
+};
+struct StartLoaded {};
+/// Holds the position it has now, without a profile.
+struct StopHere {};
+/// Drives the motor without servo: no position limit, no position error, no output limit applies.
+struct DrivePwm {
+    std::uint8_t pwm = 0;
+    bool reverse = false;
+};
+/// AMP_EN alone; the servo stays as it is.
+struct SetAmplifier {
+    bool enable = false;
+};
+struct ControlIo {
+    servo::IoControl io;
+};
+/// Look for home; either chip. A procedure.
+struct Home {
+    HomingRecipe recipe;
+};
+/// Trapezoidal moves by N, one after the other. A procedure.
+struct StepBy {
+    std::int32_t counts = 0;  ///< signed
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+    unsigned rounds = 1;
+    double pause = 0.0;         ///< s, after each move
+    bool backAndForth = false;  ///< a round is there and back
+};
+/// A small move without a profile, to see how the servo follows (model/procedure/stepresponse.h). A
+/// procedure.
+struct StepResponse {
+    std::int32_t counts = 0;  ///< signed
+    StepWay way = StepWay::Profile;
+    double record = 0.0;  ///< s, from the step on
+};
+/// Ends whatever procedure runs with this module: the motor is stopped smoothly.
+struct CancelProcedure {};
+/// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes. Neither:
+/// no longer.
+struct ArmLimitStop {
+    bool limit1 = false;
+    bool limit2 = false;
+    HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
+};
+}  // namespace intent
+
+using Intent =
+    std::variant<intent::AskAnew, intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
+                 intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
+                 intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
+                 intent::StepBy, intent::StepResponse, intent::CancelProcedure, intent::ArmLimitStop,
+                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                 stepintent::ChangeMotion>;
+
+/// It stops a motor: it waits for nothing, and goes past everything.
+[[nodiscard]] bool isStop(const Intent& intent);
+
+/// Why something cannot be asked for now; the window's texts have a sentence for each.
+enum class Refusal : std::uint8_t {
+    NotConnected,
+    NotAServo,
+    Silent,
+    NoPower,
+    GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
+    ServoOff,        ///< enable first
+    Moving,          ///< trapezoidal moves start from standstill only
+    NoAcceleration,  ///< with acceleration 0 nothing would ever move or stop
+    NoVelocity,
+    NothingLoaded,  ///< no confirmed load waits for a start
+    PositionUnknown,
+    ServoOn,         ///< PWM mode is for a servo that is off
+    VersionLacksIt,  ///< the chip's version cannot do it
+    NothingToFind,   ///< no condition for home was chosen
+    NoSearchLimits,  ///< a search without a travel or a time limit
+    LimitActive,     ///< a stop on its change would come when it is left
+    LimitIsOutput,   ///< the pin is an output, so it tells nothing
+    StepTooShort,    ///< a move by 0 counts
+    StepTooLong,     ///< a step response is for a small move
+    StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
+    GoalOutOfRange,  ///< beyond the chip's 32 bits
+    RecordTime,      ///< none, or longer than the bus can be given to one module
+    // PIC-STEP
+    NotAStepper,
+    ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set
+    AmplifierOff,       ///< enable first
+    NeedsStop,          ///< DS-S Table 4: not from what it does now; ChangeMotion does it
+    EstopActive,
+    Limit1Active,  ///< blocks forward
+    Limit2Active,  ///< blocks reverse
+    TooHot,        ///< the A/D value is below the thermal limit
+    TooFar,        ///< a move of more than 0x7FFFFFFF steps
+};
+
+/// The commands for an intent, in order, or why not. The same rule enables and disables the controls:
+/// what whyNot() refuses is greyed out and says so.
+[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> plan(const Intent& intent,
+                                                                 const ModuleState& module);
+
+/// The kinds of request a panel shows a control for; values that are still being typed do not matter here.
+enum class Request : std::uint8_t {
+    Enable,
+    Move,
+    Run,
+    Hold,
+    StopMotion,
+    MotorOff,
+    ApplyGains,
+    ClearStickyBits,
+    ResetPosition,
+    SaveAsHome,
+    StartLoaded,
+    StopHere,
+    DrivePwm,
+    SetAmplifier,
+    ControlIo,
+    Home,
+    ArmLimitStop,
+    // PIC-STEP; its motions have a rule of their own, in stepplan.h
+    SetParameters,
+    SetOutputs
+};
+[[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
+
+}  // namespace nmc

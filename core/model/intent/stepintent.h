@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include "model/intent/stepmotion.h"
+
+/// What the operator asks of one PIC-STEP, beside what both chips understand (intent.h).
+namespace nmc::stepintent {
+
+/// Needed before any motion (DS-S 5.1).
+struct SetParameters {
+    step::SetParameters parameters;
+};
+/// OUT1..OUT5, all at once, as bits 0..4.
+struct SetOutputs {
+    std::uint8_t outputs = 0;
+};
+struct Move {
+    StepMotion motion;
+};
+/// As Move, to be started by intent::StartLoaded.
+struct LoadMove {
+    StepMotion motion;
+};
+/// A procedure: stop, wait until it stands, then Move. For what Table 4 does not allow in motion.
+struct ChangeMotion {
+    StepMotion motion;
+};
+
+template <typename T>
+concept Any = std::same_as<T, SetParameters> || std::same_as<T, SetOutputs> || std::same_as<T, Move> ||
+    std::same_as<T, LoadMove> || std::same_as<T, ChangeMotion>;
+
+}  // namespace nmc::stepintent

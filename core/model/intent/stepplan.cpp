@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/stepplan.h"
+
+#include "model/intent/homingplan.h"
+
+namespace nmc {
+
+namespace {
+
+using Steps = std::vector<bus::Step>;
+using Plan = tl::expected<Steps, Refusal>;
+using bus::StepMode;
+
+template <typename... Commands>
+Steps stepsFor(const ModuleState& module, Commands... commands) {
+    return {bus::Step{module.info.index, StepCommand(std::move(commands))}...};
+}
+
+template <typename MakeSteps>
+Plan allowed(const std::optional<Refusal>& refusal, MakeSteps makeSteps) {
+    if (refusal)
+        return tl::unexpected(*refusal);
+    return makeSteps();
+}
+
+/// Where a motion ends, in 64 bits so that too far can be told; nothing for one without an end.
+struct GoalOf {
+    std::int64_t from;
+
+    template <typename Move>
+    std::optional<std::int64_t> operator()(const Move& move) const {
+        if constexpr (requires { move.position; })
+            return move.relative ? from + move.position : std::int64_t{move.position};
+        else
+            return std::nullopt;
+    }
+};
+
+[[nodiscard]] std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module) {
+    return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
+}
+
+[[nodiscard]] bool wantsReverse(const StepMotion& motion, const ModuleState& module) {
+    if (const auto goal = goalOf(motion, module))
+        return *goal < module.stepper.position().value_or(0);
+    return std::visit(
+        [](const auto& run) {
+            if constexpr (requires { run.reverse; })
+                return run.reverse;
+            else
+                return false;
+        },
+        motion);
+}
+
+/// What keeps it from moving at all, whatever is asked for.
+[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module) {
+    const StepState& stepper = module.stepper;
+    if (module.silent || !module.latest)
+        return Refusal::Silent;
+    if (!stepper.powered())
+        return Refusal::NoPower;
+    if (!stepper.parameters())
+        return Refusal::ParametersUnknown;
+    if (!stepper.amplifierOn())
+        return Refusal::AmplifierOff;
+    if (stepper.estopActs())
+        return Refusal::EstopActive;
+    return std::nullopt;
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotThatFar(const StepMotion& motion, const ModuleState& module) {
+    const auto goal = goalOf(motion, module);
+    if (!goal)
+        return std::nullopt;
+    if (!module.stepper.position())
+        return Refusal::PositionUnknown;
+    constexpr std::int64_t kFarthest = step::kPositionRange.max;
+    const std::int64_t way = *goal - *module.stepper.position();
+    const bool far = *goal < -kFarthest || *goal > kFarthest || way < -kFarthest || way > kFarthest;
+    return far ? std::optional(Refusal::TooFar) : std::nullopt;
+}
+
+struct LoadOf {
+    const ModuleState& module;
+    std::int32_t goal;  ///< of those that have one
+    bool reverse;
+
+    step::LoadTrajectory operator()(const stepmotion::Trapezoid& move) const {
+        step::LoadTrajectory load;
+        load.position = Counts(goal);
+        load.speed = move.speed;
+        load.accelerationTime = move.accelerationTime;
+        return load;
+    }
+    step::LoadTrajectory operator()(const stepmotion::VelocityProfile& run) const {
+        step::LoadTrajectory load;
+        load.speed = run.speed;
+        load.accelerationTime = run.accelerationTime;
+        load.reverse = reverse;
+        return load;
+    }
+    step::LoadTrajectory operator()(const stepmotion::UnprofiledMove& move) const {
+        step::LoadTrajectory load;
+        load.position = Counts(goal);
+        load.timer = move.timer;
+        return load;
+    }
+    step::LoadTrajectory operator()(const stepmotion::UnprofiledRun& run) const {
+        step::LoadTrajectory load;
+        load.timer = run.timer;
+        load.reverse = reverse;
+        return load;
+    }
+};
+
+struct Planner {
+    const ModuleState& module;
+
+    Plan operator()(const intent::Enable&) const {
+        // Nothing but AMP_EN: it stands, and is held by the holding current (DS-S 5.1, 4.6).
+        return allowed(whyNotStep(Request::Enable, module), [this] {
+            return stepsFor(module, step::StopMotor{true, step::StopManner::AmplifierOnly});
+        });
+    }
+    Plan operator()(const intent::StopSmoothly&) const {
+        return allowed(whyNotStep(Request::StopMotion, module), [this] { return Steps{smoothStop(module)}; });
+    }
+    Plan operator()(const intent::StopAbruptly&) const {
+        return allowed(whyNotStep(Request::StopMotion, module), [this] {
+            return stepsFor(module,
+                            step::StopMotor{module.stepper.amplifierOn(), step::StopManner::Abruptly});
+        });
+    }
+    Plan operator()(const intent::MotorOff&) const {
+        return allowed(whyNotStep(Request::MotorOff, module), [this] {
+            return stepsFor(module, step::StopMotor{false, step::StopManner::Abruptly});
+        });
+    }
+    Plan operator()(const intent::SetAmplifier& amplifier) const {
+        return amplifier.enable ? (*this)(intent::Enable{}) : (*this)(intent::MotorOff{});
+    }
+    Plan operator()(const intent::ResetPosition&) const {
+        return allowed(whyNotStep(Request::ResetPosition, module),
+                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
+    }
+    Plan operator()(const intent::SaveAsHome&) const {
+        return allowed(whyNotStep(Request::SaveAsHome, module),
+                       [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+    }
+    Plan operator()(const intent::StartLoaded&) const {
+        return allowed(whyNotStep(Request::StartLoaded, module),
+                       [this] { return stepsFor(module, StartMotion{}); });
+    }
+    Plan operator()(const stepintent::SetParameters& set) const {
+        return allowed(whyNotStep(Request::SetParameters, module),
+                       [&] { return stepsFor(module, set.parameters); });
+    }
+    Plan operator()(const stepintent::SetOutputs& set) const {
+        return allowed(whyNotStep(Request::SetOutputs, module),
+                       [&] { return stepsFor(module, step::SetOutputs{set.outputs}); });
+    }
+    Plan operator()(const stepintent::Move& move) const {
+        return allowed(whyNot(move.motion, module),
+                       [&] { return stepsFor(module, loadFor(move.motion, module), StartMotion{}); });
+    }
+    Plan operator()(const stepintent::LoadMove& load) const {
+        return allowed(whyNot(load.motion, module),
+                       [&] { return stepsFor(module, loadFor(load.motion, module)); });
+    }
+    /// Takes more than one operation: procedures.h.
+    Plan operator()(const stepintent::ChangeMotion& change) const {
+        return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
+    }
+    Plan operator()(const intent::Home& home) const {
+        return allowed(whyNotHome(home.recipe, module), [] { return Steps{}; });
+    }
+    Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
+    template <typename ForServos>
+    Plan operator()(const ForServos&) const {
+        return tl::unexpected(Refusal::NotAServo);
+    }
+};
+
+/// Whether what was loaded may start now.
+[[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
+    const StepState& stepper = module.stepper;
+    if (!stepper.waiting())
+        return Refusal::NothingLoaded;
+    if (const auto refusal = whyNoMotion(module))
+        return refusal;
+    const step::LoadTrajectory& load = *stepper.waiting();
+    const bool reverse =
+        load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
+    if (stepper.limitActs(reverse))
+        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
+    return mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load)
+               ? std::nullopt
+               : std::optional(Refusal::NeedsStop);
+}
+
+[[nodiscard]] std::optional<Refusal> whyNotEnable(const ModuleState& module) {
+    const StepState& stepper = module.stepper;
+    if (!stepper.powered())
+        return Refusal::NoPower;
+    // The holding current is 0 before they are set: nothing would hold.
+    if (!stepper.parameters())
+        return Refusal::ParametersUnknown;
+    if (stepper.tooHot())
+        return Refusal::TooHot;
+    return stepper.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+}
+
+}  // namespace
+
+Plan planStep(const Intent& intent, const ModuleState& module) {
+    return std::visit(Planner{module}, intent);
+}
+
+std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
+    if (request == Request::MotorOff)
+        return std::nullopt;  // worth trying whatever is believed
+    if (module.silent || !module.latest)
+        return Refusal::Silent;
+    switch (request) {
+        case Request::Enable:
+        case Request::SetAmplifier:
+            return whyNotEnable(module);
+        case Request::Move:
+            if (const auto refusal = whyNoMotion(module))
+                return refusal;
+            return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+        case Request::Run:
+        case Request::Hold:
+            return whyNoMotion(module);
+        case Request::StartLoaded:
+            return whyNotStart(module);
+        case Request::ResetPosition:
+        case Request::SetParameters:
+            return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+        case Request::StopMotion:
+        case Request::MotorOff:
+        case Request::SaveAsHome:
+        case Request::SetOutputs:
+            return std::nullopt;
+        case Request::ApplyGains:
+        case Request::ClearStickyBits:
+        case Request::StopHere:
+        case Request::DrivePwm:
+        case Request::ControlIo:
+        case Request::ArmLimitStop:
+            return Refusal::NotAServo;
+        case Request::Home:
+            return whyNotHome(module);
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module) {
+    if (const auto refusal = whyNoMotion(module))
+        return refusal;
+    if (const auto refusal = whyNotThatFar(motion, module))
+        return refusal;
+    const bool reverse = wantsReverse(motion, module);
+    if (module.stepper.limitActs(reverse))
+        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
+    return std::nullopt;
+}
+
+std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module) {
+    if (const auto refusal = whyNotFromStandstill(motion, module))
+        return refusal;
+    const StepState& stepper = module.stepper;
+    if (!stepper.moving())
+        return std::nullopt;
+    // Who started it is not known, so neither is its direction.
+    if (!stepper.runsReverse())
+        return Refusal::NeedsStop;
+    // From a motion that ends at a goal, a timer count alone keeps that goal: it would not run on.
+    if (stepper.mode() == StepMode::UnprofiledWithStop &&
+        std::holds_alternative<stepmotion::UnprofiledRun>(motion))
+        return Refusal::NeedsStop;
+    return mayFollow(stepper.mode(), *stepper.runsReverse(), loadFor(motion, module))
+               ? std::nullopt
+               : std::optional(Refusal::NeedsStop);
+}
+
+step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module) {
+    const auto goal = static_cast<std::int32_t>(goalOf(motion, module).value_or(0));
+    return std::visit(LoadOf{module, goal, wantsReverse(motion, module)}, motion);
+}
+
+bus::Step smoothStop(const ModuleState& module) {
+    const StepState& stepper = module.stepper;
+    const bool ramp = stepper.accelerationTime() || stepper.mode() == StepMode::Trapezoidal ||
+                      stepper.mode() == StepMode::VelocityProfile;
+    const auto manner = ramp ? step::StopManner::Smoothly : step::StopManner::Abruptly;
+    return {module.info.index, StepCommand(step::StopMotor{stepper.amplifierOn(), manner})};
+}
+
+}  // namespace nmc

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "model/machinefile/machinegroups.h"
+
+#include <algorithm>
+
+namespace nmc {
+
+namespace {
+
+/// Everybody's, where all begin.
+constexpr std::uint8_t kNoGroup = 0xFF;
+
+[[nodiscard]] bus::GroupPlace placeOf(ModuleIndex module, const Machine& machine) {
+    for (const GroupSettings& group : machine.groups)
+        if (std::find(group.members.begin(), group.members.end(), module) != group.members.end())
+            return {group.address, group.leader == module};
+    return {kNoGroup, false};
+}
+
+}  // namespace
+
+std::vector<bus::GroupChange> groupChanges(const Machine& machine, const std::vector<ModuleState>& modules) {
+    std::vector<bus::GroupChange> changes;
+    for (const ModuleState& module : modules) {
+        const bus::GroupPlace wanted = placeOf(module.info.index, machine);
+        if (module.info.group != wanted)
+            changes.push_back({module.info.index, wanted});
+    }
+    std::stable_partition(changes.begin(), changes.end(),
+                          [](const bus::GroupChange& change) { return !change.place.leader; });
+    return changes;
+}
+
+void noteGroup(Machine& machine, const bus::GroupChange& change) {
+    for (GroupSettings& group : machine.groups) {
+        std::erase(group.members, change.module);
+        if (group.leader == change.module)
+            group.leader.reset();
+    }
+    if (change.place.group != kNoGroup) {
+        auto group =
+            std::find_if(machine.groups.begin(), machine.groups.end(),
+                         [&](const GroupSettings& known) { return known.address == change.place.group; });
+        if (group == machine.groups.end())
+            group =
+                machine.groups.insert(machine.groups.end(), GroupSettings{change.place.group, {}, {}, {}});
+        group->members.push_back(change.module);
+        std::sort(group->members.begin(), group->members.end());
+        if (change.place.leader)
+            group->leader = change.module;
+    }
+    std::erase_if(machine.groups, [](const GroupSettings& group) { return group.members.empty(); });
+}
+
+}  // namespace nmc

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a machine file consists of, said once: the reader, the writer and the comparison are "forms" that are
+// led through it. For core/model/machine*.cpp only.
+//
+// The structured bindings name every member, so that a member that is added to a struct of
+// model/settings/machine.h and forgotten here does not compile.
+
+#include <concepts>
+#include <string_view>
+#include <utility>
+
+#include "model/settings/machine.h"
+#include "protocol/baud.h"
+
+namespace nmc::layout {
+
+inline constexpr int kVersion = 1;
+inline constexpr std::string_view kFormat = "nmc-panel-machine";
+inline constexpr std::size_t kMaxAxes = 32;    ///< modules on a line (DS-V 4.1)
+inline constexpr std::size_t kMaxGroups = 32;  ///< each module is in one
+
+struct Bounds {
+    double min;
+    double max;
+    bool ofModule = false;  ///< what the module takes
+};
+
+[[nodiscard]] constexpr Bounds takenByModule(ValueRange range) {
+    return {static_cast<double>(range.min), static_cast<double>(range.max), true};
+}
+
+/// 16.16 fixed point (DS-V 4.4).
+inline constexpr double kMaxServoNumber = 0x7FFFFFFF / 65'536.0;
+/// 250 units of 200 steps/s (DS-S 4.1).
+inline constexpr double kMaxStepSpeed = 50'000.0;
+/// One such unit in 0.25 ms.
+inline constexpr double kMaxStepAcceleration = 800'000.0;
+inline constexpr Bounds kDistance{0, 0x7FFFFFFF, true};
+inline constexpr Bounds kPerUnit{kMinCountsPerUnit, kMaxCountsPerUnit};
+inline constexpr Bounds kSeconds{0, 86'400};
+inline constexpr Bounds kAnyNumber{-1e12, 1e12};
+
+[[nodiscard]] constexpr Bounds velocityBounds(bool steps) {
+    return {0, steps ? kMaxStepSpeed : kMaxServoNumber, true};
+}
+[[nodiscard]] constexpr Bounds accelerationBounds(bool steps) {
+    return {0, steps ? kMaxStepAcceleration : kMaxServoNumber, true};
+}
+
+/// What the ends of keys say of the numbers' units.
+struct UnitSuffixes {
+    std::string_view distance;
+    std::string_view velocity;
+    std::string_view acceleration;
+    std::string_view perUnit;  ///< a whole key
+};
+inline constexpr UnitSuffixes kServoSuffixes{"_counts", "_counts_per_tick", "_counts_per_tick2",
+                                             "counts_per_unit"};
+inline constexpr UnitSuffixes kStepSuffixes{"_steps", "_steps_per_s", "_steps_per_s2", "steps_per_unit"};
+
+[[nodiscard]] constexpr const UnitSuffixes& suffixes(bool steps) {
+    return steps ? kStepSuffixes : kServoSuffixes;
+}
+
+/// Whether an object may lack a field; it then keeps its default.
+enum class Need : std::uint8_t { Required, Optional };
+
+template <typename T, typename U>
+concept As = std::same_as<std::remove_const_t<T>, U>;
+
+template <typename Enum>
+struct Word {
+    Enum value;
+    std::string_view text;
+};
+
+inline constexpr Word<UnitKind> kUnitWords[] = {{UnitKind::Native, "native"},
+                                                {UnitKind::Turns, "turns"},
+                                                {UnitKind::Degrees, "degrees"},
+                                                {UnitKind::Millimetres, "millimetres"},
+                                                {UnitKind::Own, "own"}};
+inline constexpr Word<HomingRecipe::Stop> kStopWords[] = {{HomingRecipe::Stop::Abruptly, "abruptly"},
+                                                          {HomingRecipe::Stop::Smoothly, "smoothly"},
+                                                          {HomingRecipe::Stop::MotorOff, "motor off"}};
+/// 1, 2, 4 or 8 times the basic speed range (DS-S 4.1).
+inline constexpr Word<step::SpeedMode> kSpeedWords[] = {{step::SpeedMode::X1, "1x"},
+                                                        {step::SpeedMode::X2, "2x"},
+                                                        {step::SpeedMode::X4, "4x"},
+                                                        {step::SpeedMode::X8, "8x"}};
+/// Any other type is its number.
+inline constexpr Word<ModuleType> kTypeWords[] = {{ModuleType::Servo, "PIC-SERVO"},
+                                                  {ModuleType::Adc, "PIC-ADC"},
+                                                  {ModuleType::Io, "PIC-I/O"},
+                                                  {ModuleType::Step, "PIC-STEP"}};
+
+template <typename Form, As<ModuleIdentity> T>
+void fields(Form& form, T& identity) {
+    auto& [type, version] = identity;
+    form.type("type", type);
+    form.whole("version", version, {0, 255});
+}
+
+template <typename Form, As<AxisUnit> T>
+void fields(Form& form, T& unit) {
+    auto& [kind, countsPerUnit, ownSymbol] = unit;
+    form.choice("kind", kind, kUnitWords);
+    form.perUnit(countsPerUnit, kind == UnitKind::Native ? Need::Optional : Need::Required);
+    form.text("symbol", ownSymbol);
+}
+
+template <typename Form, As<MotionSettings> T>
+void fields(Form& form, T& motion) {
+    auto& [velocity, acceleration, runVelocity, holdVelocity, holdCap, stepSize] = motion;
+    form.velocity("velocity", velocity, Need::Optional);
+    form.acceleration("acceleration", acceleration, Need::Optional);
+    form.velocity("run_velocity", runVelocity, Need::Optional);
+    form.velocity("hold_velocity", holdVelocity, Need::Optional);
+    form.velocity("hold_cap", holdCap, Need::Optional);
+    form.distance("step", stepSize, Need::Optional);
+}
+
+template <typename Form, As<HomingRecipe> T>
+void fields(Form& form, T& recipe) {
+    auto& [onLimit1, onLimit2, onIndex, onPositionError, onCurrentLimit, onHomeSwitch, thenIndex, reverse,
+           velocity, indexVelocity, acceleration, stop, travelLimit, timeLimit, goToHome, makeZero] = recipe;
+    form.flag("on_limit1", onLimit1);
+    form.flag("on_limit2", onLimit2);
+    form.flag("on_index", onIndex);
+    form.flag("on_position_error", onPositionError);
+    form.flag("on_current_limit", onCurrentLimit);
+    form.flag("on_home_switch", onHomeSwitch);
+    form.flag("then_index", thenIndex);
+    form.flag("reverse", reverse);
+    form.velocity("velocity", velocity);
+    form.velocity("index_velocity", indexVelocity, Need::Optional);
+    form.acceleration("acceleration", acceleration, Need::Optional);
+    form.choice("stop", stop, kStopWords);
+    form.distance("travel_limit", travelLimit);
+    form.seconds("time_limit_s", timeLimit);
+    form.flag("go_to_home", goToHome);
+    form.flag("make_zero", makeZero);
+}
+
+template <typename Form, As<AnalogScale> T>
+void fields(Form& form, T& scale) {
+    auto& [perCount, atZero, unit] = scale;
+    form.real("per_count", perCount, kAnyNumber);
+    form.real("at_zero", atZero, kAnyNumber);
+    form.text("unit", unit);
+}
+
+template <typename Form, As<servo::SetGain> T>
+void fields(Form& form, T& gains) {
+    auto& [kp, kd, ki, il, ol, cl, el, sr, db] = gains;
+    form.whole("Kp", kp, takenByModule(servo::kGainRange));
+    form.whole("Kd", kd, takenByModule(servo::kGainRange));
+    form.whole("Ki", ki, takenByModule(servo::kGainRange));
+    form.whole("IL", il, takenByModule(servo::kGainRange));
+    form.whole("OL", ol, takenByModule(servo::kByteRange));
+    form.whole("CL", cl, takenByModule(servo::kByteRange));
+    form.whole("EL_counts", el, takenByModule(servo::kPositionErrorRange));
+    form.whole("SR", sr, takenByModule(servo::kServoRateRange));
+    form.whole("DB", db, takenByModule(servo::kByteRange));
+}
+
+template <typename Form, As<servo::IoControl> T>
+void fields(Form& form, T& io) {
+    auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput] = io;
+    form.flag("limit1_is_input", limit1IsInput);
+    form.flag("limit2_is_input", limit2IsInput);
+    form.flag("limit1_output", limit1Output);
+    form.flag("limit2_output", limit2Output);
+}
+
+template <typename Form, As<step::SetParameters> T>
+void fields(Form& form, T& parameters) {
+    auto& [speedMode, ignoreLimits, ignoreEstop, motorOffOnLimitOrEstop, minimumProfileSpeed, runCurrent,
+           holdCurrent, thermalLimit] = parameters;
+    form.choice("speed_mode", speedMode, kSpeedWords);
+    form.whole("minimum_profile_speed", minimumProfileSpeed, takenByModule(step::kSpeedRange));
+    form.whole("run_current", runCurrent, takenByModule(step::kByteRange));
+    form.whole("hold_current", holdCurrent, takenByModule(step::kByteRange));
+    form.whole("thermal_limit", thermalLimit, takenByModule(step::kByteRange));
+    form.flag("ignore_limits", ignoreLimits);
+    form.flag("ignore_estop", ignoreEstop);
+    form.flag("motor_off_on_limit_or_estop", motorOffOnLimitOrEstop);
+}
+
+template <typename Form, As<AxisSettings> T>
+void fields(Form& form, T& axis) {
+    auto& [name, expected, unit, motion, homing, analog, gains, io, parameters, accelerationTime, outputNames,
+           inputNames] = axis;
+    form.text("name", name);
+    form.part("expected", expected);
+    // From here on the names of the numbers say what this chip counts in.
+    form.setSteps(expected.has_value() && expected->type == ModuleType::Step);
+    form.part("unit", unit);
+    form.part("motion", motion);
+    form.part("homing", homing);
+    form.part("analog", analog);
+    form.part("gains", gains);
+    form.part("io", io);
+    form.part("parameters", parameters);
+    form.real("acceleration_time", accelerationTime, {0, 255, true}, Need::Optional);
+    form.names("output_names", outputNames);
+    form.names("input_names", inputNames);
+}
+
+template <typename Form, As<GroupSettings> T>
+void fields(Form& form, T& group) {
+    auto& [address, name, members, leader] = group;
+    form.whole("address", address, {0x80, 0xFE, true});
+    form.text("name", name);
+    form.modules("modules", members);
+    form.module("leader", leader);
+}
+
+template <typename Form, As<Machine> T>
+void fields(Form& form, T& machine) {
+    auto& [name, baud, axes, groups] = machine;
+    form.text("name", name);
+    form.whole("rate_bd", baud, {0, 1'000'000}, Need::Optional);
+    form.list("axes", axes, kMaxAxes);
+    form.list("groups", groups, kMaxGroups);
+}
+
+}  // namespace nmc::layout

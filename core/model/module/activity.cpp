@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/activity.h"
+
+namespace nmc {
+
+Severity severityOf(Activity activity) {
+    switch (activity) {
+        case Activity::Tripped:
+        case Activity::PowerLost:
+        case Activity::Silent:
+        case Activity::Restarted:
+        case Activity::Overheated:
+        case Activity::WentOff:
+            return Severity::Fault;
+        case Activity::NoPower:
+        case Activity::PwmMode:
+        case Activity::StoppedByLimit:
+        case Activity::EstopActive:
+            return Severity::Attention;
+        case Activity::Unknown:
+        case Activity::ServoOff:
+        case Activity::AmplifierOff:
+        case Activity::Holding:
+        case Activity::Accelerating:
+        case Activity::AtSpeed:
+        case Activity::Decelerating:
+            return Severity::Normal;
+    }
+    return Severity::Normal;
+}
+
+}  // namespace nmc

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/homewatch.h"
+
+namespace nmc {
+
+template <typename SetHoming>
+void HomeWatch::told(const SetHoming& homing, TimePoint time, bool watches) {
+    *this = HomeWatch{};
+    if (!watches)
+        return;
+    m_state = State::Armed;
+    m_since = time;
+    m_limit1 = homing.onLimit1Change;
+    m_limit2 = homing.onLimit2Change;
+    m_stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
+    m_switchesOff = homing.motorOff;
+}
+
+void HomeWatch::apply(const bus::CommandExecuted& executed) {
+    if (const auto* chip = std::get_if<ServoCommand>(&executed.command)) {
+        if (const auto* homing = std::get_if<servo::SetHoming>(chip)) {
+            const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
+            told(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
+            // The position error does so by itself.
+            m_switchesOff = m_switchesOff || homing->onPositionError;
+        }
+    } else if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
+        if (const auto* homing = std::get_if<step::SetHoming>(step))
+            told(*homing, executed.time,
+                 homing->onLimit1Change || homing->onLimit2Change || homing->onHomeSwitchChange);
+    }
+}
+
+bool HomeWatch::apply(const bus::Sample& sample) {
+    // The answer to the command itself may have been put together before the command took effect.
+    if (m_state != State::Armed || sample.time <= m_since || (sample.report.status & 0x80U) != 0)
+        return false;  // the same bit on both chips
+    m_state = State::Tripped;
+    return true;
+}
+
+}  // namespace nmc

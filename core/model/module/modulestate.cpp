@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/modulestate.h"
+
+#include <cstdlib>
+
+namespace nmc {
+
+namespace {
+
+/// Copies every item that `from` carries; what it does not carry keeps its last value.
+void merge(StatusReport& into, const StatusReport& from) {
+    into.status = from.status;
+    into.items = StatusItems(static_cast<std::uint8_t>(into.items.mask() | from.items.mask()));
+    const auto take = [](auto& to, const auto& value) {
+        if (value)
+            to = value;
+    };
+    take(into.position, from.position);
+    take(into.analog, from.analog);
+    take(into.velocity, from.velocity);
+    take(into.timerCount, from.timerCount);
+    take(into.aux, from.aux);
+    take(into.home, from.home);
+    take(into.identity, from.identity);
+}
+
+}  // namespace
+
+/// Whether a servo moves that was set in motion by somebody else: a velocity below one count a tick reads 0,
+/// so the position has to tell.
+void ModuleState::watchDrift(const bus::Sample& sample) {
+    constexpr std::int64_t kStill = 4;  // counts; a servo works within its friction
+    constexpr Duration kLately = std::chrono::seconds(1);
+    if (!servoOn())
+        m_motionUnknown = false;
+    if (!m_motionUnknown || !sample.report.position)
+        return;
+    const std::int64_t now = *sample.report.position;
+    if (!m_restedAt || std::abs(now - *m_restedAt->report.position) > kStill) {
+        m_drifts = m_restedAt.has_value();
+        m_restedAt = sample;
+    } else if (sample.time - m_restedAt->time > kLately) {
+        m_drifts = false;
+    }
+}
+
+void ModuleState::apply(const bus::Sample& sample) {
+    const bool wasOn = servoOn();
+    if (!latest)
+        latest.emplace();
+    merge(*latest, sample.report);
+    latestTime = sample.time;
+    watchHome(sample);
+    if (isStepper()) {
+        stepper.apply(*latest, sample.time);
+        switchedItselfOff = stepper.offByItself();
+        powerLostWhileOn = switchedItselfOff && stepper.activity() == Activity::PowerLost;
+    }
+    if (!isServo() || !sample.report.aux)
+        return;
+    watchDrift(sample);
+    if (servoOn()) {
+        switchedItselfOff = powerLostWhileOn = false;
+        m_looksWhileOff = 0;
+    } else if (wasOn && !offCommanded) {
+        // Home may have done it: that it was found shows two replies later (bus/trust.h).
+        if (homing.state() == HomeWatch::State::Armed && homing.switchesOff() &&
+            latest->servoStatus().powerOn())
+            m_looksWhileOff = 1;
+        else
+            wentOff();
+    } else if (m_looksWhileOff > 0 && ++m_looksWhileOff > 3) {
+        wentOff();
+    }
+}
+
+void ModuleState::wentOff() {
+    m_looksWhileOff = 0;
+    m_goal.reset();
+    switchedItselfOff = true;
+    powerLostWhileOn = !latest->servoStatus().powerOn();
+    motion = MotionMode::None;
+}
+
+/// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
+void ModuleState::watchHome(const bus::Sample& sample) {
+    if (!homing.apply(sample) || !isServo())
+        return;
+    const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
+    if (off && homing.switchesOff()) {
+        offCommanded = true;
+        switchedItselfOff = false;
+        m_looksWhileOff = 0;
+        motion = MotionMode::None;
+    } else if (homing.stops()) {
+        motion = MotionMode::Velocity;
+    }
+    if (homing.stops()) {
+        goalVelocity = m_loadedVelocity = 0.0;
+        loadWaiting = false;
+        m_goal.reset();
+    }
+}
+
+void ModuleState::apply(const bus::CommandExecuted& executed) {
+    homing.apply(executed);
+    if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
+        stepper.apply(*step, executed.time);
+        amplifierEnabled = stepper.amplifierOn();
+        loadWaiting = stepper.waiting().has_value();
+    }
+    const auto* command = std::get_if<ServoCommand>(&executed.command);
+    if (command == nullptr)
+        return;
+    if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
+        m_loaded = *load;
+        if (load->velocity)
+            m_loadedVelocity = load->velocity->value() / 65'536.0;
+        if (load->acceleration)
+            accelerationLoaded = load->acceleration->value() != 0;
+        loadWaiting = !load->startNow;
+        if (load->startNow)
+            applyLoaded(executed.time);
+    } else if (std::holds_alternative<StartMotion>(*command)) {
+        loadWaiting = false;
+        applyLoaded(executed.time);
+    } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
+        apply(*stop, executed.time);
+    } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
+        gains = *sent;
+    } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
+        io = *control;
+    } else if (std::holds_alternative<ResetPosition>(*command)) {
+        m_goal.reset();
+    }
+}
+
+void ModuleState::restarted() {
+    hasRestarted = true;
+    gains.reset();
+    io.reset();
+    homing = {};
+    m_goal.reset();
+    m_looksWhileOff = 0;
+    loadWaiting = false;
+    motion = MotionMode::None;
+    goalVelocity = m_loadedVelocity = 0.0;
+    amplifierEnabled = accelerationLoaded = false;
+    stepper.restarted();
+}
+
+void ModuleState::attached() {
+    m_motionUnknown = true;
+    stepper.attached();
+}
+
+void ModuleState::applyLoaded(TimePoint time) {
+    motionCommandedAt = time;
+    m_goal.reset();
+    if (!m_loaded.servo) {
+        motion = MotionMode::Pwm;
+        offCommanded = true;
+        return;
+    }
+    offCommanded = m_motionUnknown = false;
+    const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
+    motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
+    if (!velocityMode && m_loaded.position)
+        m_goal = m_loaded.position->value();
+    goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
+}
+
+void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
+    amplifierEnabled = stop.amplifierEnable;
+    if (stop.manner == servo::StopManner::AmplifierOnly)
+        return;
+    motionCommandedAt = time;
+    // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
+    goalVelocity = m_loadedVelocity = 0.0;
+    m_goal.reset();
+    loadWaiting = m_motionUnknown = false;
+    if (stop.manner == servo::StopManner::MotorOff) {
+        motion = MotionMode::None;
+        offCommanded = true;
+        // Whoever switches the motor off has seen that it is off: an earlier trip is acknowledged.
+        switchedItselfOff = powerLostWhileOn = false;
+    } else {
+        motion = MotionMode::Velocity;
+        offCommanded = false;
+    }
+}
+
+bool ModuleState::servoOn() const {
+    return isServo() && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
+}
+
+bool ModuleState::driveOn() const {
+    return isStepper() ? stepper.amplifierOn() : servoOn();
+}
+
+bool ModuleState::moving() const {
+    if (!latest || hasRestarted)
+        return false;
+    if (isStepper())
+        return stepper.moving();
+    if (!isServo())
+        return false;
+    if (!servoOn())
+        return motion == MotionMode::Pwm;
+    if (m_motionUnknown && m_drifts)
+        return true;
+    return !latest->servoStatus().moveDone() || (motion == MotionMode::Velocity && goalVelocity != 0.0);
+}
+
+Activity ModuleState::activity() const {
+    if (hasRestarted)
+        return Activity::Restarted;
+    if (silent)
+        return Activity::Silent;
+    if (isStepper() && latest)
+        return stepper.activity();
+    if (!isServo() || !latest || !latest->aux)
+        return Activity::Unknown;
+    return servoOn() ? activityWhileOn() : activityWhileOff();
+}
+
+Activity ModuleState::activityWhileOff() const {
+    if (powerLostWhileOn)
+        return Activity::PowerLost;
+    if (switchedItselfOff)
+        return Activity::Tripped;
+    if (!latest->servoStatus().powerOn())
+        return Activity::NoPower;
+    return motion == MotionMode::Pwm ? Activity::PwmMode : Activity::ServoOff;
+}
+
+Activity ModuleState::activityWhileOn() const {
+    const bool moveDone = latest->servoStatus().moveDone();
+    if (m_motionUnknown && m_drifts && moveDone)
+        return Activity::AtSpeed;
+    if (motion == MotionMode::Velocity) {
+        if (moveDone)
+            return goalVelocity == 0.0 ? Activity::Holding : Activity::AtSpeed;
+        return goalVelocity == 0.0 ? Activity::Decelerating : Activity::Accelerating;
+    }
+    if (moveDone)
+        return Activity::Holding;
+    const servo::AuxByte aux{*latest->aux};
+    if (!aux.accelDone())
+        return Activity::Accelerating;
+    return aux.slewDone() ? Activity::Decelerating : Activity::AtSpeed;
+}
+
+}  // namespace nmc

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/time.h"
+#include "bus/types.h"
+#include "model/module/activity.h"
+#include "model/module/homewatch.h"
+#include "model/module/stepstate.h"
+
+namespace nmc {
+
+/// What the last motion command of this connection asked for.
+enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
+
+/// Everything known of one module: a value, fed by the engine's events, shown by the panels.
+/// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
+/// connection.
+struct ModuleState {
+    bus::ModuleInfo info;
+    /// Latest value of every item; an item never reported is empty.
+    std::optional<StatusReport> latest;
+    TimePoint latestTime;
+    /// Status replies per second, as of the last second.
+    double repliesPerSecond = 0.0;
+    bool silent = false;
+    bool hasRestarted = false;
+    /// Gains as last confirmed; empty: unknown.
+    std::optional<servo::SetGain> gains;
+    MotionMode motion = MotionMode::None;
+    /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
+    double goalVelocity = 0.0;
+    /// An acceleration above 0 was loaded: a smooth stop can slow down.
+    bool accelerationLoaded = false;
+    bool amplifierEnabled = false;
+    /// PIC-SERVO: when the last command was latched that started or stopped a motion.
+    TimePoint motionCommandedAt;
+    /// A load was confirmed and waits for a start.
+    bool loadWaiting = false;
+    /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
+    std::optional<servo::IoControl> io;
+    /// What Set Homing Mode last told it.
+    HomeWatch homing;
+    /// The servo went off without a command of ours while it was on, and has not been on since.
+    bool switchedItselfOff = false;
+    /// As above, and motor power was missing when it was noticed.
+    bool powerLostWhileOn = false;
+    /// The last command that concerns the servo switched it off.
+    bool offCommanded = false;
+    /// PIC-STEP: what it was told, and does.
+    StepState stepper;
+
+    void apply(const bus::Sample& sample);
+    void apply(const bus::CommandExecuted& executed);
+    /// It lost everything it was told.
+    void restarted();
+    /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
+    void attached();
+
+    /// Of a version that is known here; others are only looked at.
+    [[nodiscard]] bool isServo() const {
+        return info.identity.type == ModuleType::Servo && hasDataSheet(info.identity);
+    }
+    [[nodiscard]] bool isStepper() const {
+        return info.identity.type == ModuleType::Step && hasDataSheet(info.identity);
+    }
+    [[nodiscard]] bool servoOn() const;
+    /// Where the last trapezoidal move was to go, and the servo holds or will.
+    [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
+    /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
+    [[nodiscard]] bool driveOn() const;
+    /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
+    [[nodiscard]] bool moving() const;
+    [[nodiscard]] Activity activity() const;
+
+private:
+    void applyLoaded(TimePoint time);
+    void apply(const servo::StopMotor& stop, TimePoint time);
+    void watchDrift(const bus::Sample& sample);
+    void watchHome(const bus::Sample& sample);
+    void wentOff();
+    [[nodiscard]] Activity activityWhileOff() const;
+    [[nodiscard]] Activity activityWhileOn() const;
+
+    servo::LoadTrajectory m_loaded;
+    std::optional<std::int32_t> m_goal;  ///< of the last trapezoidal move, while it is where the servo holds
+    unsigned m_looksWhileOff = 0;        ///< off, and whether home did it is not known yet
+    bool m_motionUnknown = false;
+    bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
+    std::optional<bus::Sample> m_restedAt;
+    double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
+};
+
+}  // namespace nmc

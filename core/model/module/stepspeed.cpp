@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/stepspeed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+/// Of the step timer at 1x, Hz (DS-S 4.1).
+constexpr double kTimerRate = 625'000.0;
+/// What the timer takes to be loaded again, at 1x.
+constexpr double kReload = 2.0;
+/// One unit of acceleration time, s (DS-S 4.2).
+constexpr double kTimeUnit = 0.00025;
+
+double within(double value, ValueRange range) {
+    return std::clamp(value, static_cast<double>(range.min), static_cast<double>(range.max));
+}
+
+}  // namespace
+
+StepSpeed::StepSpeed(step::SpeedMode mode) : m_multiplier(8 >> static_cast<int>(mode)) {}
+
+double StepSpeed::fastest() const {
+    return ofSpeed(static_cast<int>(step::kSpeedRange.max));
+}
+
+double StepSpeed::fastestTimed() const {
+    return ofCount(static_cast<std::uint16_t>(step::kTimerCountRange.max));
+}
+
+double StepSpeed::ofCount(std::uint16_t count) const {
+    return m_multiplier * kTimerRate / (65'536.0 - count + kReload * m_multiplier);
+}
+
+std::uint8_t StepSpeed::speedFor(double stepsPerSecond) const {
+    return static_cast<std::uint8_t>(within(std::round(stepsPerSecond / unit()), step::kSpeedRange));
+}
+
+step::TimerCount StepSpeed::timerFor(double stepsPerSecond) const {
+    const double slowest = std::max(stepsPerSecond, slowestTimed());
+    const double exact = 65'536.0 + kReload * m_multiplier - m_multiplier * kTimerRate / slowest;
+    const auto below = static_cast<std::uint16_t>(within(std::floor(exact), step::kTimerCountRange));
+    const auto above = static_cast<std::uint16_t>(within(std::floor(exact) + 1, step::kTimerCountRange));
+    // Nearest in speed, not in count: at high speeds a count is worth a lot.
+    const bool up = std::abs(ofCount(above) - stepsPerSecond) < std::abs(ofCount(below) - stepsPerSecond);
+    const std::uint16_t count = up ? above : below;
+    return {count, speedFor(ofCount(count))};
+}
+
+double StepSpeed::acceleration(int accelerationTime) const {
+    return unit() / (kTimeUnit * accelerationTime);
+}
+
+std::uint8_t StepSpeed::accelerationTimeFor(double acceleration) const {
+    const double slowest = this->acceleration(static_cast<int>(step::kAccelerationTimeRange.max));
+    const double time = unit() / (kTimeUnit * std::max(acceleration, slowest));
+    return static_cast<std::uint8_t>(within(std::round(time), step::kAccelerationTimeRange));
+}
+
+StepForecast forecastMove(StepSpeed mode, int minimum, int speed, int accelerationTime, double distance) {
+    const double steps = std::abs(distance);
+    if (steps == 0.0)
+        return {};
+    const double dwell = kTimeUnit * accelerationTime;
+    // One acceleration time at each speed from the minimum to the one before `top`.
+    const auto ramp = [&](int top) {
+        return dwell * mode.unit() * (top - minimum) * (top - 1 + minimum) / 2.0;
+    };
+    const int wanted = std::max(speed, minimum);
+    int top = wanted;
+    while (top > minimum && 2.0 * ramp(top) > steps)
+        --top;
+    StepForecast forecast;
+    forecast.peak = mode.ofSpeed(top);
+    forecast.triangular = top < wanted;
+    forecast.seconds = 2.0 * dwell * (top - minimum) + (steps - 2.0 * ramp(top)) / forecast.peak;
+    return forecast;
+}
+
+}  // namespace nmc

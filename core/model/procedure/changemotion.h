@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "model/intent/stepmotion.h"
+#include "model/procedure/procedure.h"
+
+namespace nmc {
+
+/// Stop, wait, go: what a PIC-STEP needs between two motions that its Table 4 does not join, a change of
+/// direction above all (DS-S 4.1, 4.2). It stops smoothly, waits until two statuses say that it stands at the
+/// same place, and starts the new motion. A relative goal counts from there.
+class ChangeMotion : public Procedure {
+public:
+    ChangeMotion(ModuleIndex module, StepMotion motion) : m_module(module), m_motion(motion) {}
+
+    [[nodiscard]] Next next(const ModuleState& module, TimePoint now) override;
+    void onFinished(bus::Outcome outcome) override;
+    void onLinkSuspect() override;
+    void cancel() override;
+    [[nodiscard]] ProcedureReport report() const override;
+
+private:
+    /// Slowing down from speed 250 at the longest acceleration time takes 15.9 s (DS-S 4.2).
+    static constexpr Duration kStopLimit = std::chrono::seconds(20);
+
+    [[nodiscard]] Next stop(const ModuleState& module, TimePoint now);
+    [[nodiscard]] Next waitForStandstill(const ModuleState& module, TimePoint now);
+    [[nodiscard]] Next go(const ModuleState& module);
+    [[nodiscard]] Next halt(const ModuleState& module);
+    Next fail(ProcedureFailure failure);
+
+    ModuleIndex m_module;
+    StepMotion m_motion;
+    ProcedureStage m_stage = ProcedureStage::Preparing;
+    std::optional<ProcedureFailure> m_failure;
+    TimePoint m_began;
+    bool m_waiting = false;                ///< for onFinished()
+    bool m_mayRun = false;                 ///< the new motion was asked for
+    bool m_haltOwed = false;               ///< it was, and is not wanted any more
+    std::optional<TimePoint> m_stoppedAt;  ///< the last status before the stop was confirmed
+    std::optional<TimePoint> m_stoodAt;    ///< the first status that says so
+    std::optional<std::int32_t> m_stoodPosition;
+};
+
+}  // namespace nmc

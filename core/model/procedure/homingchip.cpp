@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/homingchip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/module/stepspeed.h"
+
+namespace nmc {
+
+namespace {
+
+using Stop = HomingRecipe::Stop;
+
+/// 16.16, rounded down: never faster than asked.
+[[nodiscard]] std::uint32_t fixed(double value) {
+    constexpr double kOne = 65'536.0;
+    return static_cast<std::uint32_t>(std::clamp(std::floor(value * kOne), 1.0, 2'147'483'647.0));
+}
+
+[[nodiscard]] servo::LoadTrajectory servoRun(const HomingChip::Motion& motion) {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(fixed(motion.velocity));
+    load.acceleration = CountsPerTickSquared(fixed(motion.acceleration));
+    load.profile = servo::ProfileMode::Velocity;
+    load.reverse = motion.reverse;
+    return load;
+}
+
+[[nodiscard]] servo::SetHoming servoHoming(const HomeConditions& c) {
+    servo::SetHoming homing;
+    homing.onLimit1Change = c.limit1;
+    homing.onLimit2Change = c.limit2;
+    homing.onIndexChange = c.index;
+    homing.onPositionError = c.positionError;
+    homing.onCurrentLimit = c.currentLimit;
+    return homing;
+}
+
+[[nodiscard]] step::SetHoming stepHoming(const HomeConditions& c) {
+    step::SetHoming homing;
+    homing.onLimit1Change = c.limit1;
+    homing.onLimit2Change = c.limit2;
+    homing.onHomeSwitchChange = c.homeSwitch;
+    return homing;
+}
+
+template <typename SetHoming>
+[[nodiscard]] SetHoming stoppingBy(Stop stop, SetHoming homing) {
+    homing.motorOff = stop == Stop::MotorOff;
+    homing.stopAbruptly = stop == Stop::Abruptly;
+    homing.stopSmoothly = stop == Stop::Smoothly;
+    return homing;
+}
+
+[[nodiscard]] servo::StopMotor servoStop(Stop manner) {
+    switch (manner) {
+        case Stop::Abruptly:
+            return {true, servo::StopManner::Abruptly, {}};
+        case Stop::Smoothly:
+            return {true, servo::StopManner::Smoothly, {}};
+        case Stop::MotorOff:
+            return {false, servo::StopManner::MotorOff, {}};
+    }
+    return {};
+}
+
+[[nodiscard]] step::StopMotor stepStop(Stop manner) {
+    switch (manner) {
+        case Stop::Abruptly:
+            return {true, step::StopManner::Abruptly};
+        case Stop::Smoothly:
+            return {true, step::StopManner::Smoothly};
+        case Stop::MotorOff:
+            return {false, step::StopManner::Abruptly};
+    }
+    return {};
+}
+
+}  // namespace
+
+HomingChip::HomingChip(const ModuleState& module)
+    : m_module(module.info.index), m_identity(module.info.identity) {
+    if (module.stepper.parameters())
+        m_speedUnit = StepSpeed(module.stepper.parameters()->speedMode).unit();
+    m_offOnLimit = module.stepper.parameters() && module.stepper.parameters()->motorOffOnLimitOrEstop &&
+                   !module.stepper.parameters()->ignoreLimits;
+}
+
+bool HomingChip::goesOff(const HomingRecipe& recipe) const {
+    return recipe.stop == Stop::MotorOff || (m_offOnLimit && (recipe.onLimit1 || recipe.onLimit2));
+}
+
+template <typename... Commands>
+HomingChip::Steps HomingChip::steps(Commands... commands) const {
+    if (m_identity.type == ModuleType::Step) {
+        if constexpr ((std::is_constructible_v<StepCommand, Commands> && ...))
+            return {bus::Step{m_module, StepCommand(std::move(commands))}...};
+    } else {
+        if constexpr ((std::is_constructible_v<ServoCommand, Commands> && ...))
+            return {bus::Step{m_module, ServoCommand(std::move(commands))}...};
+    }
+    return {};
+}
+
+std::optional<HomingLook> HomingChip::look(const ModuleState& module) const {
+    if (!module.latest || !module.latest->position || !module.latest->aux)
+        return std::nullopt;
+    HomingLook seen;
+    seen.time = module.latestTime;
+    seen.position = *module.latest->position;
+    if (m_identity.type == ModuleType::Step) {
+        const step::StatusByte status = module.latest->stepStatus();
+        const step::InputsByte inputs{*module.latest->aux};
+        seen.on = status.amplifierEnabled();
+        seen.moving = status.moving();
+        seen.waiting = status.homing();
+        seen.active.limit1 = inputs.limit1();
+        seen.active.limit2 = inputs.limit2();
+        seen.active.homeSwitch = inputs.homeSwitch();
+        return seen;
+    }
+    const servo::StatusByte status = module.latest->servoStatus();
+    seen.on = module.servoOn();
+    seen.moving = seen.on && !status.moveDone();
+    seen.waiting = status.homeInProgress();
+    seen.active.limit1 = status.limit1();
+    seen.active.limit2 = status.limit2();
+    seen.active.index = !servo::AuxByte{*module.latest->aux}.indexComplement();
+    return seen;
+}
+
+bool HomingChip::stopsByItself() const {
+    return m_identity.type == ModuleType::Step || m_identity.version >= servo::kAutoStopVersion;
+}
+
+HomingChip::Steps HomingChip::clearStickyBits() const {
+    return steps(servo::ClearStickyBits{});
+}
+
+HomingChip::Steps HomingChip::run(const Motion& motion) const {
+    if (m_identity.type != ModuleType::Step)
+        return steps(servoRun(motion), StartMotion{});
+    step::LoadTrajectory load;
+    load.speed = speed(motion.velocity);
+    load.accelerationTime = accelerationTime(motion.acceleration);
+    load.reverse = motion.reverse;
+    return steps(load, StartMotion{});
+}
+
+HomingChip::Steps HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
+    if (m_identity.type == ModuleType::Step)
+        return steps(stoppingBy(stop, stepHoming(conditions)));
+    return stopsByItself() ? steps(stoppingBy(stop, servoHoming(conditions)))
+                           : steps(servoHoming(conditions));
+}
+
+HomingChip::Steps HomingChip::search(const HomeConditions& conditions, Stop stop,
+                                     const Motion& motion) const {
+    Steps all = watch(conditions, stop);
+    const Steps motionSteps = run(motion);
+    all.insert(all.end(), motionSteps.begin(), motionSteps.end());
+    return all;
+}
+
+HomingChip::Steps HomingChip::stop(Stop manner) const {
+    return m_identity.type == ModuleType::Step ? steps(stepStop(manner)) : steps(servoStop(manner));
+}
+
+HomingChip::Steps HomingChip::disarm() const {
+    return m_identity.type == ModuleType::Step ? steps(step::SetHoming{}) : steps(servo::SetHoming{});
+}
+
+HomingChip::Steps HomingChip::enable() const {
+    if (m_identity.type == ModuleType::Step)
+        return steps(step::StopMotor{true, step::StopManner::AmplifierOnly});
+    // A position error that is still set would say that the next one has come already.
+    return steps(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
+}
+
+HomingChip::Steps HomingChip::goTo(std::int32_t position, const Motion& motion) const {
+    if (m_identity.type == ModuleType::Step) {
+        step::LoadTrajectory load;
+        load.position = Counts(position);
+        load.speed = speed(motion.velocity);
+        load.accelerationTime = accelerationTime(motion.acceleration);
+        return steps(load, StartMotion{});
+    }
+    servo::LoadTrajectory load = servoRun(motion);
+    load.position = Counts(position);
+    load.profile = servo::ProfileMode::Trapezoidal;
+    load.reverse = false;
+    return steps(load, StartMotion{});
+}
+
+HomingChip::Steps HomingChip::zero() const {
+    return steps(ResetPosition{});
+}
+
+HomingChip::Steps HomingChip::read(bool second) const {
+    return steps(ReadStatus{StatusItems(second ? std::uint8_t{StatusItems::Position | StatusItems::Home}
+                                               : std::uint8_t{StatusItems::All})});
+}
+
+std::uint8_t HomingChip::speed(double stepsPerSecond) const {
+    return static_cast<std::uint8_t>(std::clamp(std::floor(stepsPerSecond / m_speedUnit), 1.0, 250.0));
+}
+
+/// One unit of speed every 0.25 ms times this (DS-S 4.2); rounded up, so that it is never steeper.
+std::uint8_t HomingChip::accelerationTime(double stepsPerSecondSquared) const {
+    const double quarters = m_speedUnit / (stepsPerSecondSquared * 0.25e-3);
+    return static_cast<std::uint8_t>(std::clamp(std::ceil(quarters), 1.0, 255.0));
+}
+
+}  // namespace nmc

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/homingrun.h"
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "model/intent/homingplan.h"
+
+namespace nmc {
+
+namespace {
+
+using Stop = HomingRecipe::Stop;
+
+/// That home was found shows up to this much later than that the servo is off (bus/trust.h).
+constexpr Duration kToldLater = std::chrono::milliseconds(500);
+/// A servo is on soon after it was told; a position is 0 soon after it was reset.
+constexpr Duration kTakesEffect = std::chrono::seconds(2);
+/// A servo that hunts for its last count, with whatever Ki there is.
+constexpr Duration kLastCount = std::chrono::seconds(5);
+
+/// Positions wrap at 32 bits.
+[[nodiscard]] double way(std::int32_t from, std::int32_t to) {
+    return std::abs(static_cast<double>(
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from))));
+}
+
+}  // namespace
+
+HomingRun::HomingRun(HomingRecipe recipe, const ModuleState& module)
+    : m_recipe(effective(std::move(recipe), module.info.identity)), m_chip(module) {
+    m_report.module = module.info.index;
+    m_report.kind = ProcedureKind::Homing;
+    m_goesOff = m_chip.goesOff(m_recipe);
+}
+
+HomingRun::Next HomingRun::next(const ModuleState& module, TimePoint now) {
+    if (m_inFlight)
+        return Wait{};
+    if (!m_end) {
+        Next next = decide(module, now);
+        if (!m_end)
+            return next;
+    }
+    return giveUp(module);
+}
+
+HomingRun::Next HomingRun::decide(const ModuleState& module, TimePoint now) {
+    if (m_sent == Sent::LastWord) {
+        m_report.stage = ProcedureStage::Done;
+        return End{};
+    }
+    if (module.silent)
+        return fail(ProcedureFailure::ModuleSilent);
+    const auto seen = m_chip.look(module);
+    if (!seen)
+        return Wait{};
+    if (m_sent != Sent::Nothing && m_sent != Sent::FirstRead && m_sent != Sent::SecondRead) {
+        m_sent = Sent::Nothing;
+        m_toldAt = now;
+        m_standstill.reset();
+    }
+    if (m_report.stage == ProcedureStage::Reading) {
+        if (m_sent == Sent::FirstRead)
+            m_firstReading = module.latest->home;
+        else if (m_sent == Sent::SecondRead)
+            m_report.home = module.latest->home;
+        return read(*seen, now);
+    }
+    return seen->time > m_toldAt ? proceed(*seen, now) : Next(Wait{});
+}
+
+HomingRun::Next HomingRun::proceed(const HomingLook& seen, TimePoint now) {
+    switch (m_report.stage) {
+        case ProcedureStage::Preparing:
+            return prepare(seen, now);
+        case ProcedureStage::BackingOff:
+            return backOff(seen, now);
+        case ProcedureStage::Searching:
+        case ProcedureStage::SearchingIndex:
+            return search(seen, now);
+        case ProcedureStage::Stopping:
+            return settle(seen, now);
+        case ProcedureStage::GoingHome:
+            return goHome(seen, now);
+        case ProcedureStage::Zeroing:
+            return makeZero(seen, now);
+        case ProcedureStage::Reading:
+        case ProcedureStage::Moving:
+        case ProcedureStage::Pausing:
+        case ProcedureStage::Done:
+        case ProcedureStage::Failed:
+        case ProcedureStage::Cancelled:
+            break;
+    }
+    return End{};
+}
+
+HomingRun::Next HomingRun::prepare(const HomingLook& seen, TimePoint now) {
+    if (!seen.on)
+        return fail(ProcedureFailure::WentOff);
+    const HomeConditions wanted = conditions();
+    if (!std::exchange(m_prepared, true) && (wanted.positionError || wanted.currentLimit))
+        return send(m_chip.clearStickyBits());
+    return beginSearch(seen, now);
+}
+
+HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
+    if (!m_backedOff)
+        m_from = seen.position;
+    HomingChip::Motion ahead = motion();
+    if (anyActive(seen)) {
+        // The chip looks for a change from now on: it would find where the switch is left.
+        ahead.reverse = !ahead.reverse;
+        const bool again = std::exchange(m_backedOff, true);
+        const TimePoint began = again ? m_began : now;
+        Next run = enter(ProcedureStage::BackingOff, now, m_chip.run(ahead));
+        m_began = began;
+        return run;
+    }
+    m_backedOff = false;
+    m_from = seen.position;
+    const auto stage = inIndexSearch() ? ProcedureStage::SearchingIndex : ProcedureStage::Searching;
+    m_watching = !startsUnwatched();
+    return enter(stage, now,
+                 m_watching ? m_chip.search(conditions(), m_recipe.stop, ahead) : m_chip.run(ahead));
+}
+
+/// Starting takes current, too, and that is not home: the chip is told to look for it only at full speed. A
+/// switch could come before, and what was a change would be none; then it is told from the start.
+bool HomingRun::startsUnwatched() const {
+    HomeConditions currentAlone;
+    currentAlone.currentLimit = true;
+    return conditions() == currentAlone;
+}
+
+HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
+    if (!seen.on)
+        return fail(ProcedureFailure::WentOff);
+    if (tooFar(seen))
+        return fail(ProcedureFailure::TravelLimit);
+    if (tooLong(now))
+        return fail(ProcedureFailure::TimeLimit);
+    if (seen.moving)
+        return Wait{};
+    m_watching = true;
+    return send(m_chip.watch(conditions(), m_recipe.stop));
+}
+
+HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
+    if (!seen.on)
+        return fail(ProcedureFailure::WentOff);
+    if (m_told) {  // to stop
+        if (tooLong(now))
+            return fail(ProcedureFailure::SwitchActive);
+        return stands(seen) ? beginSearch(seen, now) : Next(Wait{});
+    }
+    if (!anyActive(seen)) {
+        m_told = true;
+        return send(m_chip.stop(Stop::Smoothly));
+    }
+    // Stopped by the chip, a limit of the other side say, or gone far enough: it stays active.
+    const bool blocked = m_chip.stopsMotionItself() && !seen.moving && stands(seen);
+    if (blocked || tooFar(seen) || tooLong(now))
+        return fail(ProcedureFailure::SwitchActive);
+    return Wait{};
+}
+
+HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
+    if (!m_watching)
+        return getUpToSpeed(seen, now);
+    if (!seen.waiting) {
+        // On a chip that has stopped by itself this changes nothing; on the others it is the stop.
+        m_offSince.reset();
+        return enter(ProcedureStage::Stopping, now,
+                     seen.on ? m_chip.stop(m_recipe.stop) : HomingChip::Steps{});
+    }
+    if (!seen.on) {
+        if (!m_offSince)
+            m_offSince = now;
+        if (!mayGoOff() || now - *m_offSince > kToldLater)
+            return fail(ProcedureFailure::WentOff);
+        return Wait{};
+    }
+    if (tooFar(seen))
+        return fail(ProcedureFailure::TravelLimit);
+    if (tooLong(now))
+        return fail(ProcedureFailure::TimeLimit);
+    if (m_chip.stopsMotionItself() && !seen.moving && stands(seen))
+        return fail(ProcedureFailure::NotFound);
+    return Wait{};
+}
+
+HomingRun::Next HomingRun::settle(const HomingLook& seen, TimePoint now) {
+    if (!seen.on && !mayGoOff())
+        return fail(ProcedureFailure::WentOff);
+    if (!stands(seen))
+        return tooLong(now) ? fail(ProcedureFailure::TimeLimit) : Next(Wait{});
+    if (m_recipe.thenIndex && !inIndexSearch()) {
+        m_round = 2;
+        m_backedOff = false;
+        if (!seen.on)
+            return enter(ProcedureStage::Preparing, now, m_chip.enable());
+        return beginSearch(seen, now);
+    }
+    m_report.stage = ProcedureStage::Reading;
+    return read(seen, now);
+}
+
+HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
+    if (m_sent == Sent::Nothing)
+        return send(m_chip.read(false), Sent::FirstRead);
+    if (m_sent == Sent::FirstRead)
+        return send(m_chip.read(true), Sent::SecondRead);
+    m_sent = Sent::Nothing;
+    if (!m_report.home || m_report.home != m_firstReading) {
+        m_report.home.reset();
+        return fail(ProcedureFailure::ReadingsDiffer);
+    }
+    if (!m_recipe.goToHome)
+        return finish();
+    return enter(ProcedureStage::GoingHome, now, seen.on ? HomingChip::Steps{} : m_chip.enable());
+}
+
+HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
+    if (!seen.on)
+        return now - m_toldAt > kTakesEffect ? fail(ProcedureFailure::WentOff) : Next(Wait{});
+    const std::int32_t home = *m_report.home;
+    if (!m_told) {
+        m_told = true;
+        if (seen.position != home) {
+            HomingChip::Motion slowly = motion();
+            slowly.velocity = m_recipe.velocity;
+            return send(m_chip.goTo(home, slowly));
+        }
+    }
+    if (!stands(seen))
+        return tooLong(now) ? fail(ProcedureFailure::TimeLimit) : Next(Wait{});
+    if (!m_stillSince)
+        m_stillSince = now;
+    if (!m_recipe.makeZero)
+        return finish();
+    if (seen.position == home)
+        return enter(ProcedureStage::Zeroing, now, m_chip.zero());
+    // The zero would be off by what it is off now: the chip calls the motor's position 0, not the goal.
+    return now - *m_stillSince > kLastCount ? fail(ProcedureFailure::NotAtHome) : Next(Wait{});
+}
+
+HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {
+    if (way(0, seen.position) <= static_cast<double>(Standstill::kStill))
+        return finish();
+    return now - m_toldAt > kTakesEffect ? fail(ProcedureFailure::Refused) : Next(Wait{});
+}
+
+/// What a later safety stop, or a hand on the switch, does must not look like home.
+HomingRun::Next HomingRun::finish() {
+    return send(m_chip.disarm(), Sent::LastWord);
+}
+
+HomingRun::Next HomingRun::fail(ProcedureFailure failure) {
+    if (!m_end) {
+        m_end = ProcedureStage::Failed;
+        m_report.failure = failure;
+        m_told = false;
+    }
+    return Wait{};  // and next() gives up at once
+}
+
+/// Stops what this run may have set going, and what it told the chip to watch for.
+HomingRun::Next HomingRun::giveUp(const ModuleState& module) {
+    if (std::exchange(m_told, true)) {
+        m_report.stage = *m_end;
+        return End{};
+    }
+    m_report.stage = ProcedureStage::Stopping;
+    const auto seen = m_chip.look(module);
+    HomingChip::Steps steps;
+    // To what is off the stop would be what switches it on.
+    if (m_mayStop && seen && seen->on)
+        steps = m_chip.stop(Stop::Smoothly);
+    const HomingChip::Steps disarm = m_chip.disarm();
+    steps.insert(steps.end(), disarm.begin(), disarm.end());
+    return send(std::move(steps));
+}
+
+HomingRun::Next HomingRun::send(HomingChip::Steps steps, Sent what) {
+    m_sent = what;
+    m_inFlight = true;
+    return Send{std::move(steps)};
+}
+
+HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps) {
+    m_report.stage = stage;
+    m_told = false;
+    m_began = m_toldAt = now;
+    m_standstill.reset();
+    m_offSince.reset();
+    return steps.empty() ? Next(Wait{}) : send(std::move(steps));
+}
+
+void HomingRun::onFinished(bus::Outcome outcome) {
+    m_inFlight = false;
+    if (m_end || outcome == bus::Outcome::Done)
+        return;
+    m_told = false;
+    if (outcome == bus::Outcome::Cancelled) {
+        m_end = ProcedureStage::Cancelled;
+        m_mayStop = false;
+    } else {
+        m_end = ProcedureStage::Failed;
+        m_report.failure = ProcedureFailure::Refused;
+    }
+}
+
+void HomingRun::onLinkSuspect() {
+    if (!m_report.over())
+        std::ignore = fail(ProcedureFailure::LinkSuspect);
+}
+
+void HomingRun::cancel() {
+    if (m_end || m_report.over())
+        return;
+    m_end = ProcedureStage::Cancelled;
+    m_told = false;
+}
+
+HomeConditions HomingRun::conditions() const {
+    HomeConditions wanted;
+    if (inIndexSearch()) {
+        wanted.index = true;
+        return wanted;
+    }
+    wanted.limit1 = m_recipe.onLimit1;
+    wanted.limit2 = m_recipe.onLimit2;
+    wanted.index = m_recipe.onIndex;
+    wanted.positionError = m_recipe.onPositionError;
+    wanted.currentLimit = m_recipe.onCurrentLimit;
+    wanted.homeSwitch = m_recipe.onHomeSwitch;
+    return wanted;
+}
+
+HomingChip::Motion HomingRun::motion() const {
+    if (inIndexSearch())
+        return {!m_recipe.reverse, m_recipe.indexVelocity, m_recipe.acceleration};
+    return {m_recipe.reverse, m_recipe.velocity, m_recipe.acceleration};
+}
+
+bool HomingRun::anyActive(const HomingLook& seen) const {
+    const HomeConditions wanted = conditions();
+    return (wanted.limit1 && seen.active.limit1) || (wanted.limit2 && seen.active.limit2) ||
+           (wanted.index && seen.active.index) || (wanted.homeSwitch && seen.active.homeSwitch);
+}
+
+bool HomingRun::tooFar(const HomingLook& seen) const {
+    return way(m_from, seen.position) > m_recipe.travelLimit;
+}
+
+bool HomingRun::tooLong(TimePoint now) const {
+    return toSeconds(now - m_began) > m_recipe.timeLimit;
+}
+
+bool HomingRun::stands(const HomingLook& seen) {
+    return m_standstill.look(seen.time, seen.position, seen.moving);
+}
+
+}  // namespace nmc

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "model/procedure/homingchip.h"
+#include "model/procedure/procedure.h"
+#include "model/procedure/standstill.h"
+
+namespace nmc {
+
+/// One search for home, from where the motor stands (DS-V 5.2, DS-S 5.1 Set Homing Mode): backs off from a
+/// switch that is active, searches, sees to it that the motor stops, reads the captured position twice, and
+/// where that is wanted goes there and makes it zero. A servo that the search itself has switched off is
+/// switched on again for what comes behind it, never at the end.
+///
+/// It is done only if every look at the module in between could be believed; it ends with the chip not
+/// watching for home any more, and, when it fails, with a stop of a motor that is on.
+class HomingRun : public Procedure {
+public:
+    /// `recipe` fits the module (model/intent/homingplan.h).
+    HomingRun(HomingRecipe recipe, const ModuleState& module);
+
+    [[nodiscard]] Next next(const ModuleState& module, TimePoint now) override;
+    void onFinished(bus::Outcome outcome) override;
+    void onLinkSuspect() override;
+    void cancel() override;
+    [[nodiscard]] ProcedureReport report() const override { return m_report; }
+
+private:
+    enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
+
+    [[nodiscard]] Next decide(const ModuleState& module, TimePoint now);
+    [[nodiscard]] Next proceed(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next prepare(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next backOff(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next search(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next getUpToSpeed(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next settle(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next makeZero(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next finish();
+    [[nodiscard]] Next fail(ProcedureFailure failure);
+    [[nodiscard]] Next giveUp(const ModuleState& module);
+    [[nodiscard]] Next send(HomingChip::Steps steps, Sent what = Sent::Commands);
+    [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps);
+
+    [[nodiscard]] bool inIndexSearch() const { return m_round == 2; }
+    [[nodiscard]] HomeConditions conditions() const;
+    [[nodiscard]] HomingChip::Motion motion() const;
+    [[nodiscard]] bool startsUnwatched() const;
+    [[nodiscard]] bool mayGoOff() const { return m_goesOff; }
+    [[nodiscard]] bool anyActive(const HomingLook& seen) const;
+    [[nodiscard]] bool tooFar(const HomingLook& seen) const;
+    [[nodiscard]] bool tooLong(TimePoint now) const;
+    [[nodiscard]] bool stands(const HomingLook& seen);
+
+    HomingRecipe m_recipe;
+    HomingChip m_chip;
+    ProcedureReport m_report;
+    Sent m_sent = Sent::Nothing;
+    bool m_inFlight = false;
+    bool m_goesOff = false;  ///< finding home switches the motor off
+    unsigned m_round = 1;    ///< 2: the index, where it comes second
+    bool m_prepared = false;
+    bool m_told = false;  ///< within its stage: the stop, the move, the reset
+    bool m_backedOff = false;
+    bool m_watching = false;  ///< the chip has been told what to look for
+    TimePoint m_toldAt;       ///< when the last operation had ended; older statuses tell nothing about it
+    TimePoint m_began;        ///< of a stage's time limit
+    std::int32_t m_from = 0;  ///< of a search's travel limit
+    std::optional<std::int32_t> m_firstReading;
+    std::optional<TimePoint> m_offSince;
+    std::optional<TimePoint> m_stillSince;
+    Standstill m_standstill;
+    bool m_mayStop =
+        true;  ///< false: whoever cancelled the commands has stopped the motor, or switched it off
+    std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once the stop is out
+};
+
+}  // namespace nmc

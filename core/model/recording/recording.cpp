@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "model/recording/recording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/recording/numbertext.h"
+#include "model/recording/recordingwords.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr std::size_t kMaxText = 500;  ///< bytes of one value
+
+constexpr std::string_view kMeaning =
+    "#\n"
+    "# One row per status reply in the order of arrival. An empty cell is not known.\n"
+    "# module = 1 is the module farthest from the computer\n"
+    "# time_s = seconds since the start when the module latched the reply\n"
+    "# position = counts of a PIC-SERVO or steps of a PIC-STEP, 32 bits that wrap\n"
+    "# velocity_per_s = counts or steps per second from the positions of the last 20 ms\n"
+    "# command = where the module was told to be by that time (calculated) in counts or steps\n"
+    "# error = command minus position (calculated) and the true error is from error_low to error_high\n"
+    "# analog = the A/D byte, which stands for analog at zero + byte x analog per count\n"
+    "# status and aux = bytes as in the data sheet, decimal, aux of a PIC-STEP being its inputs\n"
+    "# gap = 1 where replies of this module are missing before the row\n"
+    "# Divide by counts per unit to get the unit of the module.\n"
+    "#\n";
+
+template <typename Real>
+void appendReal(std::string& out, Real number) {
+    if (std::isfinite(number))
+        appendNumber(out, number);
+}
+
+/// Seconds with nine decimals: every nanosecond, exactly.
+void appendTime(std::string& out, Duration time) {
+    constexpr std::int64_t kSecond = 1'000'000'000;
+    const std::int64_t ns = time.count();
+    if (ns < 0)
+        out += '-';
+    appendNumber(out, std::abs(ns / kSecond));
+    std::array<char, 10> fraction{'.'};
+    std::int64_t rest = std::abs(ns % kSecond);
+    for (std::size_t i = fraction.size() - 1; i > 0; --i, rest /= 10)
+        fraction[i] = static_cast<char>('0' + rest % 10);
+    out.append(fraction.data(), fraction.size());
+}
+
+/// A line of its own, whatever a module is called.
+std::string oneLine(std::string_view text) {
+    std::string line(text.substr(0, kMaxText));
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    return line;
+}
+
+void appendEntry(std::string& out, std::string_view key, std::string_view value) {
+    if (!value.empty())
+        out.append("# ").append(key).append(words::kBehindKey).append(oneLine(value)) += '\n';
+}
+
+std::string typeText(ModuleType type) {
+    const std::string number = std::to_string(static_cast<int>(type));
+    switch (type) {
+        case ModuleType::Servo:
+            return number + " (PIC-SERVO)";
+        case ModuleType::Step:
+            return number + " (PIC-STEP)";
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return number;
+}
+
+void appendModule(std::string& out, const RecordingModule& module) {
+    const std::string prefix = std::string(words::kModule) + std::to_string(module.index.value() + 1) + ' ';
+    const auto entry = [&](std::string_view key, std::string_view value) {
+        appendEntry(out, prefix + std::string(key), value);
+    };
+    entry(words::kType, typeText(module.identity.type));
+    entry(words::kVersion, std::to_string(module.identity.version));
+    entry(words::kName, module.name);
+    entry(words::kUnit, words::kUnits[static_cast<std::size_t>(module.unit.kind)]);
+    entry(words::kOwnSymbol, module.unit.ownSymbol);
+    entry(words::kPerUnit, textOf(module.unit.countsPerUnit));
+    entry(words::kAnalogUnit, module.analog.unit);
+    entry(words::kAnalogPerCount, textOf(module.analog.perCount));
+    entry(words::kAnalogAtZero, textOf(module.analog.atZero));
+}
+
+void appendColumnNames(std::string& out) {
+    for (const std::string_view name : kRecordingColumns)
+        out.append(name) += name == kRecordingColumns.back() ? '\n' : ',';
+}
+
+}  // namespace
+
+std::string recordingHead(const RecordingHeader& header) {
+    std::string out(kRecordingMagic);
+    out += std::to_string(kRecordingVersion) + '\n';
+    appendEntry(out, words::kProgram, header.program);
+    appendEntry(out, words::kStarted, header.startedAt);
+    appendEntry(out, words::kPort, header.port);
+    appendEntry(out, words::kSimulated, header.simulated ? "yes (no real motor moved)" : "no");
+    for (const RecordingModule& module : header.modules)
+        appendModule(out, module);
+    out += kMeaning;
+    appendColumnNames(out);
+    return out;
+}
+
+void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, TimePoint zero) {
+    appendNumber(out, module.value() + 1);
+    out += ',';
+    appendTime(out, sample.time - zero);
+    out += ',';
+    appendNumber(out, sample.position);
+    out += ',';
+    appendReal(out, sample.velocity);
+    out += ',';
+    appendReal(out, sample.command());
+    out += ',';
+    appendReal(out, sample.error);
+    out += ',';
+    appendReal(out, sample.errorLow);
+    out += ',';
+    appendReal(out, sample.errorHigh);
+    for (const int byte : {+sample.analog, +sample.status, +sample.aux}) {
+        out += ',';
+        appendNumber(out, byte);
+    }
+    out += sample.gapBefore ? ",1\n" : ",0\n";
+}
+
+void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
+    if (!change.gains)
+        return appendNote(out, "gains of module " + std::to_string(change.module.value() + 1) + " unknown",
+                          change.time, zero);
+    out.append("# ").append(words::kGains);
+    appendNumber(out, change.module.value() + 1);
+    out += words::kAt;
+    appendTime(out, change.time - zero);
+    out += words::kSeconds;
+    const auto append = [&out](std::string_view word, int value, ValueRange /*range*/) {
+        out.append(word) += ' ';
+        appendNumber(out, value);
+        out += ' ';
+    };
+    words::forEachGain(append, *change.gains);
+    if (change.gains->db)
+        append(words::kDeadband, *change.gains->db, servo::kByteRange);
+    out.back() = '\n';
+}
+
+void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero) {
+    out.append("# note").append(words::kAt);
+    appendTime(out, time - zero);
+    out.append(words::kSeconds).append(oneLine(text)) += '\n';
+}
+
+std::string recordingOf(const RecordingHeader& header, const History& history) {
+    struct Next {
+        ModuleIndex module;
+        std::vector<ScopeSample> samples;
+        std::size_t place = 0;
+        [[nodiscard]] bool over() const { return place == samples.size(); }
+        [[nodiscard]] TimePoint time() const { return samples[place].time; }
+    };
+    std::vector<Next> modules;
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleIndex module(static_cast<std::uint8_t>(i));
+        modules.push_back({module, history.module(module)->samples(TimePoint::min(), TimePoint::max())});
+    }
+    std::string out = recordingHead(header);
+    auto gains = history.gains().begin();
+    for (;;) {
+        const auto next = std::min_element(modules.begin(), modules.end(), [](const Next& a, const Next& b) {
+            return !a.over() && (b.over() || a.time() < b.time());
+        });
+        const bool over = next == modules.end() || next->over();
+        for (; gains != history.gains().end() && (over || gains->time <= next->time()); ++gains)
+            appendGains(out, *gains, header.zero);
+        if (over)
+            return out;
+        appendRow(out, next->module, next->samples[next->place++], header.zero);
+    }
+}
+
+}  // namespace nmc

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "model/response/stepmetrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace nmc {
+
+namespace {
+
+constexpr double kLastPart = 0.2;
+constexpr std::size_t kFewest = 3;
+/// An encoder tells no less than a count.
+constexpr double kHalfCount = 0.5;
+
+/// Where the motor was, in counts along the step: 0 at its goal, negative before it.
+struct Look {
+    double seconds = 0.0;
+    double beyond = 0.0;
+};
+
+/// Where the straight line between two looks is at `level`.
+[[nodiscard]] Measured crossing(const Look& a, const Look& b, double level) {
+    const double part = (level - a.beyond) / (b.beyond - a.beyond);
+    return {a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
+}
+
+[[nodiscard]] std::optional<Measured> firstAt(const std::vector<Look>& looks, double level) {
+    for (std::size_t i = 1; i < looks.size(); ++i)
+        if (looks[i].beyond >= level)
+            return crossing(looks[i - 1], looks[i], level);
+    return std::nullopt;
+}
+
+[[nodiscard]] StepMetrics::Result<Measured> riseOf(const std::vector<Look>& looks, double step,
+                                                   double timeDoubt) {
+    const auto low = firstAt(looks, -step * 9 / 10);
+    const auto high = firstAt(looks, -step / 10);
+    if (!low || !high)
+        return tl::unexpected(Unmeasured::NeverRose);
+    return Measured{high->value - low->value, low->doubt + high->doubt + timeDoubt};
+}
+
+/// How far the parabola through three looks is above the middle one, which is the highest.
+[[nodiscard]] double aboveMiddle(const Look& a, const Look& b, const Look& c) {
+    const double before = (b.beyond - a.beyond) / (b.seconds - a.seconds);
+    const double after = (c.beyond - b.beyond) / (c.seconds - b.seconds);
+    const double bend = (after - before) / (c.seconds - a.seconds);
+    if (bend >= 0)
+        return 0.0;
+    const double slope =
+        (before * (c.seconds - b.seconds) + after * (b.seconds - a.seconds)) / (c.seconds - a.seconds);
+    return slope * slope / (-4 * bend);
+}
+
+[[nodiscard]] Measured overshootOf(const std::vector<Look>& looks, double step) {
+    const auto highest = std::max_element(looks.begin(), looks.end(),
+                                          [](const Look& a, const Look& b) { return a.beyond < b.beyond; });
+    double added = 0.0;
+    if (highest != looks.begin() && highest + 1 != looks.end())
+        added = aboveMiddle(*(highest - 1), *highest, *(highest + 1));
+    const double over = std::max(0.0, highest->beyond + added);
+    return {100 * over / step, 100 * (added + kHalfCount) / step};
+}
+
+[[nodiscard]] StepMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double band,
+                                                       double lastPart, double timeDoubt) {
+    const auto outside = [band](const Look& look) { return std::abs(look.beyond) > band; };
+    const auto last = std::find_if(looks.rbegin(), looks.rend(), outside);
+    if (last == looks.rend())
+        return Measured{0.0, timeDoubt};
+    if (last->seconds >= lastPart)
+        return tl::unexpected(Unmeasured::NeverSettled);
+    const Look& inside = *(last - 1);  // backwards, so the one after
+    Measured settled = crossing(*last, inside, last->beyond > 0 ? band : -band);
+    settled.doubt += timeDoubt;
+    return settled;
+}
+
+[[nodiscard]] StepMetrics::Result<Measured> steadyErrorOf(std::span<const StepPoint> points, double goal,
+                                                          double lastPart) {
+    double sum = 0.0, lowest = 0.0, highest = 0.0;
+    std::size_t count = 0;
+    for (const StepPoint& point : points) {
+        if (point.seconds < lastPart)
+            continue;
+        lowest = count == 0 ? point.position : std::min(lowest, point.position);
+        highest = count == 0 ? point.position : std::max(highest, point.position);
+        sum += point.position;
+        ++count;
+    }
+    if (count < kFewest)
+        return tl::unexpected(Unmeasured::TooFewSamples);
+    return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
+}
+
+}  // namespace
+
+StepMetrics measureStep(std::span<const StepPoint> points, double from, double goal, double band,
+                        double timeDoubt) {
+    const double step = std::abs(goal - from);
+    std::vector<Look> looks{{0.0, -step}};  // when the command is latched it still stands
+    for (const StepPoint& point : points)
+        if (point.seconds > looks.back().seconds)
+            looks.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
+    if (looks.size() <= kFewest) {
+        const auto none = tl::unexpected(Unmeasured::TooFewSamples);
+        return {none, none, none, none, 0.0};
+    }
+    const double length = looks.back().seconds;
+    const double lastPart = length * (1 - kLastPart);
+    StepMetrics metrics{riseOf(looks, step, timeDoubt), overshootOf(looks, step),
+                        settlingOf(looks, band, lastPart, timeDoubt), steadyErrorOf(points, goal, lastPart),
+                        0.0};
+    metrics.interval = (length - looks[1].seconds) / static_cast<double>(looks.size() - 2);
+    return metrics;
+}
+
+}  // namespace nmc

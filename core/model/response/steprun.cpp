@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "model/response/steprun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace nmc {
+
+namespace {
+
+/// Either end of a time is known to half a tick (bus::Sample).
+constexpr Duration kTimeDoubt = kServoTick;
+
+/// Positions wrap at 32 bits.
+[[nodiscard]] double near(std::int32_t from, std::int32_t position) {
+    const auto way = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(from);
+    return static_cast<double>(from) + static_cast<double>(static_cast<std::int32_t>(way));
+}
+
+}  // namespace
+
+double StepRun::band() const {
+    const double step = static_cast<double>(taken.goal) - static_cast<double>(taken.from);
+    return std::max(1.0, std::abs(step) * bandPercent / 100);
+}
+
+StepRun takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const StepTaken& taken,
+                double bandPercent) {
+    StepRun run;
+    run.module = module;
+    run.taken = taken;
+    for (const ScopeSample& sample : samples) {
+        if (sample.time < taken.at - kBeforeStep || sample.time > taken.at + fromSeconds(taken.record))
+            continue;
+        run.points.push_back({toSeconds(sample.time - taken.at), near(taken.from, sample.position)});
+        if (sample.time < taken.at && sample.errorKnown())
+            run.pwm = pwmDemand(taken.gains, static_cast<double>(sample.error),
+                                static_cast<double>(taken.goal) - static_cast<double>(taken.from));
+    }
+    setBand(run, bandPercent);
+    return run;
+}
+
+void setBand(StepRun& run, double bandPercent) {
+    run.bandPercent = bandPercent;
+    // Positions are whole counts: the edge is half-way from the last one inside to the first one outside.
+    const double edge = std::floor(run.band()) + 0.5;
+    run.metrics = measureStep(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
+}
+
+}  // namespace nmc

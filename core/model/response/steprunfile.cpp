@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "model/response/steprunfile.h"
+
+#include "model/recording/numbertext.h"
+#include "model/recording/recording.h"
+
+namespace nmc {
+
+namespace {
+
+class Comments {
+public:
+    Comments(std::string& out, int run) : m_out(out), m_prefix("# run " + textOf(run) + ' ') {}
+
+    void add(std::string_view key, std::string_view value) {
+        m_out.append(m_prefix).append(key).append(": ");
+        // One line without a comma, whatever a module is called: no spreadsheet tears it.
+        for (const char c : value)
+            m_out += c == ',' ? ';' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+        m_out += '\n';
+    }
+    void add(std::string_view key, const StepMetrics::Result<Measured>& result, std::string_view unit) {
+        if (result)
+            add(key, textOf(result->value) + ' ' + std::string(unit) + " +- " + textOf(result->doubt));
+    }
+
+private:
+    std::string& m_out;
+    std::string m_prefix;
+};
+
+std::string_view wayText(StepWay way) {
+    switch (way) {
+        case StepWay::Profile:
+            return "by a profile of one tick";
+        case StepWay::StopHere:
+            return "by Stop Here";
+    }
+    return {};
+}
+
+void appendMetrics(Comments& comments, const StepRun& run) {
+    comments.add("rise from 10 to 90 %", run.metrics.rise, "s");
+    comments.add("overshoot", run.metrics.overshoot, "% of the step");
+    comments.add("settling to within " + textOf(run.band()) + " counts", run.metrics.settling, "s");
+    comments.add("steady-state error", run.metrics.steadyError, "counts");
+    if (run.pwm)
+        comments.add("peak PWM demand", (run.pwm->limited() ? "limited to " : "at least ") +
+                                            textOf(run.pwm->output()) + " of 255");
+}
+
+void appendRun(std::string& out, const KeptRun& kept) {
+    const StepTaken& taken = kept.run.taken;
+    Comments comments(out, kept.number);
+    comments.add("started", kept.startedAt);
+    comments.add("port", kept.port);
+    comments.add("simulated", kept.simulated ? "yes (no real motor moved)" : "no");
+    comments.add("module", kept.moduleName);
+    comments.add("counts per unit", textOf(kept.scale.counts(1.0)));
+    comments.add("step", textOf(taken.from) + " to " + textOf(taken.goal) + " counts " +
+                             std::string(wayText(taken.way)));
+    appendGains(out, GainsChange{kept.run.module, taken.at, taken.gains}, taken.at);
+    appendMetrics(comments, kept.run);
+}
+
+}  // namespace
+
+std::string stepRunsCsv(std::string_view program, std::span<const KeptRun> runs) {
+    std::string out = "# NMC Panel step responses 1\n# program: ";
+    out.append(program) += '\n';
+    for (const KeptRun& kept : runs)
+        appendRun(out, kept);
+    out +=
+        "# time_s = seconds since the module latched the step\n"
+        "# position and from_start = counts\n"
+        "run,time_s,position,from_start\n";
+    for (const KeptRun& kept : runs)
+        for (const StepPoint& point : kept.run.points)
+            out += textOf(kept.number) + ',' + textOf(point.seconds) + ',' + textOf(point.position) + ',' +
+                   textOf(point.position - kept.run.taken.from) + '\n';
+    return out;
+}
+
+}  // namespace nmc

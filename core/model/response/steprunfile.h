@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "model/response/steprun.h"
+#include "model/settings/axisscale.h"
+
+namespace nmc {
+
+/// A step response with what it is labelled by wherever it is listed or saved.
+struct KeptRun {
+    int number = 0;  ///< from 1
+    StepRun run;
+    std::string startedAt;   ///< ISO 8601 with the offset of the zone, of the step
+    std::string moduleName;  ///< UTF-8
+    AxisScale scale;
+    std::string port;
+    bool simulated = false;
+};
+
+/// For spreadsheets and people: comments that tell of each run, then one row per sample. UTF-8, line feeds,
+/// the C locale whatever the user's:
+///
+///     # NMC Panel step responses 1
+///     # program: NMC Panel 0.6.0
+///     # run 1 started: 2026-11-21T21:21:02.123+01:00
+///     # run 1 port: simulator
+///     # run 1 simulated: yes (no real motor moved)
+///     # run 1 module: Module 1
+///     # run 1 counts per unit: 1
+///     # run 1 step: 0 to 100 counts by a profile of one tick
+///     # gains of module 1 at 0.000000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 0
+///     # run 1 rise: 0.012 s +- 0.001
+///     # ...
+///     run,time_s,position,from_start
+///     1,-0.0195,3,0
+///
+/// What could not be measured is not there.
+[[nodiscard]] std::string stepRunsCsv(std::string_view program, std::span<const KeptRun> runs);
+
+}  // namespace nmc

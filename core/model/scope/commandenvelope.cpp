@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/commandenvelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+/// How far the chip's steps are from the curve half a servo tick ahead of them. With the acceleration a the
+/// N-th step is at a N(N+1)/2, the curve at a (N + 1/2)^2 / 2: a/8 more. A velocity that is reached within a
+/// tick leaves less; an acceleration that is larger than the velocity, half a tick of it.
+double stepHeight(double change, double acceleration) {
+    return std::min(acceleration / 8, std::abs(change) / 2);
+}
+
+/// The same once the velocity is reached, `change` / `acceleration` being M ticks and a fraction f: the steps
+/// are at a (M(M+1)/2 + M + f), the curve is a f(1-f)/2 further.
+double stepsBehind(double change, double acceleration) {
+    if (acceleration <= 0.0)
+        return 0.0;
+    const double ticks = std::abs(change) / acceleration;
+    const double fraction = ticks - std::floor(ticks);
+    return std::copysign(acceleration * fraction * (1.0 - fraction) / 2, change);
+}
+
+}  // namespace
+
+CommandEnvelope::CommandEnvelope(const CommandEstimate& held)
+    : m_curves{Curve{ProfileCurve::rest(held.low), {}}, Curve{ProfileCurve::rest(held.position), {}},
+               Curve{ProfileCurve::rest(held.high), {}}} {}
+
+void CommandEnvelope::Curve::moveStart(Duration later) {
+    // Until then it goes on as it did.
+    profile = profile.shifted(profile.velocity(0.0) * toSeconds(later));
+    start += later;
+}
+
+ProfileCurve::Range CommandEnvelope::range(Side side, const Moments& when) const {
+    const Curve& curve = m_curves[side];
+    const double earliest = curve.seconds(when.earliest);
+    const double latest = curve.seconds(when.latest);
+    ProfileCurve::Range range = curve.profile.range(earliest * (1.0 - kClock), latest * (1.0 + kClock));
+    if (earliest < curve.profile.endOf(ProfileCurve::Phase::Last) + m_settling) {
+        range.low -= m_steps;
+        range.high += m_steps;
+    }
+    return {std::clamp(range.low, m_ends.low, m_ends.high), std::clamp(range.high, m_ends.low, m_ends.high)};
+}
+
+CommandEstimate CommandEnvelope::at(const Moments& when) const {
+    const double low = range(Low, when).low;
+    const double high = std::max(low, range(High, when).high);
+    const Curve& likely = m_curves[Likely];
+    return {std::clamp(likely.profile.position(likely.seconds(when.likely)), low, high), low, high};
+}
+
+TimePoint CommandEnvelope::pick(Side side, bool up, const Moments& when) {
+    if (side == Likely)
+        return when.likely;
+    return (side == High) == up ? when.earliest : when.latest;
+}
+
+void CommandEnvelope::moveTo(double goal, double velocity, Pace pace, const Moments& when) {
+    const double perSecond = 1.0 / pace.tick;
+    m_ends = {std::min(goal, m_curves[Low].profile.position(0.0)),
+              std::max(goal, m_curves[High].profile.position(0.0))};
+    double ticks = 0;
+    for (const Side side : {Low, Likely, High}) {
+        const double from = m_curves[side].profile.position(0.0);
+        const auto profile = ProfileCurve::trapezoid(from, goal, velocity * perSecond,
+                                                     pace.acceleration * perSecond * perSecond);
+        m_curves[side] = {profile, pick(side, goal > from, when)};
+        ticks = std::max(ticks, profile.endOf(ProfileCurve::Phase::Last) * perSecond);
+    }
+    // The chip rounds its velocity to 1/65536 count per tick while it slows down towards its goal (4.4).
+    const double rounding = std::isfinite(ticks) ? ticks / 65'536.0 : 0.0;
+    m_steps = stepHeight(velocity, pace.acceleration) + rounding;
+    m_settling = 2 * pace.tick;
+}
+
+void CommandEnvelope::changeVelocity(double velocity, Pace pace, const Moments& when) {
+    for (const Side side : {Low, Likely, High})
+        changeVelocity(side, velocity, pace, when);
+    m_steps = m_settling = 0.0;
+    m_ends = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+
+void CommandEnvelope::changeVelocity(Side side, double velocity, Pace pace, const Moments& when) {
+    Curve& curve = m_curves[side];
+    const double perSecond = 1.0 / pace.tick;
+    const double before =
+        m_settling > 0.0 ? curve.profile.velocity(curve.seconds(when.likely)) : curve.profile.goalVelocity();
+    const TimePoint start = pick(side, velocity * perSecond >= before, when);
+    const double from = curve.profile.velocity(curve.seconds(start));
+    const double change = velocity - from * pace.tick;
+    double position = 0;
+    if (side == Likely) {
+        position = curve.profile.position(curve.seconds(start)) - stepsBehind(change, pace.acceleration);
+    } else {
+        const ProfileCurve::Range reached = range(side, {start, start, start});
+        const double steps = stepHeight(change, pace.acceleration);
+        position = side == Low ? reached.low - (change > 0.0 ? steps : 0.0)
+                               : reached.high + (change < 0.0 ? steps : 0.0);
+    }
+    curve = {ProfileCurve::velocityChange(position, from, velocity * perSecond,
+                                          pace.acceleration * perSecond * perSecond),
+             start};
+}
+
+void CommandEnvelope::makeZero(Pace pace, const Moments& when) {
+    const double perSecond = 1.0 / pace.tick;
+    for (const Side side : {Low, Likely, High}) {
+        Curve& curve = m_curves[side];
+        const bool up = curve.profile.velocity(curve.seconds(when.likely)) > 0.0;
+        const TimePoint start = pick(side, up, when);
+        curve = {ProfileCurve::velocityChange(0.0, curve.profile.velocity(curve.seconds(start)),
+                                              curve.profile.goalVelocity(),
+                                              pace.acceleration * perSecond * perSecond),
+                 start};
+    }
+    m_steps = m_settling = 0.0;
+    m_ends = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+
+void CommandEnvelope::stretch(double factor, const Moments& before, const Moments& after) {
+    for (const Side side : {Low, Likely, High}) {
+        Curve& curve = m_curves[side];
+        const bool up = curve.profile.velocity(curve.seconds(before.likely)) > 0.0;
+        // As far on its way as it may be and on from there at the first moment, or the contrary.
+        const double s = curve.seconds(pick(side, !up, before));
+        curve = {curve.profile.stretched(factor), pick(side, up, after) - fromSeconds(s * factor)};
+    }
+    m_settling *= factor;
+}
+
+void CommandEnvelope::ended(ProfileCurve::Phase phase, TimePoint by) {
+    std::array<Duration, 3> late{};
+    for (const Side side : {Low, Likely, High}) {
+        const double length = m_curves[side].profile.endOf(phase);
+        if (!std::isfinite(length))
+            return;
+        late[side] = m_curves[side].start + fromSeconds(length) - by;
+    }
+    const auto [least, most] = std::minmax_element(late.begin(), late.end());
+    const bool contradicts = *least > Duration{};
+    for (const Side side : {Low, Likely, High})
+        m_curves[side].moveStart(-(contradicts ? *most : std::max(Duration{}, late[side])));
+}
+
+void CommandEnvelope::goesOn(ProfileCurve::Phase phase, TimePoint yet) {
+    std::array<Duration, 3> early{};
+    for (const Side side : {Low, Likely, High}) {
+        const double length = m_curves[side].profile.endOf(phase);
+        if (!std::isfinite(length))
+            return;
+        early[side] = yet - (m_curves[side].start + fromSeconds(length));
+    }
+    const auto [least, most] = std::minmax_element(early.begin(), early.end());
+    const bool contradicts = *least > Duration{};
+    for (const Side side : {Low, Likely, High})
+        m_curves[side].moveStart(contradicts ? *most : std::max(Duration{}, early[side]));
+}
+
+}  // namespace nmc

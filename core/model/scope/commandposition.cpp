@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/commandposition.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+using Phase = ProfileCurve::Phase;
+
+/// Until a command surely shows in what the chip reports: a servo tick, and another one to be safe.
+constexpr int kShowsAfter = 2;
+
+}  // namespace
+
+void CommandPosition::apply(const bus::CommandExecuted& executed) {
+    const auto* command = std::get_if<ServoCommand>(&executed.command);
+    if (command == nullptr)
+        return;
+    if (const auto* trajectory = std::get_if<servo::LoadTrajectory>(command)) {
+        load(*trajectory);
+        if (trajectory->startNow)
+            start(executed);
+    } else if (std::holds_alternative<StartMotion>(*command)) {
+        start(executed);
+    } else if (const auto* stopMotor = std::get_if<servo::StopMotor>(command)) {
+        stop(*stopMotor, executed);
+    } else if (std::holds_alternative<ResetPosition>(*command)) {
+        zero(executed);
+    } else if (const auto* gains = std::get_if<servo::SetGain>(command)) {
+        setServoRate(gains->sr, executed);
+    } else if (const auto* homing = std::get_if<servo::SetHoming>(command)) {
+        arm(*homing, executed);
+    }
+}
+
+void CommandPosition::apply(const bus::Sample& sample) {
+    if (sample.report.aux)
+        m_servoOn = servo::AuxByte{*sample.report.aux}.servoOn();
+    const servo::StatusByte status{sample.heard.value_or(sample.report.status)};
+    learnHome(sample, status);
+    if (!m_servoOn)
+        switchedOff();
+    else if (m_awaiting == Awaiting::HeldPosition)
+        learnHeldPosition(sample);
+    else if (sample.report.aux && sample.time >= m_effective)
+        learnProgress(sample, status, servo::AuxByte{*sample.report.aux});
+    if (sample.report.position)
+        m_lastPosition = *sample.report.position;
+}
+
+void CommandPosition::forget() {
+    m_envelope.reset();
+    m_motion = Motion::None;
+    m_awaiting = Awaiting::Nothing;
+    m_lastPosition.reset();
+}
+
+std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late) const {
+    if (!m_envelope)
+        return std::nullopt;
+    return m_envelope->at(shown(time, late));
+}
+
+Moments CommandPosition::shown(TimePoint time, Duration late) const {
+    const TimePoint likely = time + kServoTick / 2;
+    return {likely - m_tick / 2, likely, likely + m_tick / 2 + bus::kPromptWithin + late};
+}
+
+Moments CommandPosition::begun(TimePoint time, Duration late) const {
+    const TimePoint last = time + kServoTick / 2;
+    return {last - m_tick, last - m_tick / 2, last + bus::kPromptWithin + late};
+}
+
+// ---- Commands ----
+
+void CommandPosition::load(const servo::LoadTrajectory& load) {
+    m_loaded = load;
+    if (load.position)
+        m_goal = load.position->value();
+    if (load.velocity)
+        m_velocity = load.velocity->value() / 65'536.0;
+    if (load.acceleration)
+        m_acceleration = load.acceleration->value() / 65'536.0;
+}
+
+void CommandPosition::start(const bus::CommandExecuted& executed) {
+    m_commanded = executed.time;
+    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    if (!m_loaded.servo)
+        return switchedOff();
+    m_servoOn = true;
+    m_runningAcceleration = m_acceleration;
+    const Moments when = begun(executed.time, executed.late);
+    if (m_loaded.profile == servo::ProfileMode::Velocity) {
+        m_awaiting = Awaiting::Nothing;
+        return runAt(m_loaded.reverse ? -m_velocity : m_velocity, when);
+    }
+    const auto from = at(executed.time, executed.late);
+    m_awaiting = from ? Awaiting::Nothing : Awaiting::EndOfMove;
+    if (!from)
+        return;
+    rest(*from);
+    m_motion = Motion::Trapezoid;
+    m_envelope->moveTo(m_goal, m_velocity, {tick(), m_acceleration}, when);
+}
+
+void CommandPosition::runAt(double velocity, const Moments& when) {
+    m_motion = Motion::Velocity;
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_envelope)
+        m_envelope->changeVelocity(velocity, {tick(), m_runningAcceleration}, when);
+}
+
+void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed) {
+    if (stop.manner == servo::StopManner::AmplifierOnly)
+        return;
+    m_commanded = executed.time;
+    m_effective = executed.time + executed.late + kShowsAfter * m_tick;
+    m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
+    const bool wasOn = std::exchange(m_servoOn, true);
+    switch (stop.manner) {
+        case servo::StopManner::AmplifierOnly:
+            break;
+        case servo::StopManner::MotorOff:
+            switchedOff();
+            break;
+        case servo::StopManner::Here:
+            rest({static_cast<double>(stop.here.value()), static_cast<double>(stop.here.value()),
+                  static_cast<double>(stop.here.value())});
+            break;
+        case servo::StopManner::Abruptly:
+        case servo::StopManner::Smoothly:
+            if (!wasOn)
+                m_awaiting = Awaiting::HeldPosition;
+            else if (stop.manner == servo::StopManner::Smoothly)
+                runAt(0.0, begun(executed.time, executed.late));
+            else
+                freeze(shown(executed.time, executed.late));
+            break;
+    }
+}
+
+/// Actual and command position become 0; the goal of a move that was made means nothing any more.
+void CommandPosition::zero(const bus::CommandExecuted& executed) {
+    m_lastPosition.reset();
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_motion == Motion::Trapezoid)
+        m_motion = Motion::None;
+    if (m_envelope)
+        m_envelope->makeZero({tick(), m_runningAcceleration}, shown(executed.time, executed.late));
+}
+
+void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed) {
+    using servo::StopManner;
+    m_homing.reset();
+    const StopManner manner = homing.motorOff       ? StopManner::MotorOff
+                              : homing.stopAbruptly ? StopManner::Abruptly
+                                                    : StopManner::Smoothly;
+    if (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly)
+        m_homing = HomingStop{manner, executed.time + executed.late + kShowsAfter * kServoTick,
+                              shown(executed.time, executed.late)};
+}
+
+void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed) {
+    const Duration old = m_tick;
+    const Moments before = begun(executed.time, executed.late);
+    m_tick = kServoTick * divisor;
+    m_effective = std::max(m_effective, executed.time + executed.late + kShowsAfter * m_tick);
+    // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
+    // ticks are longer than others, setting the gains may begin one anew.
+    if (m_envelope && (m_tick != old || divisor > 1))
+        m_envelope->stretch(toSeconds(m_tick) / toSeconds(old), before, begun(executed.time, executed.late));
+}
+
+void CommandPosition::switchedOff() {
+    m_envelope.reset();
+    m_motion = Motion::None;
+    m_awaiting = Awaiting::Nothing;
+    m_servoOn = false;
+}
+
+void CommandPosition::rest(const CommandEstimate& held) {
+    m_envelope = CommandEnvelope(held);
+    m_motion = Motion::None;
+    m_awaiting = Awaiting::Nothing;
+}
+
+/// Stands still where it was then, if that is known.
+void CommandPosition::freeze(const Moments& when) {
+    m_motion = Motion::None;
+    if (m_awaiting == Awaiting::EndOfMove)
+        m_awaiting = Awaiting::Nothing;
+    if (m_envelope)
+        m_envelope = CommandEnvelope(m_envelope->at(when));
+}
+
+// ---- What the module says ----
+
+void CommandPosition::learnHome(const bus::Sample& sample, servo::StatusByte status) {
+    if (!m_homing || sample.time < m_homing->shows)
+        return;
+    const Moments now = shown(sample.time, sample.late);
+    if (status.homeInProgress())
+        m_homing->searching = now;
+    else
+        stopAtHome({m_homing->searching.earliest,
+                    m_homing->searching.likely + (now.likely - m_homing->searching.likely) / 2, now.latest});
+}
+
+/// The moment is not known better than from one status to the next.
+void CommandPosition::stopAtHome(const Moments& found) {
+    const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
+    if (manner == servo::StopManner::MotorOff)
+        return;  // the status says that it is off
+    m_velocity = 0.0;
+    m_effective = found.latest + kShowsAfter * m_tick;
+    if (manner == servo::StopManner::Smoothly)
+        runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2});
+    else
+        freeze(found);
+}
+
+/// In the answer to the command it is where it was at that moment. Later the motor may have moved on.
+void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
+    if (!sample.report.position)
+        return;
+    const double now = *sample.report.position;
+    const double before = sample.time == m_commanded ? now : m_lastPosition.value_or(now);
+    rest({(now + before) / 2, std::min(now, before), std::max(now, before)});
+}
+
+/// DS-V 5.3: move_done is clear in a trapezoidal move and while one velocity changes into another;
+/// accel_done and slew_done tell of trapezoidal moves only.
+void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux) {
+    if (status.moveDone() && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
+        return rest({m_goal, m_goal, m_goal});
+    if (!m_envelope || m_motion == Motion::None)
+        return;
+    // A phase is over with the first step at or behind its end, which the curve passes half a tick later; a
+    // chip may count one step more or less.
+    const Moments now = shown(sample.time, sample.late);
+    const auto learn = [&](Phase phase, bool over) {
+        if (over)
+            m_envelope->ended(phase, now.latest + m_tick / 2);
+        else
+            m_envelope->goesOn(phase, now.earliest - 2 * m_tick);
+    };
+    if (m_motion == Motion::Trapezoid) {
+        learn(Phase::Acceleration, aux.accelDone());
+        learn(Phase::Slew, aux.slewDone());
+    }
+    learn(Phase::Last, status.moveDone());
+}
+
+}  // namespace nmc

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/scopefeed.h"
+
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+/// A machine that is busy for a moment is no gap.
+constexpr Duration kPatience = std::chrono::milliseconds(20);
+constexpr double kRange = 4294967296.0;  ///< positions go round (DS-V 4.5)
+
+}  // namespace
+
+std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
+    m_command.apply(sample);
+    // A brief reply has neither; they stand as they were last reported.
+    m_aux = sample.report.aux.value_or(m_aux);
+    m_analog = sample.report.analog.value_or(m_analog);
+    if (!sample.report.position)
+        return std::nullopt;
+    ScopeSample made;
+    made.time = sample.time;
+    made.position = *sample.report.position;
+    made.analog = m_analog;
+    made.status = sample.report.status;
+    made.aux = m_aux;
+    made.gapBefore = missingBefore(sample);
+    if (made.gapBefore)
+        m_recent.clear();
+    made.velocity = velocity({made.time, made.position});
+    if (const auto command = m_command.at(sample.time, sample.late)) {
+        const double error = std::remainder(command->position - made.position, kRange);
+        made.error = static_cast<float>(error);
+        made.errorLow = static_cast<float>(error + (command->low - command->position));
+        made.errorHigh = static_cast<float>(error + (command->high - command->position));
+    }
+    return made;
+}
+
+void ScopeFeed::breakHere() {
+    m_recent.clear();
+    m_interval.reset();
+}
+
+bool ScopeFeed::missingBefore(const bus::Sample& sample) {
+    if (m_recent.empty())
+        return true;
+    const Place& last = m_recent.back();
+    const Duration since = sample.time - last.time;
+    const bool wrapped = std::abs(std::int64_t{*sample.report.position} - last.position) > INT32_MAX;
+    const bool missing = m_interval && since > kMissingAfter * *m_interval + kPatience;
+    // A slower pace is the usual one at once, a faster one by and by.
+    m_interval = !m_interval || missing ? since : *m_interval + (since - *m_interval) / 8;
+    return missing || wrapped;
+}
+
+float ScopeFeed::velocity(const Place& here) {
+    m_recent.push_back(here);
+    while (m_recent.size() > 2 && here.time - m_recent[1].time >= kVelocityTime)
+        m_recent.pop_front();
+    const Place& before = m_recent.front();
+    const Duration time = here.time - before.time;
+    if (time < kVelocityTime)
+        return ScopeSample::kUnknown;
+    const auto way = static_cast<double>(std::int64_t{here.position} - before.position);
+    return static_cast<float>(way / toSeconds(time));
+}
+
+}  // namespace nmc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "bus/types.h"
+#include "model/scope/commandposition.h"
+#include "model/scope/scopesample.h"
+
+namespace nmc {
+
+/// Makes samples for the scope of what one module says: adds velocity and calculated error, and marks where
+/// data is missing. Fed in the order of the bus. Pure.
+class ScopeFeed {
+public:
+    /// Velocity is the way of this time, or of one poll where polls are rarer.
+    static constexpr Duration kVelocityTime = std::chrono::milliseconds(20);
+    /// A sample that comes later than this many usual intervals has others missing before it: the same rule
+    /// by which a value is called old (interface.md, "Values").
+    static constexpr int kMissingAfter = 3;
+
+    void apply(const bus::CommandExecuted& executed) { m_command.apply(executed); }
+    /// Nothing of a status without a position.
+    [[nodiscard]] std::optional<ScopeSample> take(const bus::Sample& sample);
+    /// Whether a command was carried out is not known, or the module has restarted: the command position is
+    /// unknown until a command fixes it again.
+    void doubt() { m_command.forget(); }
+    /// The next sample does not join on to the last.
+    void breakHere();
+
+private:
+    struct Place {
+        TimePoint time;
+        std::int32_t position;
+    };
+    [[nodiscard]] bool missingBefore(const bus::Sample& sample);
+    [[nodiscard]] float velocity(const Place& here);
+
+    CommandPosition m_command;
+    std::deque<Place> m_recent;  ///< back to kVelocityTime before the last, and one beyond
+    std::optional<Duration> m_interval;
+    std::uint8_t m_aux = 0;
+    std::uint8_t m_analog = 0;
+};
+
+}  // namespace nmc

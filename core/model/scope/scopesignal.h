@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <optional>
+
+#include "model/scope/scopesample.h"
+
+namespace nmc {
+
+/// What the scope draws as a curve.
+enum class ScopeSignal : std::uint8_t {
+    Position,
+    Command,  ///< calculated command position
+    Error,    ///< calculated position error
+    Velocity,
+    Analog  ///< A/D: motor current where the sense resistor is fitted (DS-V 3)
+};
+
+inline constexpr std::size_t kScopeSignals = 5;
+
+/// Calculated from what was sent, because the chip does not report it: drawn dashed.
+[[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
+    return signal == ScopeSignal::Command || signal == ScopeSignal::Error;
+}
+
+/// Counts, counts/s or A/D counts; nothing if unknown.
+[[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
+    double value = 0;
+    switch (signal) {
+        case ScopeSignal::Position:
+            value = sample.position;
+            break;
+        case ScopeSignal::Command:
+            value = sample.command();
+            break;
+        case ScopeSignal::Error:
+            value = static_cast<double>(sample.error);
+            break;
+        case ScopeSignal::Velocity:
+            value = static_cast<double>(sample.velocity);
+            break;
+        case ScopeSignal::Analog:
+            value = sample.analog;
+            break;
+    }
+    if (std::isnan(value))
+        return std::nullopt;
+    return value;
+}
+
+/// One bit of what the module says of itself (DS-V 5.3, DS-S 5.2).
+struct ScopeBit {
+    /// The second byte: auxiliary status, inputs of a PIC-STEP.
+    enum class Byte : std::uint8_t { Status, Aux };
+    Byte byte = Byte::Status;
+    std::uint8_t bit = 0;  ///< 0..7
+
+    auto operator<=>(const ScopeBit&) const = default;
+};
+
+[[nodiscard]] constexpr bool isSet(const ScopeSample& sample, ScopeBit bit) {
+    const unsigned byte = bit.byte == ScopeBit::Byte::Status ? sample.status : sample.aux;
+    return ((byte >> (bit.bit & 7U)) & 1U) != 0;
+}
+
+}  // namespace nmc

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/scopetrigger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+/// Not a number counts as the least.
+double bounded(double value, double least, double most) {
+    return value > least ? std::min(value, most) : least;
+}
+
+/// Positions are 32 bits on the chip and wrap.
+bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
+    const auto* signal = std::get_if<ScopeSignal>(&source);
+    return signal != nullptr && (*signal == ScopeSignal::Position || *signal == ScopeSignal::Command);
+}
+
+}  // namespace
+
+void ScopeTrigger::set(const TriggerSettings& settings) {
+    m_settings = settings;
+    m_last.reset();
+    disarm();
+}
+
+void ScopeTrigger::arm(TimePoint now) {
+    m_state = State::Armed;
+    m_armedAt = now;
+    m_firedAt.reset();
+}
+
+void ScopeTrigger::rearm(TimePoint now) {
+    if (m_settings.mode == TriggerSettings::Mode::Normal && m_state == State::Complete)
+        arm(now);
+}
+
+void ScopeTrigger::disarm() {
+    m_state = State::Off;
+    m_firedAt.reset();
+}
+
+void ScopeTrigger::forgetSamples() {
+    m_samplesSince.reset();
+    m_last.reset();
+}
+
+ScopeTrigger::State ScopeTrigger::feed(ModuleIndex module, const ScopeSample& sample) {
+    if (!m_samplesSince)
+        m_samplesSince = sample.time;
+    if (module != m_settings.module)
+        return m_state;
+    if (sample.gapBefore)
+        m_last.reset();
+    const std::optional<Value> now = watched(sample);
+    if (m_state == State::Armed && now) {
+        const auto met = conditionMet(*now);
+        if (met && *met >= m_armedAt && *met - before() >= *m_samplesSince) {
+            m_state = State::Fired;
+            m_firedAt = met;
+        }
+    }
+    m_last = now;
+    if (m_state == State::Fired && sample.time >= picture()->to)
+        m_state = State::Complete;
+    return m_state;
+}
+
+std::optional<ScopeTrigger::Picture> ScopeTrigger::picture() const {
+    if (!m_firedAt)
+        return std::nullopt;
+    const TimePoint from = *m_firedAt - before();
+    return Picture{from, from + window()};
+}
+
+std::optional<ScopeTrigger::Value> ScopeTrigger::watched(const ScopeSample& sample) const {
+    if (const auto* bit = std::get_if<ScopeBit>(&m_settings.source))
+        return Value{sample.time, isSet(sample, *bit) ? 1.0 : 0.0};
+    const auto value = valueOf(sample, std::get<ScopeSignal>(m_settings.source));
+    if (!value)
+        return std::nullopt;
+    return Value{sample.time, *value};
+}
+
+std::optional<TimePoint> ScopeTrigger::conditionMet(const Value& now) const {
+    using Condition = TriggerSettings::Condition;
+    switch (m_settings.condition) {
+        case Condition::Above:
+            return now.value > level() ? std::optional(now.time) : std::nullopt;
+        case Condition::Below:
+            return now.value < level() ? std::optional(now.time) : std::nullopt;
+        case Condition::Rising:
+        case Condition::Falling:
+            return crossing(now);
+    }
+    return std::nullopt;
+}
+
+std::optional<TimePoint> ScopeTrigger::crossing(const Value& now) const {
+    if (!m_last)
+        return std::nullopt;
+    constexpr double kWrap = 4'294'967'296.0;
+    const double difference = now.value - m_last->value;
+    const double step = wraps(m_settings.source) ? std::remainder(difference, kWrap) : difference;
+    const double toLevel = level() - m_last->value;
+    const bool rising = m_settings.condition == TriggerSettings::Condition::Rising;
+    const bool crossed = rising ? toLevel > 0 && step >= toLevel : toLevel < 0 && step <= toLevel;
+    if (!crossed)
+        return std::nullopt;
+    if (std::holds_alternative<ScopeBit>(m_settings.source))
+        return now.time;
+    return m_last->time + fromSeconds(toSeconds(now.time - m_last->time) * (toLevel / step));
+}
+
+double ScopeTrigger::level() const {
+    return std::holds_alternative<ScopeBit>(m_settings.source) ? 0.5 : m_settings.level;
+}
+
+Duration ScopeTrigger::before() const {
+    return fromSeconds(toSeconds(window()) * bounded(m_settings.preTrigger, 0.0, 1.0));
+}
+
+Duration ScopeTrigger::window() const {
+    constexpr double kLeast = 1e-6;
+    constexpr double kMost = 864'000.0;
+    return fromSeconds(bounded(m_settings.window, kLeast, kMost));
+}
+
+}  // namespace nmc
