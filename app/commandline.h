@@ -9,7 +9,7 @@
 #include <optional>
 #include <variant>
 
-#include "link/linktypes.h"
+#include "link/ports/linktypes.h"
 
 namespace nmc {
 

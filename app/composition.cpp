@@ -6,8 +6,8 @@
 #include <QWindow>
 
 #include "link/clock.h"
-#include "link/serialtransport.h"
-#include "link/simulatortransport.h"
+#include "link/connection/serialtransport.h"
+#include "link/connection/simulatortransport.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/chain/chainmenu.h"

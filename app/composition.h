@@ -15,8 +15,8 @@
 #include "app/portcontroller.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
-#include "link/busstore.h"
-#include "link/busworker.h"
+#include "link/connection/busstore.h"
+#include "link/connection/busworker.h"
 #include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 

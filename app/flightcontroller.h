@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "link/busstore.h"
+#include "link/connection/busstore.h"
 #include "model/scope/flightrecorder.h"
 #include "widgets/mainwindow/mainwindow.h"
 

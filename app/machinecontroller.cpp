@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "link/machineio.h"
+#include "link/files/machineio.h"
 #include "model/machinefile/machinegroups.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"

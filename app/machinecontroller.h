@@ -6,8 +6,8 @@
 #include <QTimer>
 #include <optional>
 
-#include "link/busstore.h"
-#include "link/unsavedwork.h"
+#include "link/connection/busstore.h"
+#include "link/files/unsavedwork.h"
 #include "model/intent/intent.h"
 #include "model/machinefile/machinefile.h"
 #include "widgets/mainwindow/mainwindow.h"

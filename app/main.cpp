@@ -8,8 +8,8 @@
 #include "app/composition.h"
 #include "app/translations.h"
 #include "app/unixsignals.h"
-#include "link/crashburst.h"
-#include "link/portlist.h"
+#include "link/connection/crashburst.h"
+#include "link/ports/portlist.h"
 #include "widgets/common/texts.h"
 
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "base/time.h"
-#include "link/adaptermemory.h"
-#include "link/latencytimer.h"
-#include "link/portlist.h"
-#include "link/portwatcher.h"
+#include "link/ports/adaptermemory.h"
+#include "link/ports/latencytimer.h"
+#include "link/ports/portlist.h"
+#include "link/ports/portwatcher.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "link/busstore.h"
+#include "link/connection/busstore.h"
 #include "model/procedure/procedure.h"
 
 namespace nmc {

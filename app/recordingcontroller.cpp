@@ -5,8 +5,8 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "link/backgroundjob.h"
 #include "link/clock.h"
+#include "link/files/backgroundjob.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scopefiles.h"
 

@@ -5,9 +5,9 @@
 #include <QTimer>
 #include <vector>
 
-#include "link/busstore.h"
-#include "link/recordingloader.h"
-#include "link/recordingwriter.h"
+#include "link/connection/busstore.h"
+#include "link/files/recordingloader.h"
+#include "link/files/recordingwriter.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/scope/scopeexport.h"
 

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <string>
 
-#include "link/ptyserver.h"
-#include "link/simserver.h"
+#include "link/terminal/ptyserver.h"
+#include "link/terminal/simserver.h"
 #include "link/threadpriority.h"
 #include "sim/chain.h"
 #include "sim/chainspec.h"

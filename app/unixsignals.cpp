@@ -7,8 +7,8 @@
 #include <atomic>
 #include <csignal>
 
-#include "link/busworker.h"
-#include "link/wakeup.h"
+#include "link/connection/busworker.h"
+#include "link/connection/wakeup.h"
 
 namespace nmc {
 

@@ -12,7 +12,7 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-#include "link/machineio.h"
+#include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"
 #include "tests/app/panel.h"
 #include "widgets/machine/machinemenu.h"

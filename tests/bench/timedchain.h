@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "link/ptyserver.h"
-#include "link/wakeup.h"
+#include "link/connection/wakeup.h"
+#include "link/terminal/ptyserver.h"
 #include "sim/chain.h"
 #include "sim/receiver.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/busworker.h"
+#include "link/connection/busworker.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "link/simulatortransport.h"
+#include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
 

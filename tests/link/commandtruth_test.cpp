@@ -7,12 +7,12 @@
 #include <QTest>
 #include <thread>
 
-#include "link/busworker.h"
 #include "link/clock.h"
-#include "link/ptyserver.h"
-#include "link/serialtransport.h"
-#include "link/simserver.h"
-#include "link/wakeup.h"
+#include "link/connection/busworker.h"
+#include "link/connection/serialtransport.h"
+#include "link/connection/wakeup.h"
+#include "link/terminal/ptyserver.h"
+#include "link/terminal/simserver.h"
 #include "tests/link/connection.h"
 #include "tests/support/commandtruth.h"
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "link/busstore.h"
-#include "link/busworker.h"
-#include "link/serialtransport.h"
+#include "link/connection/busstore.h"
+#include "link/connection/busworker.h"
+#include "link/connection/serialtransport.h"
 
 namespace nmc::testing_support {
 

@@ -6,7 +6,7 @@
 #include <QElapsedTimer>
 #include <QProcess>
 
-#include "link/crashburst.h"
+#include "link/connection/crashburst.h"
 #include "tests/support/nmcsimprocess.h"
 
 namespace nmc {

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "link/crashburst.h"
+#include "link/connection/crashburst.h"
 #include "tests/link/connection.h"
 
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/heartbeat.h"
+#include "link/connection/heartbeat.h"
 
 #include <gtest/gtest.h>
 
-#include "link/suspendwatch.h"
+#include "link/connection/suspendwatch.h"
 
 namespace nmc {
 namespace {

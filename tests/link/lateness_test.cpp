@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/lateness.h"
+#include "link/terminal/lateness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // H-10, H-14, H-18: files are read within bounds and written whole or not at all, and work that is not saved
 // outlives its program.
-#include "link/machineio.h"
+#include "link/files/machineio.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "asnobody.h"
-#include "link/unsavedwork.h"
+#include "link/files/unsavedwork.h"
 
 namespace nmc {
 namespace {

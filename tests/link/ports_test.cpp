@@ -9,11 +9,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "link/adaptermemory.h"
-#include "link/latencytimer.h"
-#include "link/linerate.h"
-#include "link/portuser.h"
-#include "link/portwatcher.h"
+#include "link/ports/adaptermemory.h"
+#include "link/ports/latencytimer.h"
+#include "link/ports/linerate.h"
+#include "link/ports/portuser.h"
+#include "link/ports/portwatcher.h"
 
 namespace nmc {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/ptyserver.h"
+#include "link/terminal/ptyserver.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording of any kind is opened without a wait of the thread that asks for it.
-#include "link/recordingloader.h"
+#include "link/files/recordingloader.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

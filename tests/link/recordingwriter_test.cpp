@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording is on the disk soon, and no disk makes the panel wait or stop.
-#include "link/recordingwriter.h"
+#include "link/files/recordingwriter.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

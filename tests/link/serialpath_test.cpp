@@ -6,7 +6,7 @@
 
 #include <QTemporaryFile>
 
-#include "link/ptyserver.h"
+#include "link/terminal/ptyserver.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
 

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QProcess>
 
-#include "link/ptyserver.h"
+#include "link/terminal/ptyserver.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/wakeup.h"
+#include "link/connection/wakeup.h"
 
 #include <gtest/gtest.h>
 

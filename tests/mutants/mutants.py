@@ -267,7 +267,7 @@ GROUPS = (
 
 PORT = (
     Mutant("port-kept-open-after-a-hangup", "faults.md F-27: told once, closed at once; Qt alone would spin", (
-        Edit("core/link/serialtransport.cpp",
+        Edit("core/link/connection/serialtransport.cpp",
              "    if (fds[0].revents != 0)\n        return tl::unexpected(gone());\n", ""),
     ), "link"),
 )

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "link/recordingwriter.h"
+#include "link/files/recordingwriter.h"
 #include "model/recording/recordingreader.h"
 #include "widgets/common/texts.h"
 #include "windowtest.h"

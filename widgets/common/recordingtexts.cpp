@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "link/recordingwriter.h"
+#include "link/files/recordingwriter.h"
 #include "model/recording/recordingreader.h"
 #include "widgets/common/textparts.h"
 

@@ -9,8 +9,8 @@
 
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
-#include "link/linktypes.h"
-#include "link/machineio.h"
+#include "link/files/machineio.h"
+#include "link/ports/linktypes.h"
 #include "model/machinefile/fileproblem.h"
 #include "model/machinefile/machinecompare.h"
 #include "model/module/modulestate.h"

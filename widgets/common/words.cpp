@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <cmath>
 
-#include "link/linktypes.h"
+#include "link/ports/linktypes.h"
 
 namespace nmc::texts {
 

@@ -5,7 +5,7 @@
 #include <QFrame>
 #include <QList>
 
-#include "link/linktypes.h"
+#include "link/ports/linktypes.h"
 #include "model/module/linkstate.h"
 
 class QLabel;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "link/linktypes.h"
+#include "link/ports/linktypes.h"
 #include "model/intent/intent.h"
 #include "model/module/linkstate.h"
 #include "model/packets/packetlog.h"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <variant>
+#include <vector>
+
+#include "link/connection/busworker.h"
+#include "model/module/linkstate.h"
+#include "model/scope/history.h"
+#include "model/scope/scopefeed.h"
+
+namespace nmc {
+
+/// A module's servo switched itself off: position error, or motor power went away.
+struct ServoWentOff {
+    ModuleIndex module;
+    Activity activity;  ///< Tripped or PowerLost
+    std::int32_t position = 0;
+};
+
+/// What the user should hear of; samples and progress are state, not news.
+using StoreEvent =
+    std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                 bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
+                 bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
+                 bus::RateChangeFailed, PortClosed, ServoWentOff, SimulatorAnswered, PanelFroze,
+                 MachineSlept>;
+
+/// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
+/// them into module states and histories. Everything else in the GUI reads it here.
+class BusStore : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BusStore(BusWorker& worker, QObject* parent = nullptr);
+
+    /// A connection is being opened.
+    void begin(const QString& port, bool simulated, std::uint32_t baud);
+
+    [[nodiscard]] const LinkState& link() const { return m_link; }
+    [[nodiscard]] const ModuleState* module(ModuleIndex index) const;
+    /// What the modules of this connection said, or of the last one: it stays until another chain is found.
+    [[nodiscard]] const History& history() const { return m_history; }
+    [[nodiscard]] int movingMotors() const;
+
+    /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
+    [[nodiscard]] LinkFigures pullFigures(TimePoint now);
+
+    /// Takes over what the worker has; usually called by the store's own timer.
+    void drain();
+
+signals:
+    void linkChanged();
+    /// News for the user, in the order of the bus; linkChanged() follows.
+    void happened(const nmc::StoreEvent& event);
+
+private:
+    struct Record {
+        ScopeFeed feed;
+        std::uint64_t samples = 0;
+        std::uint64_t samplesPulled = 0;  ///< when the figures were pulled last
+    };
+
+    void take(const WorkerEvent& event);
+    void take(const bus::Event& event);
+    void take(const bus::Sample& sample);
+    void noteGains(const bus::CommandExecuted& executed);
+    /// It may have other gains than those that it confirmed.
+    void doubtGains(ModuleIndex module);
+    void found(const bus::ChainFound& chain);
+    void silence(const bus::ModuleSilence& silence);
+    void closed(const PortClosed& closed);
+    void pullRates(double seconds);
+    void forgetChain();
+    void beginHistory(const bus::ChainFound& chain);
+    [[nodiscard]] bool known(ModuleIndex index) const { return index.value() < m_link.modules.size(); }
+
+    BusWorker& m_worker;
+    QTimer m_drainTimer;
+    LinkState m_link;
+    std::vector<Record> m_records;
+    History m_history;
+    /// Whose history it is.
+    std::string m_historyPort;
+    std::vector<ModuleIdentity> m_historyOf;
+    bus::LinkStatistics m_lastStatistics;
+    TimePoint m_lastPull;
+};
+
+}  // namespace nmc

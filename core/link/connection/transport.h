@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "base/bytes.h"
+#include "base/time.h"
+#include "link/ports/linktypes.h"
+
+namespace nmc {
+
+/// The way to a chain: a serial port, or the simulator in this process. Lives wholly in the bus thread, which
+/// has no event loop: receive() is its only place to wait. An error is final; the transport is then thrown
+/// away.
+class Transport {
+public:
+    Transport() = default;
+    virtual ~Transport() = default;
+    Transport(const Transport&) = delete;
+    Transport& operator=(const Transport&) = delete;
+
+    virtual tl::expected<void, PortError> open() = 0;
+    virtual tl::expected<void, PortError> setBaud(std::uint32_t baud) = 0;
+    /// Hands the bytes to the port at once; does not wait for them to leave.
+    virtual tl::expected<void, PortError> send(ByteSpan bytes) = 0;
+    virtual void discardInput() = 0;
+
+    /// Waits for bytes, for `until`, or for `wakeFd` to become readable (it is not read), whichever is first.
+    /// Empty when nothing arrived.
+    virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
+                                                                       int wakeFd) = 0;
+
+    /// What a signal handler may write to when the process dies; -1 where there is no such thing.
+    [[nodiscard]] virtual int fd() const { return -1; }
+
+    /// Answers one control line of the simulator with one line of JSON (sim/control.h). Nothing for a port:
+    /// what is on the bench there is not for a program to change.
+    virtual std::optional<std::string> control(std::string_view /*line*/) { return std::nullopt; }
+};
+
+}  // namespace nmc

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "link/files/recordingloader.h"
+
+#include <atomic>
+#include <limits>
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+constexpr qint64 kPiece = 256 << 10;  ///< bytes
+constexpr int kProgressMs = 100;
+/// A recording may have rows of any module, whether its head tells of it or not.
+constexpr std::size_t kModules = std::numeric_limits<std::uint8_t>::max();
+
+/// More than anybody sends: a file must not take memory without end.
+constexpr std::size_t kMostGains = 10'000;
+
+}  // namespace
+
+/// What the thread fills.
+struct RecordingLoader::Reading {
+    LoadedRecording result;
+    std::optional<FileError> error{};
+    std::atomic<double> share = 0.0;
+
+    void read(const BackgroundJob::Cancelled& cancelled);
+};
+
+void RecordingLoader::Reading::read(const BackgroundJob::Cancelled& cancelled) {
+    const auto file = openToRead(result.path);
+    if (!file) {
+        error = file.error();
+        return;
+    }
+    RecordingReader reader(
+        {[this](ModuleIndex module, const ScopeSample& sample) { result.history.append(module, sample); },
+         [this](const GainsChange& change) {
+             if (result.history.gains().size() < kMostGains)
+                 result.history.noteGains(change);
+         }});
+    const qint64 size = (*file)->size();
+    for (qint64 done = 0; !cancelled;) {
+        const QByteArray piece = (*file)->read(kPiece);
+        if ((*file)->error() != QFileDevice::NoError) {
+            error = FileError{FileTrouble::Other, result.path, (*file)->errorString()};
+            return;
+        }
+        done += piece.size();
+        if (size > 0)
+            share = std::min(1.0, static_cast<double>(done) / static_cast<double>(size));
+        if (piece.isEmpty() || !reader.feed({piece.constData(), static_cast<std::size_t>(piece.size())}))
+            break;
+    }
+    result.problem = reader.finish();
+    result.header = reader.header();
+    result.samples = reader.samples();
+}
+
+RecordingLoader::RecordingLoader(QObject* parent) : QObject(parent) {
+    m_progress.setInterval(kProgressMs);
+    connect(&m_progress, &QTimer::timeout, this, [this] { emit progressed(m_reading->share); });
+    connect(&m_job, &BackgroundJob::ended, this, &RecordingLoader::end);
+}
+
+void RecordingLoader::start(const QString& path) {
+    cancel();
+    m_path = path;
+    m_reading = std::make_shared<Reading>();
+    m_reading->result.path = path;
+    m_reading->result.history = History(kModules);
+    m_progress.start();
+    m_job.start(
+        [reading = m_reading](const BackgroundJob::Cancelled& cancelled) { reading->read(cancelled); });
+}
+
+void RecordingLoader::cancel() {
+    m_progress.stop();
+    m_job.cancel();
+    m_reading.reset();
+}
+
+void RecordingLoader::end() {
+    m_progress.stop();
+    const std::shared_ptr<Reading> reading = std::exchange(m_reading, nullptr);
+    if (reading->error)
+        emit failed(*reading->error);
+    else
+        // Goes when the last of both does.
+        emit loaded(std::shared_ptr<LoadedRecording>(reading, &reading->result));
+}
+
+}  // namespace nmc

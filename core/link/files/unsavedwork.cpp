@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "link/files/unsavedwork.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLockFile>
+#include <QUrl>
+
+namespace nmc {
+
+namespace {
+/// As many programs at once as anybody will run.
+constexpr int kSlots = 20;
+/// A machine, and the name of its file above it.
+constexpr std::size_t kMaxKept = 1'100'000;
+}  // namespace
+
+UnsavedWork::UnsavedWork(const QString& folder) : m_folder(folder) {
+    m_leftSlot = takeSlot(Wanted::Used);
+    if (!m_leftSlot)
+        return;
+    const auto content = readFile(m_leftSlot->path, kMaxKept);
+    const std::size_t line = content ? content->find('\n') : std::string::npos;
+    if (line == std::string::npos)
+        return;
+    m_left =
+        Left{QUrl(QString::fromStdString(content->substr(0, line))).toLocalFile(), content->substr(line + 1)};
+}
+
+UnsavedWork::~UnsavedWork() = default;
+
+std::optional<UnsavedWork::Slot> UnsavedWork::takeSlot(Wanted wanted) const {
+    const QDir folder(m_folder);
+    for (int number = 1; number <= kSlots; ++number) {
+        Slot slot{folder.filePath(QStringLiteral("unsaved-%1").arg(number)), nullptr};
+        if (QFile::exists(slot.path) != (wanted == Wanted::Used))
+            continue;
+        slot.lock = std::make_unique<QLockFile>(slot.path + QStringLiteral(".lock"));
+        // Not old age, only the end of its program makes a lock void.
+        slot.lock->setStaleLockTime(0);
+        if (slot.lock->tryLock(0) && QFile::exists(slot.path) == (wanted == Wanted::Used))
+            return slot;
+    }
+    return std::nullopt;
+}
+
+void UnsavedWork::dropLeft() {
+    if (m_leftSlot)
+        QFile::remove(m_leftSlot->path);
+    m_leftSlot.reset();
+    m_left.reset();
+}
+
+tl::expected<void, FileError> UnsavedWork::keep(const QString& file, std::string_view content) {
+    if (!m_own) {
+        QDir().mkpath(m_folder);
+        m_own = takeSlot(Wanted::Free);
+    }
+    if (!m_own)
+        return tl::unexpected(FileError{FileTrouble::NoPermission, m_folder});
+    std::string whole = QUrl::fromLocalFile(file).toEncoded().toStdString();
+    whole += '\n';
+    whole += content;
+    return writeFile(m_own->path, whole);
+}
+
+void UnsavedWork::forget() {
+    if (m_own)
+        QFile::remove(m_own->path);
+}
+
+}  // namespace nmc

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "link/ports/adaptermemory.h"
+
+#include <algorithm>
+
+namespace nmc {
+
+namespace {
+
+bool sameAdapter(const PortEntry& a, const PortEntry& b) {
+    return a.vendor == b.vendor && a.product == b.product && a.serialNumber == b.serialNumber;
+}
+
+const PortEntry* find(const QString& port, const QList<PortEntry>& ports) {
+    const auto found = std::find_if(ports.begin(), ports.end(),
+                                    [&port](const PortEntry& entry) { return entry.name == port; });
+    return found != ports.end() && found->vendor != 0 ? &*found : nullptr;
+}
+
+}  // namespace
+
+void AdapterMemory::opened(const QString& port, const QList<PortEntry>& ports) {
+    m_lost.reset();
+    if (const PortEntry* entry = find(port, ports))
+        m_known[port] = *entry;
+    else
+        m_known.remove(port);
+}
+
+void AdapterMemory::lost(const QString& port) {
+    m_lost.reset();
+    if (const auto known = m_known.constFind(port); known != m_known.constEnd())
+        m_lost = *known;
+}
+
+std::optional<AdapterMemory::Back> AdapterMemory::back(const QList<PortEntry>& ports) {
+    if (!m_lost)
+        return std::nullopt;
+    for (const PortEntry& entry : ports)
+        if (sameAdapter(entry, *m_lost)) {
+            const bool sameSerial = !m_lost->serialNumber.isEmpty();
+            m_lost.reset();
+            return Back{entry.name, sameSerial};
+        }
+    return std::nullopt;
+}
+
+bool AdapterMemory::differs(const QString& port, const QList<PortEntry>& ports) const {
+    const PortEntry* now = find(port, ports);
+    const auto known = m_known.constFind(port);
+    return now != nullptr && known != m_known.constEnd() && !sameAdapter(*now, *known);
+}
+
+}  // namespace nmc

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "link/ports/linerate.h"
+
+// The kernel's own header: termios.h of the C library knows only rates by name, and cannot be had beside it.
+#include <asm/termbits.h>
+#include <sys/ioctl.h>
+
+#include <cstdlib>
+
+namespace nmc {
+
+std::optional<std::uint32_t> lineRate(int fd) {
+    termios2 settings{};
+    if (::ioctl(fd, TCGETS2, &settings) != 0)
+        return std::nullopt;
+    return settings.c_ospeed;
+}
+
+bool rateIsGoodEnough(std::uint32_t wanted, std::uint32_t real) {
+    constexpr std::int64_t kPercent = 2;
+    return std::abs(std::int64_t{real} - wanted) * 100 <= std::int64_t{wanted} * kPercent;
+}
+
+}  // namespace nmc

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "link/ports/portwatcher.h"
+
+namespace nmc {
+
+PortWatcher::PortWatcher(List list, const QString& folder, QObject* parent)
+    : QObject(parent), m_list(std::move(list)) {
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettleMs);
+    connect(&m_settle, &QTimer::timeout, this, &PortWatcher::look);
+    m_watcher.addPath(folder);
+    // Not started anew by each of many changes: a folder that is never quiet must not put it off for ever.
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] {
+        if (!m_settle.isActive())
+            m_settle.start();
+    });
+}
+
+QList<PortEntry> PortWatcher::ports() {
+    m_ports = m_list();
+    return m_ports;
+}
+
+void PortWatcher::look() {
+    const QList<PortEntry> before = m_ports;
+    if (ports() != before)
+        emit portsChanged(m_ports);
+}
+
+}  // namespace nmc

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "link/terminal/ptyserver.h"
+
+#include <asm/termbits.h>  // struct termios2; <termios.h> would clash with it
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "protocol/baud.h"
+
+namespace nmc {
+
+namespace {
+
+std::string systemError(const std::string& what) {
+    return what + ": " + std::strerror(errno);
+}
+
+/// No echo, no line editing, no translation, reads return at once; at the modules' power-up rate, so that a
+/// host that never sets one is understood, and any that it does set is its choice.
+bool makeRaw(int fd) {
+    termios2 settings{};
+    if (::ioctl(fd, TCGETS2, &settings) != 0)
+        return false;
+    settings.c_iflag = IGNBRK;
+    settings.c_oflag = 0;
+    settings.c_lflag = 0;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | CBAUD << IBSHIFT);
+    settings.c_cflag |= B19200;
+    settings.c_ispeed = settings.c_ospeed = kPowerUpBaud;
+    settings.c_cc[VMIN] = 1;
+    settings.c_cc[VTIME] = 0;
+    return ::ioctl(fd, TCSETS2, &settings) == 0;
+}
+
+}  // namespace
+
+tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link) {
+    PtyServer server;
+    server.m_master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    std::array<char, 128> name{};
+    if (server.m_master < 0 || ::grantpt(server.m_master) != 0 || ::unlockpt(server.m_master) != 0 ||
+        ::ptsname_r(server.m_master, name.data(), name.size()) != 0)
+        return tl::unexpected(systemError("no pseudo-terminal can be made"));
+    server.m_path = name.data();
+    server.m_slave = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (server.m_slave < 0 || !makeRaw(server.m_slave) || ::fchmod(server.m_slave, S_IRUSR | S_IWUSR) != 0)
+        return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " cannot be set up"));
+    if (!link.empty()) {
+        // A link left by an earlier run may be replaced; anything else is somebody's file.
+        struct stat info {};
+        if (::lstat(link.c_str(), &info) == 0 && S_ISLNK(info.st_mode))
+            ::unlink(link.c_str());
+        if (::symlink(server.m_path.c_str(), link.c_str()) != 0)
+            return tl::unexpected(systemError("the link " + link + " cannot be made"));
+        server.m_link = link;
+    }
+    return server;
+}
+
+PtyServer::PtyServer(PtyServer&& other) noexcept
+    : m_master(std::exchange(other.m_master, -1)),
+      m_slave(std::exchange(other.m_slave, -1)),
+      m_path(std::move(other.m_path)),
+      m_link(std::exchange(other.m_link, {})) {}
+
+PtyServer::~PtyServer() {
+    if (!m_link.empty()) {
+        std::array<char, 128> target{};
+        const auto length = ::readlink(m_link.c_str(), target.data(), target.size());
+        if (length > 0 && std::string(target.data(), static_cast<std::size_t>(length)) == m_path)
+            ::unlink(m_link.c_str());
+    }
+    if (m_slave >= 0)
+        ::close(m_slave);
+    if (m_master >= 0)
+        ::close(m_master);
+}
+
+std::vector<std::uint8_t> PtyServer::read() const {
+    std::array<std::uint8_t, 4096> buffer{};
+    const auto got = ::read(m_master, buffer.data(), buffer.size());
+    if (got <= 0)
+        return {};
+    return {buffer.begin(), buffer.begin() + got};
+}
+
+void PtyServer::write(ByteSpan bytes) const {
+    [[maybe_unused]] const auto written = ::write(m_master, bytes.data(), bytes.size());
+}
+
+std::optional<std::uint32_t> PtyServer::hostBaud() const {
+    termios2 settings{};
+    if (::ioctl(m_master, TCGETS2, &settings) != 0 || settings.c_ospeed == 0)
+        return std::nullopt;
+    return settings.c_ospeed;
+}
+
+}  // namespace nmc

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "link/terminal/simserver.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+#include "link/clock.h"
+#include "protocol/baud.h"
+#include "sim/control.h"
+
+namespace nmc {
+
+namespace {
+
+/// A line that never ends must not fill the memory.
+constexpr std::size_t kMaxLine = 4'096;
+constexpr Duration kAtLeastEvery = std::chrono::milliseconds(50);
+constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
+constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
+constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
+
+}  // namespace
+
+SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn,
+                     int controlOut)
+    : m_chain(std::move(chain)),
+      m_terminal(std::move(terminal)),
+      m_pacing(pacing),
+      m_controlIn(controlIn),
+      m_controlOut(controlOut),
+      m_hostBaud(kPowerUpBaud),
+      m_started(monotonicNow()) {}
+
+void SimServer::run(int stopFd) {
+    wantFineTimers();
+    while (true) {
+        std::array<pollfd, 3> fds{{{stopFd, POLLIN, 0},
+                                   {m_terminal.fd(), POLLIN, 0},
+                                   {m_controlOpen ? m_controlIn : -1, POLLIN, 0}}};
+        pollUntil(fds, wakeUpAt());
+        if (fds[0].revents != 0)
+            return;
+        catchUp();
+        if (fds[1].revents != 0)
+            serveHost();
+        else
+            followRate();
+        if (fds[2].revents != 0 && !serveControl())
+            return;
+    }
+}
+
+// ---- Time ----
+
+TimePoint SimServer::wantedNow() const {
+    if (m_pacing.stepped)
+        return m_now;
+    return TimePoint(fromSeconds(toSeconds(monotonicNow() - m_started) * m_pacing.speed));
+}
+
+TimePoint SimServer::realTimeOf(TimePoint simulated) const {
+    return m_started + fromSeconds(toSeconds(simulated.time_since_epoch()) / m_pacing.speed);
+}
+
+/// Motors that nobody asks about are moved on in good time as well, or the first question would wait for it.
+std::optional<TimePoint> SimServer::wakeUpAt() const {
+    if (m_pacing.stepped)
+        return std::nullopt;
+    const TimePoint latest = realTimeOf(m_now) + kAtLeastEvery;
+    const auto event = m_chain.nextEvent();
+    return event ? std::min(latest, realTimeOf(*event)) : latest;
+}
+
+/// As far as a little real time allows: a simulation that cannot keep up still hears its host and its control
+/// lines, at the simulated time that it has reached.
+void SimServer::catchUp() {
+    const TimePoint goal = wantedNow();
+    const TimePoint enough = monotonicNow() + kCatchUpFor;
+    do {
+        m_now = std::min(goal, m_now + kSlice);
+        m_chain.advanceTo(m_now);
+    } while (m_now < goal && monotonicNow() < enough);
+    deliver();
+    const Duration behind = m_now < goal ? realTimeOf(goal) - realTimeOf(m_now) : Duration{};
+    if (const auto sentence = m_lagReport.sentence(behind, monotonicNow()))
+        std::fprintf(stderr, "nmcsim: %s\n", sentence->c_str());
+}
+
+// ---- The host ----
+
+/// A new rate that nothing was written after. What was written before it may still be on its way through the
+/// kernel.
+void SimServer::followRate() {
+    if (m_terminal.hostBaud().value_or(m_hostBaud) == m_hostBaud)
+        return;
+    std::array<pollfd, 1> readable{{{m_terminal.fd(), POLLIN, 0}}};
+    pollUntil(readable, monotonicNow() + kThroughTheKernel);
+    serveHost();
+}
+
+void SimServer::serveHost() {
+    const std::vector<std::uint8_t> bytes = m_terminal.read();
+    m_received += bytes.size();
+    const std::size_t before = endOfLastSetBaud(bytes);
+    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
+    if (baud == m_hostBaud) {
+        m_chain.hostSends(bytes, m_now);
+        return;
+    }
+    // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
+    // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
+    m_chain.hostSends(ByteSpan(bytes).first(before), m_now);
+    m_hostBaud = baud;
+    m_chain.setHostBaud(baud);
+    m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now);
+}
+
+std::size_t SimServer::endOfLastSetBaud(ByteSpan bytes) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (!m_monitor.hears(bytes[i], false))
+            continue;
+        const sim::Packet& packet = m_monitor.packet();
+        if (packet.code() == CommandCode::SetBaud && packet.sumIsRight())
+            end = i + 1;
+    }
+    return end;
+}
+
+void SimServer::deliver() {
+    const std::vector<sim::HostByte> bytes = m_chain.takeHostBytes();
+    if (bytes.empty())
+        return;
+    std::vector<std::uint8_t> values;
+    values.reserve(bytes.size());
+    for (const sim::HostByte& byte : bytes)
+        values.push_back(byte.value);
+    m_terminal.write(values);
+    m_sent += values.size();
+    if (m_pacing.stepped)
+        return;  // nothing is late where nothing is paced
+    const TimePoint written = monotonicNow();
+    for (const sim::HostByte& byte : bytes)
+        m_lateness.add(written - realTimeOf(byte.due));
+}
+
+// ---- Control lines ----
+
+bool SimServer::serveControl() {
+    std::array<char, 1024> buffer{};
+    const auto got = ::read(m_controlIn, buffer.data(), buffer.size());
+    if (got <= 0) {
+        m_controlOpen = false;  // the end of standard input does not end the simulator
+        return true;
+    }
+    m_pendingLine.append(buffer.data(), static_cast<std::size_t>(got));
+    for (std::size_t end = 0; (end = m_pendingLine.find('\n')) != std::string::npos;) {
+        const std::string line = m_pendingLine.substr(0, end);
+        m_pendingLine.erase(0, end + 1);
+        if (!answer(line))
+            return false;
+    }
+    if (m_pendingLine.size() > kMaxLine)
+        m_pendingLine.clear();
+    return true;
+}
+
+bool SimServer::answer(const std::string& line) {
+    const bool last = line == "quit" || line == "quit\r";
+    const std::string reply = (last ? R"({"quit":true})" : answerTo(line)) + '\n';
+    [[maybe_unused]] const auto written = ::write(m_controlOut, reply.data(), reply.size());
+    return !last;
+}
+
+std::string SimServer::answerTo(const std::string& line) {
+    if (line.rfind("advance", 0) == 0)
+        return advance(line);
+    // Only `time` reports the pace, so only `time` begins to measure it anew.
+    const bool asksForIt = line.rfind("time", 0) == 0;
+    return sim::handleControlLine(m_chain, line, m_now, asksForIt ? takePace() : sim::Pace{});
+}
+
+std::string SimServer::advance(const std::string& line) {
+    constexpr double kLongest = 100'000.0;
+    if (!m_pacing.stepped)
+        return R"({"error":"advance is for nmcsim --stepped; here time passes by itself"})";
+    std::istringstream words(line);
+    std::string verb;
+    double seconds = 0.0;
+    if (!(words >> verb >> seconds) || verb != "advance" || !(words >> std::ws).eof() ||
+        !(seconds >= 0.0 && seconds <= kLongest))
+        return R"({"error":"allowed is advance SECONDS, from 0 to 100000"})";
+    serveHost();
+    m_now += fromSeconds(seconds);
+    m_chain.advanceTo(m_now);
+    deliver();
+    return sim::handleControlLine(m_chain, "time", m_now, takePace());
+}
+
+sim::Pace SimServer::takePace() {
+    const Lateness late = std::exchange(m_lateness, {});
+    return {toSeconds(late.largest()), toSeconds(late.percentile99()), m_received, m_sent};
+}
+
+}  // namespace nmc
