@@ -225,11 +225,28 @@ struct RateChangeFailed {
     std::vector<ModuleIndex> lost;  ///< do not answer at the old rate either
 };
 
-/// A stop of all motors has run its course.
+/// A stop of all motors has run its course. Each module of the chain that was known is in one list.
 struct StopFinished {
-    std::vector<ModuleIndex> stopped;    ///< confirmed twice
-    std::vector<ModuleIndex> unreached;  ///< did not answer, or still moves: use the hardware stop
+    std::vector<ModuleIndex> stopped;      ///< seen at rest, twice
+    std::vector<ModuleIndex> unreached;    ///< did not answer: use the hardware stop
+    std::vector<ModuleIndex> unconfirmed;  ///< was told, but was not seen at rest: use the hardware stop
     Duration took{};
+};
+
+/// Why the engine told one module to stop without a stop of all.
+enum class StopCause : std::uint8_t {
+    HoldReleased,
+    HoldExpired,
+    MotionSuspect,
+    GroupHalfStarted,
+    LinkGivenUp,  ///< of this module, or its motion is not known any more
+};
+
+/// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
+/// has been told to stop, and no more than that is known.
+struct OwedStopConfirmed {
+    ModuleIndex module;
+    StopCause cause = StopCause::HoldReleased;
 };
 
 /// A module stopped answering or answers again.
@@ -285,10 +302,10 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event =
-    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
-                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed>;
+using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
+                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
+                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect, GroupFinished,
+                           GroupChanged, RateChanged, RateChangeFailed, OwedStopConfirmed>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {
