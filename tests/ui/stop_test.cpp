@@ -71,7 +71,7 @@ TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
     modules[2].silent = true;
     window->showLink(connectedTo(modules));
     EXPECT_TRUE(button(u"stopAllButton"_s)->toolTip().contains(u"reaches 2 of 3"_s));
-    window->showStopResult({{ModuleIndex(0), ModuleIndex(1)}, {ModuleIndex(2)}, fromSeconds(0.021)});
+    window->showStopResult({{ModuleIndex(0), ModuleIndex(1)}, {ModuleIndex(2)}, {}, fromSeconds(0.021)});
     EXPECT_EQ(text(u"stopResultLabel"_s),
               u"2 of 3 stopped. Module 3 does not answer: use the hardware stop."_s);
     EXPECT_EQ(text(u"bannerHeadline"_s), text(u"stopResultLabel"_s));

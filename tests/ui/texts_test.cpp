@@ -129,11 +129,11 @@ TEST(Texts, StopBeforeAndAfter) {
     std::vector<ModuleIndex> five;
     for (std::uint8_t i = 0; i < 5; ++i)
         five.emplace_back(i);
-    EXPECT_EQ(texts::stopResult({five, {}, fromSeconds(0.021)}, true).headline,
+    EXPECT_EQ(texts::stopResult({five, {}, {}, fromSeconds(0.021)}, true).headline,
               u"5 of 5 stopped, 21 ms. Still holding."_s);
-    EXPECT_EQ(texts::stopResult({five, {}, fromSeconds(0.021)}, false).headline,
+    EXPECT_EQ(texts::stopResult({five, {}, {}, fromSeconds(0.021)}, false).headline,
               u"5 of 5 stopped, 21 ms. Every motor is off."_s);
-    EXPECT_EQ(texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}}, true).headline,
+    EXPECT_EQ(texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}}, true).headline,
               u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
 }
 
