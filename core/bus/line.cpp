@@ -6,18 +6,9 @@
 #include <cassert>
 #include <utility>
 
+#include "base/overloaded.h"
+
 namespace nmc::bus {
-
-namespace {
-
-template <typename... Ts>
-struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
-template <typename... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
-
-}  // namespace
 
 Line::Script Line::toRate(std::uint32_t baud) {
     return {Gap{}, Lag{}, DiscardInput{}, SetHostBaud{baud}, Nulls{}, Lag{kAfterNulls}, DiscardInput{}};
