@@ -91,6 +91,7 @@ private:
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);
     void told(const bus::MotionSuspect& suspect);
+    void told(const bus::OwedStopConfirmed& confirmed);
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);

@@ -103,6 +103,9 @@ void Composition::told(const bus::MotionSuspect& suspect) {
     tellIncident(texts::motionSuspect(suspect), suspect.module);
 }
 
+/// The module itself shows that it stands.
+void Composition::told(const bus::OwedStopConfirmed&) {}
+
 void Composition::told(const bus::GroupFinished& finished) {
     if (finished.outcome != bus::Outcome::Done)
         m_window.showMessage(texts::groupFailed(finished));

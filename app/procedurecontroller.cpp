@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/overloaded.h"
 #include "link/clock.h"
 
 namespace nmc {
@@ -159,31 +160,34 @@ bool ProcedureController::finished(const bus::OperationFinished& finished) {
 bool ProcedureController::take(const StoreEvent& event) {
     if (const auto* end = std::get_if<bus::OperationFinished>(&event))
         return finished(*end);
-    if (const auto* silence = std::get_if<bus::ModuleSilence>(&event)) {
-        suspect(silence->module);
-    } else if (const auto* health = std::get_if<bus::HealthChanged>(&event)) {
-        if (health->health != bus::LinkHealth::Good)
-            suspect(health->module);
-    } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
-        suspect(restarted->module);
-    } else if (std::holds_alternative<MachineSlept>(event) || std::holds_alternative<bus::LinkLost>(event)) {
-        suspect(std::nullopt);
-    } else if (const auto* motion = std::get_if<bus::MotionSuspect>(&event)) {
-        overtake(motion->module);
-    } else if (const auto* froze = std::get_if<PanelFroze>(&event)) {
-        if (froze->stopped)
-            overtakeAll();
-        else
-            cancelAll();
-    } else if (std::holds_alternative<bus::StopFinished>(event)) {
-        // Also one that nobody here has asked for.
-        m_stopping = false;
-        overtakeAll();
-    } else if (std::holds_alternative<bus::ChainFound>(event) ||
-               std::holds_alternative<bus::ConnectFailed>(event) ||
-               std::holds_alternative<PortClosed>(event)) {
-        forget();
-    }
+    std::visit(Overloaded{
+                   [this](const AnyOf<bus::ModuleSilence, bus::ModuleRestarted> auto& news) {
+                       suspect(news.module);
+                   },
+                   [this](const bus::HealthChanged& changed) {
+                       if (changed.health != bus::LinkHealth::Good)
+                           suspect(changed.module);
+                   },
+                   [this](const AnyOf<MachineSlept, bus::LinkLost> auto&) { suspect(std::nullopt); },
+                   [this](const bus::MotionSuspect& motion) { overtake(motion.module); },
+                   [this](const PanelFroze& froze) {
+                       if (froze.stopped)
+                           overtakeAll();
+                       else
+                           cancelAll();
+                   },
+                   [this](const bus::StopFinished&) {
+                       // Also one that nobody here has asked for.
+                       m_stopping = false;
+                       overtakeAll();
+                   },
+                   [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
+                   // What these concern ends a procedure's operation, shows in the module, or is no motor's.
+                   [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired,
+                                  bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
+                                  bus::OwedStopConfirmed, ServoWentOff, SimulatorAnswered> auto&) {},
+               },
+               event);
     return true;
 }
 

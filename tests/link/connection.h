@@ -23,7 +23,10 @@ public:
     void open(BusWorker::TransportFactory factory, std::uint32_t baud = 19'200) {
         bus::EngineConfig config;
         config.baud = baud;
-        m_store.begin(QStringLiteral("test"), false, baud);
+        open(std::move(factory), config);
+    }
+    void open(BusWorker::TransportFactory factory, const bus::EngineConfig& config) {
+        m_store.begin(QStringLiteral("test"), false, config.baud);
         m_worker.open(std::move(factory), config);
     }
     void openSerial(const QString& port, std::uint32_t baud = 19'200) {
@@ -43,6 +46,12 @@ public:
         for (const StoreEvent& event : m_news)
             number += std::holds_alternative<Event>(event) ? 1 : 0;
         return number;
+    }
+    template <typename Event, typename Look>
+    void forEach(Look look) const {
+        for (const StoreEvent& event : m_news)
+            if (const auto* found = std::get_if<Event>(&event))
+                look(*found);
     }
     void forgetNews() { m_news.clear(); }
 

@@ -3,11 +3,20 @@
 
 #include <algorithm>
 
+#include "base/overloaded.h"
+
 namespace nmc {
 
 namespace {
 
 constexpr int kDrainIntervalMs = 16;
+
+/// Counters start anew with each chain that is found.
+[[nodiscard]] bool beganAnew(const bus::LinkStatistics& before, const bus::LinkStatistics& now) {
+    return now.exchanges < before.exchanges || now.answered < before.answered ||
+           now.errors() < before.errors() || now.wireTime < before.wireTime ||
+           now.roundTripSum < before.roundTripSum;
+}
 
 }  // namespace
 
@@ -45,8 +54,10 @@ int BusStore::movingMotors() const {
 LinkFigures BusStore::pullFigures(TimePoint now) {
     LinkFigures figures;
     const bus::LinkStatistics statistics = m_worker.statistics();
+    if (beganAnew(m_lastStatistics, statistics))
+        m_lastStatistics = {};
     const double seconds = toSeconds(now - m_lastPull);
-    if (seconds > 0.0 && m_lastPull != TimePoint{} && statistics.answered >= m_lastStatistics.answered) {
+    if (seconds > 0.0 && m_lastPull != TimePoint{}) {
         const auto answered = static_cast<double>(statistics.answered - m_lastStatistics.answered);
         figures.exchangesPerSecond = answered / seconds;
         // A perfect line is reckoned with the mean wait for a tick; who falls in step with the ticks waits
@@ -86,79 +97,70 @@ void BusStore::drain() {
 }
 
 void BusStore::take(const WorkerEvent& event) {
-    if (const auto* busEvent = std::get_if<bus::Event>(&event))
-        take(*busEvent);
-    else if (const auto* close = std::get_if<PortClosed>(&event))
-        closed(*close);
-    else if (const auto* answer = std::get_if<SimulatorAnswered>(&event))
-        emit happened(*answer);
-    else if (const auto* froze = std::get_if<PanelFroze>(&event))
-        emit happened(*froze);
-    else if (const auto* slept = std::get_if<MachineSlept>(&event))
-        emit happened(*slept);
+    std::visit(Overloaded{
+                   [this](const bus::Event& told) { take(told); },
+                   [](const PortOpened&) {},  // connecting since begin()
+                   [this](const PortClosed& close) { closed(close); },
+                   [this](const AnyOf<SimulatorAnswered, PanelFroze, MachineSlept> auto& news) {
+                       emit happened(news);
+                   },
+               },
+               event);
 }
 
 void BusStore::take(const bus::Event& event) {
-    if (const auto* sample = std::get_if<bus::Sample>(&event)) {
-        take(*sample);
-    } else if (const auto* executed = std::get_if<bus::CommandExecuted>(&event)) {
-        if (known(executed->module)) {
-            m_link.modules[executed->module.value()].apply(*executed);
-            m_records[executed->module.value()].feed.apply(*executed);
-            noteGains(*executed);
-        }
-    } else if (const auto* progress = std::get_if<bus::ConnectProgress>(&event)) {
-        m_link.phase = LinkPhase::Connecting;
-        m_link.stage = progress->stage;
-        m_link.found = progress->modules;
-    } else if (const auto* chain = std::get_if<bus::ChainFound>(&event)) {
-        found(*chain);
-        emit happened(*chain);
-    } else if (const auto* failed = std::get_if<bus::ConnectFailed>(&event)) {
+    std::visit(
+        Overloaded{
+            [this](const bus::Sample& sample) { take(sample); },
+            [this](const bus::CommandExecuted& command) { executed(command); },
+            [this](const bus::ConnectProgress& progress) {
+                m_link.phase = LinkPhase::Connecting;
+                m_link.stage = progress.stage;
+                m_link.found = progress.modules;
+            },
+            [this](const bus::GroupChanged& changed) {
+                if (known(changed.module))
+                    m_link.modules[changed.module.value()].info.group = changed.place;
+            },
+            [this](
+                const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                            bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                            bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
+                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed> auto& news) {
+                note(news);
+                emit happened(news);
+            },
+        },
+        event);
+}
+
+void BusStore::executed(const bus::CommandExecuted& command) {
+    if (!known(command.module))
+        return;
+    m_link.modules[command.module.value()].apply(command);
+    m_records[command.module.value()].feed.apply(command);
+    noteGains(command);
+}
+
+void BusStore::note(const bus::OperationFinished& finished) {
+    // It may have been carried out or not.
+    if (finished.outcome == bus::Outcome::NoAnswer && known(finished.module))
+        m_records[finished.module.value()].feed.doubt();
+}
+
+void BusStore::note(const bus::HealthChanged& changed) {
+    if (changed.health == bus::LinkHealth::Lost && !changed.module)
         m_link.phase = LinkPhase::Lost;
-        emit happened(*failed);
-    } else if (const auto* silent = std::get_if<bus::ModuleSilence>(&event)) {
-        silence(*silent);
-    } else if (const auto* lost = std::get_if<bus::LinkLost>(&event)) {
+}
+
+void BusStore::note(const bus::ModuleRestarted& restarted) {
+    if (restarted.quiet)
         m_link.phase = LinkPhase::Lost;
-        emit happened(*lost);
-    } else if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
-        // It may have been carried out or not.
-        if (finished->outcome == bus::Outcome::NoAnswer && known(finished->module))
-            m_records[finished->module.value()].feed.doubt();
-        emit happened(*finished);
-    } else if (const auto* stopped = std::get_if<bus::StopFinished>(&event)) {
-        emit happened(*stopped);
-    } else if (const auto* refused = std::get_if<bus::CommandRefused>(&event)) {
-        emit happened(*refused);
-    } else if (const auto* expired = std::get_if<bus::HoldExpired>(&event)) {
-        emit happened(*expired);
-    } else if (const auto* health = std::get_if<bus::HealthChanged>(&event)) {
-        if (health->health == bus::LinkHealth::Lost && !health->module)
-            m_link.phase = LinkPhase::Lost;
-        emit happened(*health);
-    } else if (const auto* restarted = std::get_if<bus::ModuleRestarted>(&event)) {
-        if (restarted->quiet)
-            m_link.phase = LinkPhase::Lost;
-        if (known(restarted->module)) {
-            m_link.modules[restarted->module.value()].restarted();
-            m_records[restarted->module.value()].feed.doubt();
-            doubtGains(restarted->module);
-        }
-        emit happened(*restarted);
-    } else if (const auto* suspect = std::get_if<bus::MotionSuspect>(&event)) {
-        emit happened(*suspect);
-    } else if (const auto* group = std::get_if<bus::GroupFinished>(&event)) {
-        emit happened(*group);
-    } else if (const auto* changed = std::get_if<bus::GroupChanged>(&event)) {
-        if (known(changed->module))
-            m_link.modules[changed->module.value()].info.group = changed->place;
-    } else if (const auto* rate = std::get_if<bus::RateChanged>(&event)) {
-        m_link.baud = rate->baud;
-        emit happened(*rate);
-    } else if (const auto* kept = std::get_if<bus::RateChangeFailed>(&event)) {
-        emit happened(*kept);
-    }
+    if (!known(restarted.module))
+        return;
+    m_link.modules[restarted.module.value()].restarted();
+    m_records[restarted.module.value()].feed.doubt();
+    doubtGains(restarted.module);
 }
 
 void BusStore::take(const bus::Sample& sample) {
@@ -191,7 +193,7 @@ void BusStore::doubtGains(ModuleIndex module) {
         m_history.noteGains({module, m_history.end().value_or(last->time), std::nullopt});
 }
 
-void BusStore::found(const bus::ChainFound& chain) {
+void BusStore::note(const bus::ChainFound& chain) {
     forgetChain();
     m_link.phase = LinkPhase::Connected;
     m_link.baud = chain.baud;
@@ -222,17 +224,16 @@ void BusStore::beginHistory(const bus::ChainFound& chain) {
     m_historyOf = std::move(identities);
 }
 
-void BusStore::silence(const bus::ModuleSilence& silence) {
-    if (known(silence.module)) {
-        m_link.modules[silence.module.value()].silent = silence.silent;
-        Record& record = m_records[silence.module.value()];
-        record.feed.breakHere();
-        if (silence.silent)
-            record.feed.doubt();
-        else if (m_link.phase == LinkPhase::Lost)
-            m_link.phase = LinkPhase::Connected;
-    }
-    emit happened(silence);
+void BusStore::note(const bus::ModuleSilence& silence) {
+    if (!known(silence.module))
+        return;
+    m_link.modules[silence.module.value()].silent = silence.silent;
+    Record& record = m_records[silence.module.value()];
+    record.feed.breakHere();
+    if (silence.silent)
+        record.feed.doubt();
+    else if (m_link.phase == LinkPhase::Lost)
+        m_link.phase = LinkPhase::Connected;
 }
 
 void BusStore::closed(const PortClosed& closed) {

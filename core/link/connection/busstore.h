@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/overloaded.h"
 #include "link/connection/busworker.h"
 #include "model/module/linkstate.h"
 #include "model/scope/history.h"
@@ -25,8 +26,8 @@ using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
-                 bus::RateChangeFailed, PortClosed, ServoWentOff, SimulatorAnswered, PanelFroze,
-                 MachineSlept>;
+                 bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, SimulatorAnswered,
+                 PanelFroze, MachineSlept>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -69,8 +70,17 @@ private:
     void noteGains(const bus::CommandExecuted& executed);
     /// It may have other gains than those that it confirmed.
     void doubtGains(ModuleIndex module);
-    void found(const bus::ChainFound& chain);
-    void silence(const bus::ModuleSilence& silence);
+    void executed(const bus::CommandExecuted& command);
+    /// What news change here, before they are told.
+    void note(const bus::ChainFound& chain);
+    void note(const bus::ModuleSilence& silence);
+    void note(const bus::OperationFinished& finished);
+    void note(const bus::HealthChanged& changed);
+    void note(const bus::ModuleRestarted& restarted);
+    void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
+    void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
+    void note(const AnyOf<bus::StopFinished, bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect,
+                          bus::GroupFinished, bus::RateChangeFailed, bus::OwedStopConfirmed> auto&) {}
     void closed(const PortClosed& closed);
     void pullRates(double seconds);
     void forgetChain();

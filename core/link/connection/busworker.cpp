@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "base/overloaded.h"
 #include "link/clock.h"
 #include "link/connection/crashburst.h"
 #include "link/threadpriority.h"
@@ -16,8 +17,7 @@ namespace nmc {
 namespace {
 
 /// What the GUI may fall behind before the oldest samples are dropped: a minute at the wire's limit.
-constexpr std::size_t kEventCapacity = 1U << 17U;
-constexpr std::size_t kRequestCapacity = 1'024;
+constexpr std::size_t kSampleCapacity = 1U << 17U;
 /// Half a minute of exchanges at the wire's limit.
 constexpr std::size_t kRecordCapacity = 1U << 14U;
 /// How often the counters are handed over while the bus is busy; they are shown once a second.
@@ -41,11 +41,7 @@ bool descriptorsLeft() {
 }  // namespace
 
 BusWorker::BusWorker(QObject* parent)
-    : QObject(parent),
-      m_asleepSoFar(asleepSoFar),
-      m_requests(kRequestCapacity),
-      m_events(kEventCapacity),
-      m_records(kRecordCapacity) {
+    : QObject(parent), m_asleepSoFar(asleepSoFar), m_events(kSampleCapacity), m_records(kRecordCapacity) {
     m_beatTimer.setInterval(std::chrono::duration_cast<std::chrono::milliseconds>(Heartbeat::kInterval));
     connect(&m_beatTimer, &QTimer::timeout, this, &BusWorker::beat);
 }
@@ -56,15 +52,16 @@ BusWorker::~BusWorker() {
 }
 
 void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
+    close();
     joinThread();
-    (void)m_requests.takeAll();
+    (void)m_events.takeAll();
     (void)m_records.takeAll();
-    m_stopRequested = false;
-    m_closeRequested = false;
+    publishStatistics({});
     if (!descriptorsLeft()) {
         post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}, 0}});
         return;
     }
+    m_requests.begin();
     m_heartbeat.begin(monotonicNow());
     m_beatTimer.start();
     m_suspendWatch = {};
@@ -75,24 +72,23 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 }
 
 void BusWorker::close() {
-    m_closeRequested = true;
-    m_wakeup.wake();
+    m_requests.close();
 }
 
 void BusWorker::connectAgain() {
-    ask(ConnectAgain{});
-}
-
-void BusWorker::watch(std::vector<ModuleIndex> modules) {
-    ask(Watch{std::move(modules)});
-}
-
-void BusWorker::focus(std::optional<ModuleIndex> module) {
-    ask(Focus{module});
+    m_requests.search(RequestBox::Search::Again);
 }
 
 void BusWorker::restart() {
-    ask(Restart{});
+    m_requests.search(RequestBox::Search::Restart);
+}
+
+void BusWorker::watch(std::vector<ModuleIndex> modules) {
+    m_requests.watch(std::move(modules));
+}
+
+void BusWorker::focus(std::optional<ModuleIndex> module) {
+    m_requests.focus(module);
 }
 
 void BusWorker::submit(bus::Operation operation) {
@@ -108,16 +104,15 @@ void BusWorker::changeRate(std::uint32_t baud) {
 }
 
 void BusWorker::hold(const bus::HoldToMove& hold) {
-    ask(hold);
+    m_requests.hold(hold);
 }
 
 void BusWorker::release() {
-    ask(Release{});
+    m_requests.release();
 }
 
 void BusWorker::stopAll() {
-    m_stopRequested = true;
-    m_wakeup.wake();
+    m_requests.stopAll();
 }
 
 void BusWorker::control(std::string line) {
@@ -144,27 +139,33 @@ bus::LinkStatistics BusWorker::statistics() const {
 void BusWorker::run(const TransportFactory& factory, const bus::EngineConfig& config) {
     const crashburst::HandlerStack stack;
     preferThisThread();
+    PortClosed closed;
     const std::unique_ptr<Transport> transport = factory();
-    if (const auto opened = transport->open(); !opened) {
-        post(PortClosed{opened.error()});
-        return;
+    if (const auto opened = transport->open()) {
+        post(PortOpened{});
+        bus::Engine engine(config);
+        m_engineRecords = false;
+        record(engine);
+        engine.connect(monotonicNow());
+        closed.error = converse(*transport, engine);
+        publishStatistics(engine.statistics());
+        crashburst::disarm();
+    } else {
+        closed.error = opened.error();
     }
-    post(PortOpened{});
-    bus::Engine engine(config);
-    m_engineRecords = false;
-    record(engine);
-    engine.connect(monotonicNow());
-    converse(*transport, engine);
-    publishStatistics(engine);
-    crashburst::disarm();
+    for (WorkerEvent& end : m_openRequests.abandon())
+        post(std::move(end));
+    for (const BusRequest& request : m_requests.end())
+        post(refusal(request));
+    post(closed);
 }
 
-void BusWorker::converse(Transport& transport, bus::Engine& engine) {
+std::optional<PortError> BusWorker::converse(Transport& transport, bus::Engine& engine) {
     std::optional<TimePoint> closeBy;
     TimePoint published{};
     while (true) {
         const TimePoint now = monotonicNow();
-        if (m_closeRequested && !closeBy) {
+        if (m_requests.closeWanted() && !closeBy) {
             closeBy = now + kCloseTimeout;
             engine.stopAll(now);
         }
@@ -175,18 +176,14 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
         // Before the command that changes it leaves.
         if (const auto burst = engine.changedStopBurst())
             crashburst::arm(transport.fd(), *burst);
-        if (const auto performed = perform(transport, engine.takeOutput()); !performed) {
-            post(PortClosed{performed.error()});
-            return;
-        }
+        if (const auto performed = perform(transport, engine.takeOutput()); !performed)
+            return performed.error();
         const bool stopped = publish(engine);
         if (stopped && std::exchange(m_restartWhenStopped, false))
             engine.restart(now);
         record(engine);
-        if (closeBy && (stopped || now >= *closeBy)) {
-            post(PortClosed{});
-            return;
-        }
+        if (closeBy && (stopped || now >= *closeBy))
+            return std::nullopt;
 
         auto until = engine.nextDeadline();
         for (const auto& other : {closeBy, m_heartbeat.deadline(engine.anythingMoves())})
@@ -194,44 +191,63 @@ void BusWorker::converse(Transport& transport, bus::Engine& engine) {
                 until = other;
         // When nothing is to happen for long, they would be old for as long.
         if (now - published >= kStatisticsEvery || !until || *until - now > kStatisticsEvery) {
-            publishStatistics(engine);
+            publishStatistics(engine.statistics());
             published = now;
         }
-        const auto bytes = transport.receive(until, m_wakeup.fd());
-        if (!bytes) {
-            post(PortClosed{bytes.error()});
-            return;
-        }
+        const auto bytes = transport.receive(until, m_requests.wakeFd());
+        if (!bytes)
+            return bytes.error();
         if (!bytes->empty())
             engine.onBytes(*bytes, monotonicNow());
     }
 }
 
 void BusWorker::takeRequests(Transport& transport, bus::Engine& engine, TimePoint now) {
-    m_wakeup.reset();
-    if (m_stopRequested.exchange(false))
+    RequestBox::Taken taken = m_requests.take();
+    if (taken.stop)
         engine.stopAll(now);
-    for (Request& request : m_requests.takeAll()) {
-        if (auto* operation = std::get_if<bus::Operation>(&request))
-            engine.submit(std::move(*operation), now);
-        else if (const auto* group = std::get_if<bus::GroupOperation>(&request))
-            engine.submit(*group, now);
-        else if (const auto* rate = std::get_if<ChangeRate>(&request))
-            engine.changeRate(rate->baud, now);
-        else if (const auto* hold = std::get_if<bus::HoldToMove>(&request))
-            engine.hold(*hold, now);
-        else if (std::holds_alternative<Release>(request))
-            engine.release(now);
-        else if (auto* line = std::get_if<ControlLine>(&request))
-            answer(transport, *line);
-        else if (const auto* watched = std::get_if<Watch>(&request))
-            engine.watch(watched->modules);
-        else if (const auto* focus = std::get_if<Focus>(&request))
-            engine.focus(focus->module, now);
-        else if (std::holds_alternative<ConnectAgain>(request))
+    if (taken.released)
+        engine.release(now);
+    if (taken.search)
+        search(*taken.search, engine, now);
+    for (BusRequest& request : taken.requests)
+        take(request, transport, engine, now);
+    if (taken.watched)
+        engine.watch(*taken.watched);
+    if (taken.focused)
+        engine.focus(*taken.focused, now);
+    if (taken.held)
+        engine.hold(*taken.held, now);
+}
+
+void BusWorker::take(BusRequest& request, Transport& transport, bus::Engine& engine, TimePoint now) {
+    if (!std::holds_alternative<ControlLine>(request))
+        m_openRequests.begin(request);
+    std::visit(Overloaded{
+                   [&](bus::Operation& operation) { engine.submit(std::move(operation), now); },
+                   [&](const bus::GroupOperation& operation) { engine.submit(operation, now); },
+                   [&](const ChangeRate& change) { engine.changeRate(change.baud, now); },
+                   [&](ControlLine& line) {
+                       if (auto json = transport.control(line.text))
+                           post(SimulatorAnswered{std::move(line.text), std::move(*json)});
+                   },
+               },
+               request);
+}
+
+void BusWorker::search(RequestBox::Search how, bus::Engine& engine, TimePoint now) {
+    switch (how) {
+        case RequestBox::Search::Again:
+            m_restartWhenStopped = false;
             engine.connect(now);
-        else
-            restartNetwork(engine, now);
+            break;
+        case RequestBox::Search::Restart:
+            m_restartWhenStopped = engine.anythingMoves();
+            if (m_restartWhenStopped)
+                engine.stopAll(now);
+            else
+                engine.restart(now);
+            break;
     }
 }
 
@@ -245,20 +261,6 @@ void BusWorker::guard(bus::Engine& engine, TimePoint now) {
     }
 }
 
-void BusWorker::restartNetwork(bus::Engine& engine, TimePoint now) {
-    if (!engine.anythingMoves()) {
-        engine.restart(now);
-        return;
-    }
-    m_restartWhenStopped = true;
-    engine.stopAll(now);
-}
-
-void BusWorker::answer(Transport& transport, ControlLine& line) {
-    if (auto json = transport.control(line.text))
-        post(SimulatorAnswered{std::move(line.text), std::move(*json)});
-}
-
 tl::expected<void, PortError> BusWorker::perform(Transport& transport,
                                                  const std::vector<bus::Output>& outputs) {
     for (const bus::Output& output : outputs) {
@@ -266,12 +268,12 @@ tl::expected<void, PortError> BusWorker::perform(Transport& transport,
         while (crashburst::underWay())
             QThread::msleep(1);
         tl::expected<void, PortError> done;
-        if (const auto* baud = std::get_if<bus::SetHostBaud>(&output))
-            done = transport.setBaud(baud->baud);
-        else if (const auto* send = std::get_if<bus::Send>(&output))
-            done = transport.send(send->bytes);
-        else
-            transport.discardInput();
+        std::visit(Overloaded{
+                       [&](const bus::SetHostBaud& rate) { done = transport.setBaud(rate.baud); },
+                       [&](const bus::Send& send) { done = transport.send(send.bytes); },
+                       [&](const bus::DiscardInput&) { transport.discardInput(); },
+                   },
+                   output);
         if (!done)
             return done;
     }
@@ -282,14 +284,15 @@ bool BusWorker::publish(bus::Engine& engine) {
     bool stopped = false;
     for (bus::Event& event : engine.takeEvents()) {
         stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
+        m_openRequests.onEvent(event);
         post(std::move(event));
     }
     return stopped;
 }
 
-void BusWorker::publishStatistics(const bus::Engine& engine) {
+void BusWorker::publishStatistics(const bus::LinkStatistics& statistics) {
     const std::scoped_lock lock(m_statisticsMutex);
-    m_statistics = engine.statistics();
+    m_statistics = statistics;
 }
 
 void BusWorker::beat() {
@@ -307,13 +310,14 @@ void BusWorker::record(bus::Engine& engine) {
 }
 
 void BusWorker::post(WorkerEvent event) {
-    if (m_events.push(std::move(event)))
+    const bool sample = isSample(event);
+    if (sample ? m_events.pushSample(std::move(event)) : m_events.pushNews(std::move(event)))
         emit eventsReady();
 }
 
-void BusWorker::ask(Request request) {
-    m_requests.push(std::move(request));
-    m_wakeup.wake();
+void BusWorker::ask(BusRequest request) {
+    if (!m_requests.offer(request))
+        post(refusal(request));
 }
 
 void BusWorker::joinThread() {

@@ -14,42 +14,17 @@
 #include <vector>
 
 #include "base/boundedqueue.h"
+#include "base/eventqueue.h"
 #include "bus/engine.h"
 #include "bus/types.h"
+#include "link/connection/busrequest.h"
 #include "link/connection/heartbeat.h"
+#include "link/connection/requestbox.h"
 #include "link/connection/suspendwatch.h"
 #include "link/connection/transport.h"
-#include "link/connection/wakeup.h"
-#include "link/ports/linktypes.h"
+#include "link/connection/workerevent.h"
 
 namespace nmc {
-
-/// The port is open and discovery begins.
-struct PortOpened {};
-/// The connection is over: by close(), or for the reason given.
-struct PortClosed {
-    std::optional<PortError> error;
-};
-
-/// The built-in simulator's answer to a control line.
-struct SimulatorAnswered {
-    std::string line;  ///< as it was given
-    std::string json;
-};
-
-/// The GUI thread did not turn its event loop for so long.
-struct PanelFroze {
-    Duration length{};
-    bool stopped = false;  ///< motors moved, so they were stopped after Heartbeat::kStopAfter
-};
-
-/// The computer was suspended and has woken; motors were told to stop.
-struct MachineSlept {
-    Duration length{};
-};
-
-using WorkerEvent =
-    std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, MachineSlept>;
 
 /// Runs one connection in a thread of its own: owns the transport and the engine there, for as long as it is
 /// open. The loop blocks in Transport::receive() only; requests reach it through queues and a wake-up, so the
@@ -68,8 +43,8 @@ public:
     /// Stops the motors and closes the port, waiting for it.
     ~BusWorker() override;
 
-    /// Opens a connection; `factory` runs in the bus thread. Ends in PortOpened or PortClosed. An open
-    /// connection must have been closed before.
+    /// Opens a connection; `factory` runs in the bus thread. Ends in PortOpened or PortClosed. A connection
+    /// that is open is closed first, and what it had to tell and was not taken is dropped.
     void open(TransportFactory factory, bus::EngineConfig config);
     /// Stops the motors, closes the port; PortClosed follows.
     void close();
@@ -83,6 +58,8 @@ public:
     void watch(std::vector<ModuleIndex> modules);
     /// One module as fast as the wire carries, for 5 s at most; nothing: no longer (Engine::focus).
     void focus(std::optional<ModuleIndex> module);
+    /// Ends in exactly one bus::OperationFinished: Cancelled at once when too much waits already, or when
+    /// nothing is connected; so do the next three in their events.
     void submit(bus::Operation operation);
     /// bus::GroupFinished follows.
     void submit(bus::GroupOperation operation);
@@ -98,7 +75,8 @@ public:
     /// first.
     void setRecording(bool on);
 
-    /// Everything since the last call, oldest first.
+    /// Everything since the last call, oldest first; when too many samples wait, the oldest of them are gone.
+    /// PortClosed is the last thing that is told of a connection.
     [[nodiscard]] std::vector<WorkerEvent> takeEvents();
     [[nodiscard]] bus::LinkStatistics statistics() const;
     /// The exchanges recorded since the last call, oldest first; when too many wait, the oldest are gone,
@@ -113,39 +91,22 @@ signals:
     void eventsReady();
 
 private:
-    struct Release {};
-    struct ConnectAgain {};
-    struct Restart {};
-    struct ChangeRate {
-        std::uint32_t baud;
-    };
-    struct Watch {
-        std::vector<ModuleIndex> modules;
-    };
-    struct Focus {
-        std::optional<ModuleIndex> module;
-    };
-    struct ControlLine {
-        std::string text;
-    };
-    using Request = std::variant<bus::Operation, bus::GroupOperation, bus::HoldToMove, Release, ConnectAgain,
-                                 Restart, ChangeRate, Watch, Focus, ControlLine>;
-
     void run(const TransportFactory& factory, const bus::EngineConfig& config);
-    void converse(Transport& transport, bus::Engine& engine);
+    /// Until it is closed; otherwise tells why it could not go on.
+    std::optional<PortError> converse(Transport& transport, bus::Engine& engine);
     void takeRequests(Transport& transport, bus::Engine& engine, TimePoint now);
-    void restartNetwork(bus::Engine& engine, TimePoint now);
-    void answer(Transport& transport, ControlLine& line);
+    void take(BusRequest& request, Transport& transport, bus::Engine& engine, TimePoint now);
+    void search(RequestBox::Search how, bus::Engine& engine, TimePoint now);
     tl::expected<void, PortError> perform(Transport& transport, const std::vector<bus::Output>& outputs);
     /// Stops the motors when nobody else can see to it.
     void guard(bus::Engine& engine, TimePoint now);
     /// Returns true when a stop has finished.
     bool publish(bus::Engine& engine);
-    void publishStatistics(const bus::Engine& engine);
+    void publishStatistics(const bus::LinkStatistics& statistics);
     void beat();
     void record(bus::Engine& engine);
     void post(WorkerEvent event);
-    void ask(Request request);
+    void ask(BusRequest request);
     void joinThread();
 
     std::unique_ptr<QThread> m_thread;
@@ -153,12 +114,10 @@ private:
     Heartbeat m_heartbeat;
     SuspendWatch m_suspendWatch;  ///< bus thread
     std::function<Duration()> m_asleepSoFar;
-    Wakeup m_wakeup;
-    std::atomic<bool> m_stopRequested{false};
-    std::atomic<bool> m_closeRequested{false};
+    RequestBox m_requests;
+    OpenRequests m_openRequests;        ///< bus thread
     bool m_restartWhenStopped = false;  ///< bus thread
-    BoundedQueue<Request> m_requests;
-    BoundedQueue<WorkerEvent> m_events;
+    EventQueue<WorkerEvent> m_events;
     std::atomic<bool> m_recording{false};
     bool m_engineRecords = false;  ///< bus thread: what the engine has been told
     BoundedQueue<bus::ExchangeRecord> m_records;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/busrequest.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "base/overloaded.h"
+#include "bus/commandlane.h"
+
+namespace nmc {
+
+namespace {
+
+/// Whether that is the end of the request, which the engine has.
+struct Ends {
+    const BusRequest& request;
+
+    bool operator()(const bus::OperationFinished& end) const {
+        const auto* operation = std::get_if<bus::Operation>(&request);
+        return operation != nullptr && operation->id == end.id;
+    }
+    bool operator()(const bus::GroupFinished& end) const {
+        const auto* operation = std::get_if<bus::GroupOperation>(&request);
+        return operation != nullptr && operation->id == end.id;
+    }
+    bool operator()(const bus::RateChanged&) const { return std::holds_alternative<ChangeRate>(request); }
+    bool operator()(const bus::RateChangeFailed&) const {
+        return std::holds_alternative<ChangeRate>(request);
+    }
+    bool operator()(
+        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
+                    bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
+                    bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
+                    bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed> auto&) const {
+        return false;
+    }
+};
+
+}  // namespace
+
+WorkerEvent refusal(const BusRequest& request) {
+    return std::visit(
+        Overloaded{
+            [](const bus::Operation& operation) -> WorkerEvent {
+                return bus::Event(bus::rejected(operation, bus::Outcome::Cancelled));
+            },
+            [](const bus::GroupOperation& operation) -> WorkerEvent {
+                return bus::Event(
+                    bus::GroupFinished{operation.id, bus::Outcome::Cancelled, operation.what, {}, false});
+            },
+            [](const ChangeRate& change) -> WorkerEvent {
+                bus::RateChangeFailed failed;
+                failed.wanted = change.baud;
+                return bus::Event(failed);
+            },
+            [](const ControlLine& line) -> WorkerEvent {
+                return SimulatorAnswered{line.text, R"({"error":"the simulator does not listen"})"};
+            },
+        },
+        request);
+}
+
+void OpenRequests::begin(const BusRequest& request) {
+    m_open.push_back(request);
+}
+
+void OpenRequests::onEvent(const bus::Event& event) {
+    const auto ended = std::find_if(m_open.begin(), m_open.end(), [&event](const BusRequest& request) {
+        return std::visit(Ends{request}, event);
+    });
+    if (ended != m_open.end())
+        m_open.erase(ended);
+}
+
+std::vector<WorkerEvent> OpenRequests::abandon() {
+    std::vector<WorkerEvent> ends;
+    std::transform(m_open.begin(), m_open.end(), std::back_inserter(ends), refusal);
+    m_open.clear();
+    return ends;
+}
+
+}  // namespace nmc

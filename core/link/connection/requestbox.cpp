@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/requestbox.h"
+
+namespace nmc {
+
+template <typename Change>
+void RequestBox::change(Change change) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        change(m_waiting);
+    }
+    m_wakeup.wake();
+}
+
+void RequestBox::stopAll() {
+    m_stop = true;
+    m_wakeup.wake();
+}
+
+void RequestBox::close() {
+    m_close = true;
+    m_wakeup.wake();
+}
+
+void RequestBox::search(Search how) {
+    change([how](Taken& waiting) { waiting.search = how; });
+}
+
+void RequestBox::watch(std::vector<ModuleIndex> modules) {
+    change([&modules](Taken& waiting) { waiting.watched = std::move(modules); });
+}
+
+void RequestBox::focus(std::optional<ModuleIndex> module) {
+    change([module](Taken& waiting) { waiting.focused = module; });
+}
+
+void RequestBox::hold(const bus::HoldToMove& hold) {
+    change([&hold](Taken& waiting) { waiting.held = hold; });
+}
+
+void RequestBox::release() {
+    change([](Taken& waiting) {
+        waiting.held.reset();
+        waiting.released = true;
+    });
+}
+
+bool RequestBox::offer(BusRequest& request) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (!m_begun || m_waiting.requests.size() == kCapacity)
+            return false;
+        m_waiting.requests.push_back(std::move(request));
+    }
+    m_wakeup.wake();
+    return true;
+}
+
+void RequestBox::begin() {
+    const std::scoped_lock lock(m_mutex);
+    m_begun = true;
+    m_waiting = {};
+    m_stop = m_close = false;
+}
+
+std::vector<BusRequest> RequestBox::end() {
+    const std::scoped_lock lock(m_mutex);
+    m_begun = false;
+    return std::exchange(m_waiting, {}).requests;
+}
+
+RequestBox::Taken RequestBox::take() {
+    // Before anything is read: what comes meanwhile wakes the next turn.
+    m_wakeup.reset();
+    const bool stop = m_stop.exchange(false);
+    const std::scoped_lock lock(m_mutex);
+    Taken taken = std::exchange(m_waiting, {});
+    taken.stop = stop;
+    return taken;
+}
+
+}  // namespace nmc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "bus/types.h"
+#include "link/ports/linktypes.h"
+
+/// What the bus thread tells the GUI thread. Values; any thread.
+namespace nmc {
+
+/// The port is open and discovery begins.
+struct PortOpened {};
+/// The connection is over: by close(), or for the reason given.
+struct PortClosed {
+    std::optional<PortError> error;
+};
+
+/// The built-in simulator's answer to a control line.
+struct SimulatorAnswered {
+    std::string line;  ///< as it was given
+    std::string json;
+};
+
+/// The GUI thread did not turn its event loop for so long.
+struct PanelFroze {
+    Duration length{};
+    bool stopped = false;  ///< motors moved, so they were stopped after Heartbeat::kStopAfter
+};
+
+/// The computer was suspended and has woken; motors were told to stop.
+struct MachineSlept {
+    Duration length{};
+};
+
+using WorkerEvent =
+    std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, MachineSlept>;
+
+/// It tells how things stand, and the next one tells it better: one that is lost is not missed.
+[[nodiscard]] bool isSample(const WorkerEvent& event);
+
+}  // namespace nmc

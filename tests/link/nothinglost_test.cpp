@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between two threads nothing is lost, whatever the one does while the other stands still.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/link/connection.h"
+#include "tests/link/gatedtransport.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr std::uint32_t kFlood = 3'000;  // three times what may wait
+
+class NothingLost : public testing::Test {
+protected:
+    void open(std::size_t modules = 1) {
+        bus::EngineConfig config;
+        config.adapterLatency = Duration::zero();
+        config.holdTimeout = std::chrono::hours(1);
+        sim::ChainOptions options;
+        options.enableFaults = true;
+        connection.open(
+            [this, modules, options] {
+                const std::vector<ModuleIdentity> chain(modules, {ModuleType::Servo, 4});
+                return std::make_unique<GatedTransport>(gate, chain, options);
+            },
+            config);
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    }
+    ~NothingLost() override { gate.open(); }
+
+    /// How often each operation has ended.
+    std::map<std::uint32_t, int> endings() {
+        std::map<std::uint32_t, int> ends;
+        connection.forEach<bus::OperationFinished>(
+            [&ends](const bus::OperationFinished& finished) { ++ends[finished.id.value()]; });
+        return ends;
+    }
+    void flood() {
+        for (std::uint32_t i = 0; i < kFlood; ++i)
+            connection.submit({bus::Step{ModuleIndex(0), ServoCommand(Nop{})}});
+    }
+    void expectEachEndedOnce() {
+        EXPECT_TRUE(connection.waitUntil([this] { return endings().size() == kFlood; }))
+            << endings().size() << " of " << kFlood;
+        for (const auto& [id, times] : endings())
+            EXPECT_EQ(times, 1) << "operation " << id;
+    }
+
+    Gate gate;
+    Connection connection;
+};
+
+TEST_F(NothingLost, WhatIsOneTooManyIsRefusedAndEveryOperationEndsOnce) {
+    open();
+    gate.shut();
+    flood();
+    gate.open();
+    expectEachEndedOnce();
+}
+
+TEST_F(NothingLost, OperationsEndWhenThePortIsGone) {
+    open();
+    gate.shut();
+    flood();
+    gate.breakPort();
+    gate.open();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    expectEachEndedOnce();
+}
+
+TEST_F(NothingLost, OperationsEndWhenNothingIsConnected) {
+    flood();
+    expectEachEndedOnce();
+}
+
+TEST_F(NothingLost, AReleaseIsHeardBehindAnyNumberOfRequests) {
+    open();
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    bus::HoldToMove hold;
+    hold.velocity = CountsPerTick(4 << 16);
+    hold.acceleration = CountsPerTickSquared(1'311);
+    connection.worker().hold(hold);
+    ASSERT_TRUE(
+        connection.waitUntil([this] { return connection.module(0).activity() == Activity::AtSpeed; }));
+    gate.shut();
+    connection.worker().release();
+    flood();
+    gate.open();
+    EXPECT_TRUE(connection.waitUntil([this] { return connection.module(0).activity() == Activity::Holding; }))
+        << "nothing else would end this motion before an hour is over";
+}
+
+TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
+    connection.worker().changeRate(115'200);
+    ASSERT_TRUE(connection.waitFor<bus::RateChangeFailed>());
+    EXPECT_EQ(connection.news<bus::RateChangeFailed>()->reason, bus::RateChangeFailed::Reason::NotNow);
+    EXPECT_EQ(connection.news<bus::RateChangeFailed>()->wanted, 115'200U);
+}
+
+TEST_F(NothingLost, WhatAConnectionHadToTellIsNotTakenForTheNextOnes) {
+    open(1);
+    connection.worker().close();
+    // Whoever does not wait for its end: the second connection is none the worse.
+    connection.forgetNews();
+    open(2);
+    EXPECT_EQ(connection.news<bus::ChainFound>()->modules.size(), 2U);
+    EXPECT_EQ(connection.count<PortClosed>(), 0);
+    EXPECT_TRUE(connection.worker().isOpen());
+    EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
+}
+
+/// Counters begin anew with the chain; the second behind that has no rate of 1.8e19.
+TEST_F(NothingLost, FiguresBehindANewSearchAreNoUnderflow) {
+    open();
+    using std::chrono::seconds;
+    connection.worker().control("fault bus drop status n=3");
+    const auto errors = [this] { return connection.worker().statistics().errors(); };
+    ASSERT_TRUE(connection.waitUntil([&errors] { return errors() >= 3; }));
+    (void)connection.store().pullFigures(TimePoint(seconds(10)));
+    const std::uint64_t answered = connection.worker().statistics().answered;
+    connection.forgetNews();
+    connection.worker().connectAgain();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    const auto counters = [this] { return connection.worker().statistics(); };
+    ASSERT_TRUE(connection.waitUntil([&] { return counters().answered > answered; }));
+    const LinkFigures figures = connection.store().pullFigures(TimePoint(seconds(11)));
+    EXPECT_LE(figures.errorsPerSecond, static_cast<double>(figures.errors));
+    EXPECT_GE(figures.exchangesPerSecond, static_cast<double>(answered));
+    EXPECT_GE(figures.meanRoundTripMs, 0.0);
+}
+
+}  // namespace
+}  // namespace nmc
