@@ -128,7 +128,7 @@ void Composition::told(const PortClosed& closed) {
     m_window.showFigures({});
     if (closed.error) {
         PortError error = *closed.error;
-        error.port = m_target->port;
+        error.port = m_target->port.toStdString();
         m_window.showMessage(texts::portProblem(error));
         m_ports.closed(error);
     } else

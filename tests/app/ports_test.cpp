@@ -141,11 +141,11 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
 
 // ---- the sentences ----
 
-PortError busy(const char* program, qint64 pid) {
+PortError busy(const char* program, std::int64_t pid) {
     PortError error;
     error.problem = PortProblem::InUse;
-    error.port = QStringLiteral("/dev/ttyUSB0");
-    error.program = QLatin1String(program);
+    error.port = "/dev/ttyUSB0";
+    error.program = program;
     error.pid = pid;
     return error;
 }
@@ -161,8 +161,8 @@ TEST(F32_Text, NamesTheProgram) {
 TEST(F33_Text, NamesTheFileItsOwnerAndTheCommand) {
     PortError error = busy("", 0);
     error.problem = PortProblem::StaleLock;
-    error.lockFile = QStringLiteral("/run/lock/LCK..ttyUSB0");
-    error.user = QStringLiteral("root");
+    error.lockFile = "/run/lock/LCK..ttyUSB0";
+    error.user = "root";
     const Message m = texts::portProblem(error);
     EXPECT_TRUE(m.body.contains(QLatin1String("The lock file /run/lock/LCK..ttyUSB0 was left by root")));
     EXPECT_EQ(m.command, QStringLiteral("sudo rm /run/lock/LCK..ttyUSB0"));
@@ -172,7 +172,7 @@ TEST(F33_Text, NamesTheFileItsOwnerAndTheCommand) {
 TEST(F34_Text, SaysThatALockFileCannotBeMade) {
     PortError error = busy("", 0);
     error.problem = PortProblem::NoLockFolder;
-    error.lockFile = QStringLiteral("/var/lock");
+    error.lockFile = "/var/lock";
     const Message m = texts::portProblem(error);
     EXPECT_TRUE(m.headline.contains(QLatin1String("no lock file can be made")));
     EXPECT_TRUE(m.body.contains(QLatin1String("/var/lock")));

@@ -58,7 +58,7 @@ public:
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override {
         if (!m_gate.pass())
-            return tl::unexpected(PortError{PortProblem::Gone, {}, {}, {}, {}, 0});
+            return tl::unexpected(PortError{PortProblem::Gone, {}, {}, {}, {}});
         return SimulatorTransport::receive(until, wakeFd);
     }
 

@@ -146,8 +146,8 @@ TEST(F32_LockOfALiveProcess, NamesTheProgram) {
     machine.lock(QStringLiteral("LCK..ttyUSB0"), QStringLiteral("      4711 minicom anna\n"));
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::InUse);
-    EXPECT_EQ(error.port, kUsb0);
-    EXPECT_EQ(error.program, QStringLiteral("minicom"));
+    EXPECT_EQ(error.port, kUsb0.toStdString());
+    EXPECT_EQ(error.program, "minicom");
     EXPECT_EQ(error.pid, 4711);
 }
 
@@ -165,7 +165,7 @@ TEST(F32_OpenFile, NamesAProgramThatMakesNoLockFile) {
                     {QStringLiteral("/dev/zero"), QStringLiteral("/dev/null")});
     const PortError error = whyBusy(QStringLiteral("/dev/null"), machine.places);
     EXPECT_EQ(error.problem, PortProblem::InUse);
-    EXPECT_EQ(error.program, QStringLiteral("picocom"));
+    EXPECT_EQ(error.program, "picocom");
     EXPECT_EQ(error.pid, 100);
 }
 
@@ -181,8 +181,8 @@ TEST(F33_StaleLock, IsToldWithItsOwnerAndTheFileToRemove) {
     const QString file = machine.lock(QStringLiteral("LCK..ttyUSB0"), QStringLiteral("4711\nminicom\n"));
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::StaleLock);
-    EXPECT_EQ(error.lockFile, file);
-    EXPECT_FALSE(error.user.isEmpty());
+    EXPECT_EQ(error.lockFile, file.toStdString());
+    EXPECT_FALSE(error.user.empty());
 }
 
 TEST(F33_StaleLock, WithoutANumberInItIsStaleAsWell) {
@@ -196,13 +196,13 @@ TEST(F34_NoLockFolder, IsToldAsSuch) {
     machine.removeLockFolder();
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::NoLockFolder);
-    EXPECT_EQ(error.lockFile, machine.places.lockFolders[0]);
+    EXPECT_EQ(error.lockFile, machine.places.lockFolders[0].toStdString());
 }
 
 TEST(F36_ModemManager, IsNamed) {
     Machine machine;
     machine.process(800, QStringLiteral("ModemManager"), {QStringLiteral("/dev/null")});
-    EXPECT_EQ(whyBusy(QStringLiteral("/dev/null"), machine.places).program, QStringLiteral("ModemManager"));
+    EXPECT_EQ(whyBusy(QStringLiteral("/dev/null"), machine.places).program, "ModemManager");
 }
 
 TEST(F32_NobodyKnown, IsInUseWithoutAName) {
@@ -210,7 +210,7 @@ TEST(F32_NobodyKnown, IsInUseWithoutAName) {
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::InUse);
     EXPECT_EQ(error.pid, 0);
-    EXPECT_TRUE(error.program.isEmpty());
+    EXPECT_TRUE(error.program.empty());
 }
 
 // ---- the adapter's latency ----

@@ -172,7 +172,7 @@ TEST(F31_Permission, OfAPortOfAnotherUserIsMissing) {
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     const PortError& error = *connection.news<PortClosed>()->error;
     EXPECT_EQ(error.problem, PortProblem::NoPermission);
-    EXPECT_FALSE(error.user.isEmpty());
+    EXPECT_FALSE(error.user.empty());
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(H13_SecondInstance, IsNamedWithItsNumberAlsoByAnotherNameOfThePort) {
         ASSERT_TRUE(connection.waitFor<PortClosed>());
         const PortError& error = *connection.news<PortClosed>()->error;
         EXPECT_EQ(error.problem, PortProblem::InUse) << name.toStdString();
-        EXPECT_EQ(error.program, QStringLiteral("crasher")) << name.toStdString();
+        EXPECT_EQ(error.program, "crasher") << name.toStdString();
         EXPECT_EQ(error.pid, other.processId()) << name.toStdString();
     }
     ::unlink(alias.toLocal8Bit().constData());
@@ -121,7 +121,7 @@ TEST(F25_Rate, ThatTheAdapterRoundsAwayIsRefusedBeforeAByteIsSent) {
     });
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     EXPECT_EQ(connection.news<PortClosed>()->error->problem, PortProblem::RateNotPossible);
-    EXPECT_TRUE(connection.news<PortClosed>()->error->detail.contains(QLatin1String("59524")));
+    EXPECT_TRUE(connection.news<PortClosed>()->error->detail.find("59524") != std::string::npos);
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 }
 

@@ -56,7 +56,7 @@ TEST_F(Messages, GoodNewsDoesNotRaiseABanner) {
 }
 
 TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
-    window->showMessage(texts::portProblem({PortProblem::InUse, u"/dev/ttyUSB0"_s, {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
     click(u"bannerAction_retry"_s);
     ASSERT_EQ(actions.size(), 1);
     EXPECT_EQ(actions.at(0).at(0).toString(), texts::key::port());
@@ -69,7 +69,7 @@ TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
 TEST_F(Messages, AnActionMayEndItsOwnMessage) {
     QObject::connect(window.get(), &MainWindow::messageAction, window.get(),
                      [this](const QString& key) { window->endMessage(key); });
-    window->showMessage(texts::portProblem({PortProblem::InUse, u"/dev/ttyUSB0"_s, {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
     QTest::mouseClick(list()->rows().at(0)->findChild<QAbstractButton*>(u"listAction_retry"_s),
                       Qt::LeftButton);
     EXPECT_TRUE(list()->rows().at(0)->over());
@@ -78,7 +78,7 @@ TEST_F(Messages, AnActionMayEndItsOwnMessage) {
 
 TEST_F(Messages, CopyCommandCopies) {
     window->showMessage(
-        texts::portProblem({PortProblem::NoPermission, u"/dev/ttyUSB0"_s, u"dialout"_s, u"anna"_s, {}, 0}));
+        texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}, 0}));
     click(u"bannerAction_copyCommand"_s);
     EXPECT_EQ(QGuiApplication::clipboard()->text(), u"sudo usermod -aG dialout anna"_s);
 }
@@ -91,7 +91,7 @@ TEST_F(Messages, HidingTheBannerKeepsTheRow) {
 }
 
 TEST_F(Messages, TextFromOutsideIsNotMarkup) {
-    window->showMessage(texts::portProblem({PortProblem::InUse, u"<b>x</b>"_s, {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "<b>x</b>", {}, {}, {}, 0}));
     EXPECT_EQ(find<QLabel>(u"bannerHeadline"_s)->textFormat(), Qt::PlainText);
 }
 

@@ -8,21 +8,26 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+QString shown(const std::string& utf8) {
+    return QString::fromStdString(utf8);
+}
+
 Message::Action copyCommand() {
     return {action::kCopyCommand, Texts::tr("Copy command")};
 }
 
 Message noPermission(const PortError& error) {
     Message m;
-    m.headline = Texts::tr("Your user account may not use %1.").arg(error.port);
-    if (error.group.isEmpty()) {
+    m.headline = Texts::tr("Your user account may not use %1.").arg(shown(error.port));
+    if (error.group.empty()) {
         m.body = Texts::tr("Ask whoever looks after this computer for access to it.");
         m.actions = {choosePort(), useSimulator()};
         return m;
     }
-    m.command = u"sudo usermod -aG %1 %2"_s.arg(error.group, error.user.isEmpty() ? u"$USER"_s : error.user);
+    m.command = u"sudo usermod -aG %1 %2"_s.arg(shown(error.group),
+                                                error.user.empty() ? u"$USER"_s : shown(error.user));
     m.body = Texts::tr("It belongs to the group %1. Run %2, then log out and in again.")
-                 .arg(error.group, m.command);
+                 .arg(shown(error.group), m.command);
     m.actions = {copyCommand(), choosePort(), useSimulator()};
     return m;
 }
@@ -34,20 +39,23 @@ QString intoUdev(const QString& rule) {
 
 Message inUse(const PortError& error) {
     Message m;
-    m.headline = error.pid == 0 ? Texts::tr("%1 is used by another program.").arg(error.port)
-                 : error.program.isEmpty()
-                     ? Texts::tr("%1 is used by another program (pid %2).").arg(error.port).arg(error.pid)
-                     : Texts::tr("%1 is used by %2 (pid %3).").arg(error.port, error.program).arg(error.pid);
+    m.headline =
+        error.pid == 0 ? Texts::tr("%1 is used by another program.").arg(shown(error.port))
+        : error.program.empty()
+            ? Texts::tr("%1 is used by another program (pid %2).").arg(shown(error.port)).arg(error.pid)
+            : Texts::tr("%1 is used by %2 (pid %3).")
+                  .arg(shown(error.port), shown(error.program))
+                  .arg(error.pid);
     m.body = Texts::tr("Close it and try again.");
     m.actions = {retry(), choosePort()};
-    if (error.program == u"ModemManager") {
+    if (error.program == "ModemManager") {
         m.command =
             intoUdev(uR"(ACTION=="add", SUBSYSTEM=="tty", KERNEL=="ttyUSB*", ENV{ID_MM_PORT_IGNORE}="1")"_s);
         m.body = Texts::tr(
                      "It looks for a modem for some seconds after an adapter was plugged in; wait, and try "
                      "again. To keep it away from USB adapters: %1, then plug the adapter in again.")
                      .arg(m.command);
-    } else if (error.program.startsWith(u"brltty")) {
+    } else if (error.program.rfind("brltty", 0) == 0) {
         m.command = u"sudo ln -s /dev/null /etc/udev/rules.d/90-brltty-usb-generic.rules"_s;
         m.body =
             Texts::tr(
@@ -62,23 +70,24 @@ Message inUse(const PortError& error) {
 
 Message staleLock(const PortError& error) {
     Message m;
-    m.command = u"sudo rm "_s + error.lockFile;
-    m.headline = Texts::tr("%1 is free, but a lock file says that it is in use.").arg(error.port);
+    m.command = u"sudo rm "_s + shown(error.lockFile);
+    m.headline = Texts::tr("%1 is free, but a lock file says that it is in use.").arg(shown(error.port));
     m.body = Texts::tr(
                  "The lock file %1 was left by %2, whose program has ended without removing it. Remove it "
                  "with: %3, then try again.")
-                 .arg(error.lockFile, error.user, m.command);
+                 .arg(shown(error.lockFile), shown(error.user), m.command);
     m.actions = {copyCommand(), retry(), choosePort()};
     return m;
 }
 
 Message noLockFolder(const PortError& error) {
     Message m;
-    m.headline = Texts::tr("%1 cannot be opened because no lock file can be made for it.").arg(error.port);
+    m.headline =
+        Texts::tr("%1 cannot be opened because no lock file can be made for it.").arg(shown(error.port));
     m.body = Texts::tr(
                  "Your user account may not write to %1, nor to any other folder for such files. Ask whoever "
                  "looks after this computer for access to it.")
-                 .arg(error.lockFile);
+                 .arg(shown(error.lockFile));
     m.actions = {retry(), useSimulator()};
     return m;
 }
@@ -95,36 +104,36 @@ Message portMessage(const PortError& error) {
         case PortProblem::NoLockFolder:
             return noLockFolder(error);
         case PortProblem::TooManyFiles:
-            m.headline =
-                Texts::tr("%1 could not be opened: this program has too many files open.").arg(error.port);
+            m.headline = Texts::tr("%1 could not be opened: this program has too many files open.")
+                             .arg(shown(error.port));
             m.body = Texts::tr("Close what it does not need, or start it again.");
             m.actions = {retry()};
             return m;
         case PortProblem::NotFound:
-            m.headline = Texts::tr("There is no %1.").arg(error.port);
+            m.headline = Texts::tr("There is no %1.").arg(shown(error.port));
             m.body = Texts::tr("Most often the adapter is not plugged in, or it has another name now.");
             m.actions = {retry(), choosePort(), useSimulator()};
             return m;
         case PortProblem::NotASerialPort:
-            m.headline = Texts::tr("%1 is not a serial port.").arg(error.port);
+            m.headline = Texts::tr("%1 is not a serial port.").arg(shown(error.port));
             m.body = Texts::tr("Choose the port of the adapter, for example /dev/ttyUSB0.");
             m.actions = {choosePort(), useSimulator()};
             return m;
         case PortProblem::RateNotPossible:
-            m.headline = Texts::tr("%1 cannot run at the chosen rate.").arg(error.port);
+            m.headline = Texts::tr("%1 cannot run at the chosen rate.").arg(shown(error.port));
             m.body = Texts::tr("Choose another rate; every adapter can do 19 200 Bd.");
             m.actions = {retry(), choosePort()};
             return m;
         case PortProblem::Gone:
             m.severity = Severity::Fault;
             m.headline = Texts::tr("The adapter at %1 was unplugged. %2")
-                             .arg(error.port, movingSentence(error.movingMotors));
+                             .arg(shown(error.port), movingSentence(error.movingMotors));
             m.body = Texts::tr("Use the hardware stop if needed, then plug it in again.");
             m.actions = {retry()};
             return m;
         case PortProblem::Other:
-            m.headline = Texts::tr("%1 could not be opened.").arg(error.port);
-            m.body = Texts::tr("The system says: %1").arg(error.detail);
+            m.headline = Texts::tr("%1 could not be opened.").arg(shown(error.port));
+            m.body = Texts::tr("The system says: %1").arg(shown(error.detail));
             m.actions = {retry(), choosePort(), useSimulator()};
             return m;
     }
@@ -136,7 +145,7 @@ Message portMessage(const PortError& error) {
 Message portProblem(const PortError& error) {
     Message m = portMessage(error);
     m.key = key::port();
-    m.details = error.detail;
+    m.details = shown(error.detail);
     if (m.severity == Severity::Normal)
         m.severity = Severity::Attention;
     return m;

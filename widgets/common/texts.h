@@ -10,7 +10,7 @@
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
 #include "link/files/machineio.h"
-#include "link/ports/linktypes.h"
+#include "link/ports/porterror.h"
 #include "model/machinefile/fileproblem.h"
 #include "model/machinefile/machinecompare.h"
 #include "model/module/modulestate.h"

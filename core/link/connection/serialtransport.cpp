@@ -64,11 +64,11 @@ tl::expected<void, PortError> SerialTransport::setBaud(std::uint32_t baud) {
         if (!real || rateIsGoodEnough(baud, *real))
             return {};
         const QString detail = QStringLiteral("%1 Bd -> %2 Bd").arg(baud).arg(*real);
-        return tl::unexpected(PortError{PortProblem::RateNotPossible, m_name, {}, {}, detail, 0});
+        return tl::unexpected(problem(PortProblem::RateNotPossible, detail));
     }
     if (m_port.error() == QSerialPort::ResourceError)
         return tl::unexpected(gone());
-    return tl::unexpected(PortError{PortProblem::RateNotPossible, m_name, {}, {}, m_port.errorString(), 0});
+    return tl::unexpected(problem(PortProblem::RateNotPossible, m_port.errorString()));
 }
 
 tl::expected<void, PortError> SerialTransport::send(ByteSpan bytes) {
@@ -102,7 +102,7 @@ tl::expected<std::vector<std::uint8_t>, PortError> SerialTransport::receive(std:
 }
 
 PortError SerialTransport::openError() const {
-    PortError error{PortProblem::Other, m_name, {}, {}, m_port.errorString(), 0};
+    PortError error = problem(PortProblem::Other, m_port.errorString());
     const QByteArray path = pathOf(m_name).toLocal8Bit();
     struct stat info {};
     switch (m_port.error()) {
@@ -113,12 +113,12 @@ PortError SerialTransport::openError() const {
             // Qt reports a held lock file as a permission error, too.
             if (::faccessat(AT_FDCWD, path.constData(), R_OK | W_OK, AT_EACCESS) == 0) {
                 error = whyBusy(m_name);
-                error.detail = m_port.errorString();
+                error.detail = m_port.errorString().toStdString();
                 break;
             }
             error.problem = PortProblem::NoPermission;
-            error.group = groupOf(path);
-            error.user = userName();
+            error.group = groupOf(path).toStdString();
+            error.user = userName().toStdString();
             break;
         case QSerialPort::UnsupportedOperationError:
             error.problem = PortProblem::NotASerialPort;
@@ -141,7 +141,11 @@ PortError SerialTransport::openError() const {
 }
 
 PortError SerialTransport::gone() const {
-    return {PortProblem::Gone, m_name, {}, {}, m_port.errorString(), 0};
+    return problem(PortProblem::Gone, m_port.errorString());
+}
+
+PortError SerialTransport::problem(PortProblem what, const QString& detail) const {
+    return {what, m_name.toStdString(), {}, {}, detail.toStdString()};
 }
 
 }  // namespace nmc

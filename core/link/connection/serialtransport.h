@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QEventLoop>
 #include <QSerialPort>
 #include <QString>
 #include <functional>
@@ -35,10 +36,14 @@ public:
 private:
     [[nodiscard]] PortError openError() const;
     [[nodiscard]] PortError gone() const;
+    [[nodiscard]] PortError problem(PortProblem what, const QString& detail) const;
 
     QString m_name;
     std::uint32_t m_baud;
     RateReader m_realRate;
+    /// Never turned: it brings along the event dispatcher that a port insists on, in a thread that is not
+    /// Qt's.
+    QEventLoop m_dispatcher;
     QSerialPort m_port;
 };
 

@@ -11,7 +11,7 @@
 
 #include "base/bytes.h"
 #include "base/time.h"
-#include "link/ports/linktypes.h"
+#include "link/ports/porterror.h"
 
 namespace nmc {
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "bus/types.h"
-#include "link/ports/linktypes.h"
+#include "link/ports/porterror.h"
 
 /// What the bus thread tells the GUI thread. Values; any thread.
 namespace nmc {

@@ -21,30 +21,4 @@ struct PortEntry {
 /// ("simulator=servo,servo@1").
 inline const QString kSimulatorPort = QStringLiteral("simulator");
 
-/// Why a port cannot be used, or is no longer.
-enum class PortProblem : std::uint8_t {
-    NotFound,
-    NoPermission,
-    InUse,
-    StaleLock,     ///< a program that is gone has left its lock file, and it is another user's
-    NoLockFolder,  ///< no lock file can be made, and the serial port library insists on one
-    NotASerialPort,
-    RateNotPossible,
-    TooManyFiles,  ///< this program has no file descriptor left
-    Gone,          ///< it was open: unplugged, or the other end closed
-    Other,         ///< detail holds the system's own words
-};
-
-struct PortError {
-    PortProblem problem = PortProblem::Other;
-    QString port;
-    QString group;         ///< NoPermission: the group that may use the port, where it is known
-    QString user;          ///< NoPermission: the present user; StaleLock: the owner of the lock file
-    QString detail;        ///< the system's own words
-    int movingMotors = 0;  ///< Gone: how many were moving at the last word
-    QString program{};     ///< InUse: who uses it, where that can be known
-    qint64 pid = 0;        ///< InUse: the same; 0 where it cannot be known
-    QString lockFile{};    ///< StaleLock: to be removed; NoLockFolder: the folder it should be in
-};
-
 }  // namespace nmc

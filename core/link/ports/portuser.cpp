@@ -103,7 +103,7 @@ QString ownerOf(const QString& file) {
 PortError whyBusy(const QString& port, const PortUserPlaces& places) {
     PortError error;
     error.problem = PortProblem::InUse;
-    error.port = port;
+    error.port = port.toStdString();
     const QString path = pathOf(port);
     const auto lock = lockFileOf(path, places);
     if (lock && lives(lock->pid, places)) {
@@ -112,14 +112,14 @@ PortError whyBusy(const QString& port, const PortUserPlaces& places) {
         error.pid = *pid;
     } else if (lock) {
         error.problem = PortProblem::StaleLock;
-        error.lockFile = lock->path;
-        error.user = ownerOf(lock->path);
+        error.lockFile = lock->path.toStdString();
+        error.user = ownerOf(lock->path).toStdString();
     } else if (!someFolderIsWritable(places)) {
         error.problem = PortProblem::NoLockFolder;
-        error.lockFile = places.lockFolders.value(0);
+        error.lockFile = places.lockFolders.value(0).toStdString();
     }
     if (error.pid != 0)
-        error.program = programOf(error.pid, places);
+        error.program = programOf(error.pid, places).toStdString();
     return error;
 }
 

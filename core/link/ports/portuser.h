@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "link/ports/linktypes.h"
+#include "link/ports/porterror.h"
 
 namespace nmc {
 
