@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/busloop.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include <array>
+#include <utility>
+
+#include "link/clock.h"
+#include "link/connection/bussession.h"
+#include "link/connection/crashburst.h"
+#include "link/threadpriority.h"
+
+namespace nmc {
+
+namespace {
+
+/// A thread with its event dispatcher, a port and its lock file. Qt aborts when there is none left.
+constexpr std::size_t kDescriptorsNeeded = 8;
+
+bool descriptorsLeft() {
+    std::array<int, kDescriptorsNeeded> fds{};
+    for (int& fd : fds)
+        fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool enough = fds.back() >= 0;
+    for (const int fd : fds)
+        if (fd >= 0)
+            ::close(fd);
+    return enough;
+}
+
+}  // namespace
+
+BusLoop::BusLoop(std::function<void()> eventsReady, std::size_t samples)
+    : m_channel(std::move(eventsReady), samples), m_asleepSoFar(asleepSoFar) {}
+
+BusLoop::~BusLoop() {
+    close();
+    join();
+}
+
+void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
+    close();
+    join();
+    (void)m_channel.events.takeAll();
+    (void)m_channel.records.takeAll();
+    m_channel.publish({});
+    if (!descriptorsLeft()) {
+        m_channel.post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}}});
+        return;
+    }
+    m_channel.requests.begin();
+    m_channel.heartbeat.begin(monotonicNow());
+    m_thread = std::thread([this, factory = std::move(factory), config] { run(factory, config); });
+}
+
+void BusLoop::ask(BusRequest request) {
+    if (!m_channel.requests.offer(request))
+        m_channel.post(refusal(request));
+}
+
+void BusLoop::beat() {
+    if (const auto gap = m_channel.heartbeat.beat(monotonicNow()); gap && isOpen())
+        m_channel.post(PanelFroze{gap->length, gap->stopped});
+}
+
+std::vector<WorkerEvent> BusLoop::takeEvents() {
+    std::vector<WorkerEvent> events = m_channel.events.takeAll();
+    for (const WorkerEvent& event : events)
+        if (std::holds_alternative<PortClosed>(event))
+            join();
+    return events;
+}
+
+void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& config) {
+    ::pthread_setname_np(::pthread_self(), "bus");
+    const crashburst::HandlerStack stack;
+    preferThisThread();
+    PortClosed closed;
+    const std::unique_ptr<Transport> transport = factory();
+    if (const auto opened = transport->open()) {
+        m_channel.post(PortOpened{});
+        BusSession session(m_channel, *transport, config, m_guards, m_asleepSoFar);
+        closed.error = session.run();
+        for (WorkerEvent& end : session.abandon())
+            m_channel.post(std::move(end));
+    } else {
+        closed.error = opened.error();
+    }
+    for (const BusRequest& request : m_channel.requests.end())
+        m_channel.post(refusal(request));
+    m_channel.post(std::move(closed));
+}
+
+void BusLoop::join() {
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+}  // namespace nmc

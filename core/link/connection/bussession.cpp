@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/bussession.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/overloaded.h"
+#include "link/clock.h"
+#include "link/connection/crashburst.h"
+#include "protocol/baud.h"
+
+namespace nmc {
+
+namespace {
+
+/// How often the counters are handed over while the bus is busy; they are shown once a second.
+constexpr Duration kStatisticsEvery = std::chrono::milliseconds(100);
+/// How long closing waits for the motors to confirm their stop.
+constexpr Duration kCloseTimeout = std::chrono::seconds(1);
+
+}  // namespace
+
+BusSession::BusSession(BusChannel& channel, Transport& transport, const bus::EngineConfig& config,
+                       std::vector<LoopGuard*> guards, std::function<Duration()> asleepSoFar)
+    : m_channel(channel),
+      m_transport(transport),
+      m_guards(std::move(guards)),
+      m_asleepSoFar(std::move(asleepSoFar)),
+      m_engine(config) {
+    m_guarded.baud = kPowerUpBaud;
+}
+
+std::optional<PortError> BusSession::run() {
+    for (LoopGuard* guard : m_guards)
+        guard->begin(m_transport.fd());
+    publishRecords();
+    m_engine.connect(monotonicNow());
+    auto error = converse();
+    for (LoopGuard* guard : m_guards)
+        guard->end();
+    m_channel.publish(m_engine.statistics());
+    return error;
+}
+
+std::optional<PortError> BusSession::converse() {
+    while (true) {
+        const TimePoint now = monotonicNow();
+        for (LoopGuard* guard : m_guards)
+            guard->beat(now);
+        if (m_channel.requests.closeWanted() && !m_closeBy) {
+            m_closeBy = now + kCloseTimeout;
+            m_engine.stopAll(now);
+        }
+        takeRequests(now);
+        watchOver(now);
+        if (const auto deadline = m_engine.nextDeadline(); deadline && *deadline <= now)
+            m_engine.onDeadline(now);
+        tellGuards();
+        if (const auto performed = perform(m_engine.takeOutput()); !performed)
+            return performed.error();
+        const bool stopped = publishEvents();
+        if (stopped && std::exchange(m_restartWhenStopped, false))
+            m_engine.restart(now);
+        publishRecords();
+        if (m_closeBy && (stopped || now >= *m_closeBy))
+            return std::nullopt;
+
+        const auto until = nextTurn(now);
+        publishStatistics(now, until);
+        const auto bytes = m_transport.receive(until, m_channel.requests.wakeFd());
+        if (!bytes)
+            return bytes.error();
+        if (!bytes->empty())
+            m_engine.onBytes(*bytes, monotonicNow());
+    }
+}
+
+std::optional<TimePoint> BusSession::nextTurn(TimePoint now) const {
+    const bool moving = m_engine.anythingMoves();
+    std::optional<TimePoint> next = m_engine.nextDeadline();
+    for (const auto& other : {m_closeBy, m_channel.heartbeat.deadline(moving),
+                              moving ? std::optional(now + LoopGuard::kBeatEvery) : std::nullopt})
+        if (other && (!next || *other < *next))
+            next = other;
+    return next;
+}
+
+void BusSession::takeRequests(TimePoint now) {
+    RequestBox::Taken taken = m_channel.requests.take();
+    if (taken.stop)
+        m_engine.stopAll(now);
+    if (taken.released)
+        m_engine.release(now);
+    if (taken.search)
+        search(*taken.search, now);
+    for (BusRequest& request : taken.requests)
+        take(request, now);
+    if (taken.watched)
+        m_engine.watch(*taken.watched);
+    if (taken.focused)
+        m_engine.focus(*taken.focused, now);
+    if (taken.held)
+        m_engine.hold(*taken.held, now);
+}
+
+void BusSession::take(BusRequest& request, TimePoint now) {
+    if (!std::holds_alternative<ControlLine>(request))
+        m_open.begin(request);
+    std::visit(Overloaded{
+                   [&](bus::Operation& operation) { m_engine.submit(std::move(operation), now); },
+                   [&](const bus::GroupOperation& operation) { m_engine.submit(operation, now); },
+                   [&](const ChangeRate& change) { m_engine.changeRate(change.baud, now); },
+                   [&](ControlLine& line) {
+                       if (auto json = m_transport.control(line.text))
+                           m_channel.post(SimulatorAnswered{std::move(line.text), std::move(*json)});
+                   },
+               },
+               request);
+}
+
+void BusSession::search(RequestBox::Search how, TimePoint now) {
+    switch (how) {
+        case RequestBox::Search::Again:
+            m_restartWhenStopped = false;
+            m_engine.connect(now);
+            break;
+        case RequestBox::Search::Restart:
+            m_restartWhenStopped = m_engine.anythingMoves();
+            if (m_restartWhenStopped)
+                m_engine.stopAll(now);
+            else
+                m_engine.restart(now);
+            break;
+    }
+}
+
+void BusSession::watchOver(TimePoint now) {
+    if (m_channel.heartbeat.missed(now, m_engine.anythingMoves()))
+        m_engine.stopAll(now);
+    if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
+        m_engine.distrust(now);
+        m_engine.stopAll(now);
+        m_channel.post(MachineSlept{*slept});
+    }
+}
+
+void BusSession::tellGuards() {
+    Guarded news = m_guarded;
+    if (auto burst = m_engine.changedStopBurst())
+        news.burst = std::move(*burst);
+    news.moving = m_engine.anythingMoves();
+    if (news == m_guarded)
+        return;
+    m_guarded = std::move(news);
+    for (LoopGuard* guard : m_guards)
+        guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
+}
+
+tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>& outputs) {
+    for (const bus::Output& output : outputs) {
+        // This process is dying in another thread, which has said the last word to the motors.
+        while (crashburst::underWay())
+            ::pause();
+        tl::expected<void, PortError> done;
+        std::visit(Overloaded{
+                       [&](const bus::SetHostBaud& rate) {
+                           done = m_transport.setBaud(rate.baud);
+                           if (rate.baud == m_guarded.baud)
+                               return;
+                           m_guarded.baud = rate.baud;
+                           for (LoopGuard* guard : m_guards)
+                               guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
+                       },
+                       [&](const bus::Send& send) { done = m_transport.send(send.bytes); },
+                       [&](const bus::DiscardInput&) { m_transport.discardInput(); },
+                   },
+                   output);
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+bool BusSession::publishEvents() {
+    bool stopped = false;
+    for (bus::Event& event : m_engine.takeEvents()) {
+        stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
+        m_open.onEvent(event);
+        m_channel.post(std::move(event));
+    }
+    return stopped;
+}
+
+/// When nothing is to happen for long, they would be old for as long.
+void BusSession::publishStatistics(TimePoint now, std::optional<TimePoint> next) {
+    if (next && now - m_published < kStatisticsEvery && *next - now <= kStatisticsEvery)
+        return;
+    m_channel.publish(m_engine.statistics());
+    m_published = now;
+}
+
+void BusSession::publishRecords() {
+    if (m_engineRecords)
+        for (bus::ExchangeRecord& exchange : m_engine.takeRecords())
+            m_channel.records.push(std::move(exchange));
+    const bool wanted = m_channel.recording.load(std::memory_order_relaxed);
+    if (wanted != std::exchange(m_engineRecords, wanted))
+        m_engine.setRecording(wanted);
+}
+
+}  // namespace nmc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "link/connection/loopguard.h"
+
+namespace nmc {
+
+/// The guard against a crash of this process: its signal handlers write the burst (crashburst.h). One at a
+/// time.
+class CrashGuard : public LoopGuard {
+public:
+    void begin(int fd) override;
+    void arm(ByteSpan burst, std::uint32_t baud, bool moving) override;
+    void beat(TimePoint /*now*/) override {}
+    void end() override;
+
+private:
+    int m_fd = -1;
+};
+
+}  // namespace nmc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "base/bytes.h"
+#include "base/time.h"
+
+namespace nmc {
+
+/// Stops the motors when the bus loop cannot any more, because its process has crashed, has been killed or
+/// hangs. The loop tells it all that takes beforehand. Bus thread; no member may wait.
+class LoopGuard {
+public:
+    /// How long the loop may wait between two beats while anything moves.
+    static constexpr Duration kBeatEvery = std::chrono::milliseconds(50);
+
+    LoopGuard() = default;
+    LoopGuard(const LoopGuard&) = delete;
+    LoopGuard& operator=(const LoopGuard&) = delete;
+    virtual ~LoopGuard() = default;
+
+    /// A port has been opened; -1: the simulator in this process, which ends with it.
+    virtual void begin(int fd) = 0;
+    /// From now on these bytes, nulls first, are what stops the motors, at this rate; empty: nothing is on.
+    /// After each change of the three, before the command that changes it leaves.
+    virtual void arm(ByteSpan burst, std::uint32_t baud, bool moving) = 0;
+    /// The loop lives. Each turn of it.
+    virtual void beat(TimePoint now) = 0;
+    /// The loop has done what it could, and the port is about to be closed.
+    virtual void end() = 0;
+};
+
+}  // namespace nmc

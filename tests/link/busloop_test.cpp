@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bus loop in real threads, without Qt: the thread sanitizer watches these.
+#include "link/connection/busloop.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <map>
+#include <thread>
+
+#include "tests/link/gatedtransport.h"
+#include "tests/link/looprig.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+using namespace std::chrono_literals;
+
+TEST(BusLoop, RunsAChainAndStopsItsMotorsBeforeItCloses) {
+    LoopRig rig;
+    rig.openSimulator(simulatorConfig(115'200), servoChain(2));
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    EXPECT_EQ(rig.last<bus::ChainFound>()->modules.size(), 2U);
+    EXPECT_EQ(rig.last<bus::ChainFound>()->baud, 115'200U);
+    rig.loop.ask(runOn(1));
+    ASSERT_TRUE(rig.waitFor<bus::OperationFinished>());
+    EXPECT_EQ(rig.last<bus::OperationFinished>()->outcome, bus::Outcome::Done);
+    rig.loop.close();
+    ASSERT_TRUE(rig.waitFor<PortClosed>());
+    EXPECT_FALSE(rig.last<PortClosed>()->error.has_value());
+    ASSERT_NE(rig.last<bus::StopFinished>(), nullptr);
+    EXPECT_EQ(rig.last<bus::StopFinished>()->stopped.size(), 2U);
+    EXPECT_FALSE(rig.loop.isOpen());
+    EXPECT_TRUE(std::holds_alternative<PortClosed>(rig.events().back())) << "the last word";
+}
+
+TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
+    LoopRig rig;
+    for (std::size_t modules = 1; modules <= 3; ++modules) {
+        rig.openSimulator(simulatorConfig(), servoChain(modules));
+        ASSERT_TRUE(rig.waitUntil([&] {
+            const auto* found = rig.last<bus::ChainFound>();
+            return found != nullptr && found->modules.size() == modules;
+        }));
+    }
+    EXPECT_EQ(rig.count<PortClosed>(), 0U)
+        << "each was opened over the one before, which has nothing to tell";
+}
+
+TEST(BusLoop, EveryRequestOfEveryThreadEndsOnce) {
+    constexpr std::uint32_t kEach = 400;
+    constexpr std::uint32_t kThreads = 4;
+    LoopRig rig;
+    rig.openSimulator(simulatorConfig(115'200), servoChain(1));
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    std::array<std::thread, kThreads> threads;
+    for (std::uint32_t t = 0; t < kThreads; ++t)
+        threads[t] = std::thread([&rig, t] {
+            for (std::uint32_t i = 0; i < kEach; ++i) {
+                rig.loop.ask(servoOperation(t * kEach + i, {Nop{}}));
+                if (i % 100 == 0)
+                    rig.loop.stopAll();
+            }
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    ASSERT_TRUE(rig.waitUntil([&] { return rig.count<bus::OperationFinished>() == kEach * kThreads; }));
+    rig.loop.close();
+    ASSERT_TRUE(rig.waitFor<PortClosed>());
+    std::map<std::uint32_t, int> ends;
+    for (const WorkerEvent& event : rig.events())
+        if (const auto* finished = LoopRig::as<bus::OperationFinished>(event))
+            ++ends[finished->id.value()];
+    EXPECT_EQ(ends.size(), kEach * kThreads);
+    for (const auto& [id, times] : ends)
+        EXPECT_EQ(times, 1) << "operation " << id;
+}
+
+/// Whoever falls behind misses samples and nothing else.
+TEST(BusLoop, KeepsNewsForAListenerWhoFallsBehind) {
+    constexpr std::size_t kSamples = 8;
+    LoopRig rig(kSamples);
+    rig.openSimulator(simulatorConfig(115'200), servoChain(1));
+    while (rig.loop.droppedSamples() < 100)
+        std::this_thread::yield();
+    rig.loop.ask(servoOperation(7, {Nop{}}));
+    const std::size_t before = rig.loop.droppedSamples();
+    while (rig.loop.droppedSamples() < before + 100)
+        std::this_thread::yield();
+    const auto& events = rig.events();
+    EXPECT_TRUE(std::holds_alternative<PortOpened>(events.front()));
+    EXPECT_EQ(rig.count<bus::ChainFound>(), 1U);
+    EXPECT_EQ(rig.count<bus::OperationFinished>(), 1U);
+    EXPECT_LE(rig.count<bus::Sample>(), kSamples);
+    EXPECT_TRUE(LoopRig::as<bus::Sample>(events.back())) << "the newest is there, behind what came before it";
+}
+
+TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
+    std::atomic<Duration::rep> asleep{0};
+    LoopRig rig;
+    rig.loop.setSleepClock([&asleep] { return Duration(asleep.load()); });
+    rig.openSimulator(simulatorConfig(), servoChain(1));
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    rig.loop.ask(runOn(1));
+    ASSERT_TRUE(rig.waitFor<bus::OperationFinished>());
+    asleep = Duration(2h).count();
+    ASSERT_TRUE(rig.waitFor<MachineSlept>());
+    EXPECT_EQ(rig.last<MachineSlept>()->length, 2h);
+    ASSERT_TRUE(rig.waitFor<bus::StopFinished>());
+    EXPECT_EQ(rig.last<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_EQ(rig.count<MachineSlept>(), 1U);
+}
+
+// ---- guards ----
+
+/// What a guard is told and what the port gets, in one order.
+struct Told {
+    enum class What { Begin, Arm, Send, End } what;
+    std::vector<std::uint8_t> bytes{};
+    std::uint32_t baud = 0;
+    bool moving = false;
+};
+
+class Diary : public LoopGuard {
+public:
+    void begin(int) override { note({Told::What::Begin}); }
+    void arm(ByteSpan burst, std::uint32_t baud, bool moving) override {
+        m_moving = moving;
+        note({Told::What::Arm, {burst.begin(), burst.end()}, baud, moving});
+    }
+    void beat(TimePoint now) override { m_beat = now; }
+    void end() override { note({Told::What::End}); }
+
+    void note(Told told) {
+        const std::scoped_lock lock(m_mutex);
+        m_all.push_back(std::move(told));
+    }
+    std::vector<Told> all() const {
+        const std::scoped_lock lock(m_mutex);
+        return m_all;
+    }
+    // Bus thread.
+    [[nodiscard]] bool moving() const { return m_moving; }
+    [[nodiscard]] TimePoint lastBeat() const { return m_beat; }
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<Told> m_all;
+    bool m_moving = false;
+    TimePoint m_beat;
+};
+
+/// The simulator, which writes into the diary too, and counts the waits that are too long for a guard.
+class WatchedTransport : public SimulatorTransport {
+public:
+    WatchedTransport(Diary& diary, std::atomic<int>& longWaits, std::atomic<int>& waits)
+        : SimulatorTransport(servoChain(1)), m_diary(diary), m_longWaits(longWaits), m_waits(waits) {}
+
+    tl::expected<void, PortError> send(ByteSpan bytes) override {
+        m_diary.note({Told::What::Send, {bytes.begin(), bytes.end()}});
+        return SimulatorTransport::send(bytes);
+    }
+    tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
+                                                               int wakeFd) override {
+        if (m_diary.moving()) {
+            ++m_waits;
+            if (!until || *until > m_diary.lastBeat() + LoopGuard::kBeatEvery)
+                ++m_longWaits;
+        }
+        return SimulatorTransport::receive(until, wakeFd);
+    }
+
+private:
+    Diary& m_diary;
+    std::atomic<int>& m_longWaits;
+    std::atomic<int>& m_waits;
+};
+
+class GuardedLoop : public testing::Test {
+protected:
+    /// Runs a motor for a while, stops it and closes.
+    void live() {
+        rig.loop.addGuard(diary);
+        rig.loop.open([this] { return std::make_unique<WatchedTransport>(diary, longWaits, waits); },
+                      simulatorConfig(115'200));
+        ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+        rig.loop.ask(runOn(1));
+        ASSERT_TRUE(rig.waitUntil([this] { return waits > 30; }));
+        rig.loop.close();
+        ASSERT_TRUE(rig.waitFor<PortClosed>());
+    }
+
+    Diary diary;
+    std::atomic<int> longWaits{0};
+    std::atomic<int> waits{0};
+    LoopRig rig;
+};
+
+TEST_F(GuardedLoop, IsArmedAtTheRateOfTheChainBeforeTheMotorIsOn) {
+    ASSERT_NO_FATAL_FAILURE(live());
+    bool armed = false;
+    for (const Told& told : diary.all()) {
+        if (told.what == Told::What::Arm && !told.bytes.empty()) {
+            armed = true;
+            EXPECT_EQ(told.baud, 115'200U);
+        }
+        // Stop Motor with AMP_EN, which is what enables it (DS-V 5.2).
+        const bool enables = told.what == Told::What::Send && told.bytes.size() > 3 &&
+                             told.bytes[2] == 0x17 && (told.bytes[3] & 0x01U) != 0;
+        EXPECT_FALSE(enables && !armed) << "there would be a moment in which nothing could stop it";
+    }
+    EXPECT_TRUE(armed);
+}
+
+TEST_F(GuardedLoop, IsToldWhenAMotorMovesAndWhenItStands) {
+    ASSERT_NO_FATAL_FAILURE(live());
+    const std::vector<Told> all = diary.all();
+    EXPECT_EQ(all.front().what, Told::What::Begin);
+    EXPECT_EQ(all.back().what, Told::What::End);
+    std::vector<bool> moving;
+    for (const Told& told : all)
+        if (told.what == Told::What::Arm && (moving.empty() || moving.back() != told.moving))
+            moving.push_back(told.moving);
+    ASSERT_GE(moving.size(), 2U);
+    EXPECT_FALSE(moving.back()) << "the stop was confirmed before the port was closed";
+}
+
+TEST_F(GuardedLoop, IsBeatenEveryFiftyMillisecondsWhileAnythingMoves) {
+    ASSERT_NO_FATAL_FAILURE(live());
+    EXPECT_GT(waits, 30);
+    EXPECT_EQ(longWaits, 0);
+}
+
+}  // namespace
+}  // namespace nmc
