@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "link/connection/linklog.h"
+
 namespace nmc {
 
 BusWorker::BusWorker(QObject* parent) : QObject(parent) {
@@ -11,47 +13,67 @@ BusWorker::BusWorker(QObject* parent) : QObject(parent) {
 }
 
 void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
+    qCDebug(linkLog) << "connecting, wanted rate" << config.baud;
     m_loop.open(std::move(factory), config);
     m_beatTimer.start();
 }
 
 void BusWorker::connectAgain() {
+    qCDebug(requestLog) << "find the chain anew";
     m_loop.search(RequestBox::Search::Again);
 }
 
 void BusWorker::restart() {
+    qCDebug(requestLog) << "restart the network";
     m_loop.search(RequestBox::Search::Restart);
 }
 
 void BusWorker::submit(bus::Operation operation) {
+    qCDebug(requestLog).noquote() << logLine(operation).c_str();
     m_loop.ask(std::move(operation));
 }
 
 void BusWorker::submit(bus::GroupOperation operation) {
+    qCDebug(requestLog).noquote() << logLine(operation).c_str();
     m_loop.ask(operation);
 }
 
 void BusWorker::changeRate(std::uint32_t baud) {
+    qCDebug(requestLog) << "change the rate to" << baud;
     m_loop.ask(ChangeRate{baud});
 }
 
 void BusWorker::control(std::string line) {
+    qCDebug(requestLog).noquote() << "simulator:" << line.c_str();
     m_loop.ask(ControlLine{std::move(line)});
 }
 
 void BusWorker::hold(const bus::HoldToMove& hold) {
+    qCDebug(requestLog) << "hold to move, module" << hold.module.value() + 1;
     m_loop.hold(hold);
 }
 
 void BusWorker::release() {
+    qCDebug(requestLog) << "release";
     m_loop.release();
 }
 
 std::vector<WorkerEvent> BusWorker::takeEvents() {
     std::vector<WorkerEvent> events = m_loop.takeEvents();
+    if (linkLog().isDebugEnabled())
+        log(events);
     if (!m_loop.isOpen())
         m_beatTimer.stop();
     return events;
+}
+
+void BusWorker::log(const std::vector<WorkerEvent>& events) {
+    for (const WorkerEvent& event : events)
+        if (const std::string line = logLine(event); !line.empty())
+            qCDebug(linkLog).noquote() << line.c_str();
+    if (const std::size_t dropped = m_loop.droppedSamples();
+        dropped != std::exchange(m_droppedSamples, dropped))
+        qCDebug(linkLog) << "samples dropped so far:" << dropped;
 }
 
 }  // namespace nmc

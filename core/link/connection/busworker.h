@@ -16,7 +16,8 @@ namespace nmc {
 
 /// The bus loop (link/connection/busloop.h) as an object of the GUI thread: says by a signal that there is
 /// something to take, and beats for as long as the event loop turns. All public members belong to the GUI
-/// thread but for stopAll() and close(), which may be called from any and from a signal handler.
+/// thread but for stopAll() and close(), which may be called from any and from a signal handler. What is
+/// asked and told can be logged (link/connection/linklog.h).
 class BusWorker : public QObject {
     Q_OBJECT
 
@@ -76,8 +77,11 @@ signals:
     void eventsReady();
 
 private:
+    void log(const std::vector<WorkerEvent>& events);
+
     BusLoop m_loop{[this] { emit eventsReady(); }};
     QTimer m_beatTimer;
+    std::size_t m_droppedSamples = 0;  ///< as logged
 };
 
 }  // namespace nmc

@@ -11,6 +11,7 @@
 #include <array>
 
 #include "link/clock.h"
+#include "link/connection/linklog.h"
 #include "link/ports/portuser.h"
 #include "protocol/baud.h"
 
@@ -53,14 +54,17 @@ tl::expected<void, PortError> SerialTransport::open() {
         return tl::unexpected(openError());
     if (::flock(m_port.handle(), LOCK_EX | LOCK_NB) != 0) {
         m_port.close();
+        qCDebug(portLog).noquote() << m_name << "is locked by somebody else";
         return tl::unexpected(whyBusy(m_name));
     }
+    qCDebug(portLog).noquote() << m_name << "is open";
     return setBaud(m_baud).and_then([this] { return setBaud(kPowerUpBaud); });
 }
 
 tl::expected<void, PortError> SerialTransport::setBaud(std::uint32_t baud) {
     if (m_port.setBaudRate(static_cast<qint32>(baud))) {
         const auto real = m_realRate(m_port.handle());
+        qCDebug(portLog).noquote() << m_name << "at" << baud << "Bd, really" << real.value_or(baud);
         if (!real || rateIsGoodEnough(baud, *real))
             return {};
         const QString detail = QStringLiteral("%1 Bd -> %2 Bd").arg(baud).arg(*real);
@@ -145,6 +149,7 @@ PortError SerialTransport::gone() const {
 }
 
 PortError SerialTransport::problem(PortProblem what, const QString& detail) const {
+    qCDebug(portLog).noquote() << m_name << "problem" << static_cast<int>(what) << detail;
     return {what, m_name.toStdString(), {}, {}, detail.toStdString()};
 }
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/linklog.h"
+
+#include <array>
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "base/overloaded.h"
+#include "bus/commandlane.h"
+#include "protocol/describe.h"
+#include "protocol/frame.h"
+
+namespace nmc {
+
+Q_LOGGING_CATEGORY(linkLog, "nmc.link", QtWarningMsg)
+Q_LOGGING_CATEGORY(portLog, "nmc.link.port", QtWarningMsg)
+Q_LOGGING_CATEGORY(requestLog, "nmc.link.requests", QtWarningMsg)
+
+namespace {
+
+std::string ms(Duration duration) {
+    return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(duration).count()) + " ms";
+}
+
+std::string name(ModuleIndex module) {
+    return "module " + std::to_string(module.value() + 1);
+}
+
+std::string name(const std::optional<ModuleIndex>& module) {
+    return module ? name(*module) : "the bus";
+}
+
+std::string list(const std::vector<ModuleIndex>& modules) {
+    std::string text;
+    for (const ModuleIndex module : modules)
+        text += (text.empty() ? "" : " ") + std::to_string(module.value() + 1);
+    return text.empty() ? "none" : text;
+}
+
+std::string_view word(bus::Outcome outcome) {
+    constexpr std::array<std::string_view, 5> kWords{"done", "refused", "no answer", "forbidden",
+                                                     "cancelled"};
+    return kWords[static_cast<std::size_t>(outcome)];
+}
+
+std::string_view word(bus::LinkHealth health) {
+    constexpr std::array<std::string_view, 3> kWords{"good", "doubtful", "lost"};
+    return kWords[static_cast<std::size_t>(health)];
+}
+
+std::string_view word(bus::StopCause cause) {
+    constexpr std::array<std::string_view, 5> kWords{"hold released", "hold expired", "motion suspect",
+                                                     "group half started", "link given up"};
+    return kWords[static_cast<std::size_t>(cause)];
+}
+
+template <typename Enum>
+std::string number(Enum value) {
+    return std::to_string(static_cast<int>(value));
+}
+
+struct EventLine {
+    std::string operator()(const AnyOf<bus::Sample, bus::CommandExecuted> auto&) const { return {}; }
+    std::string operator()(const bus::ConnectProgress& progress) const {
+        return "connecting: stage " + number(progress.stage) + ", modules " +
+               std::to_string(progress.modules);
+    }
+    std::string operator()(const bus::ChainFound& chain) const {
+        return "chain found: modules " + std::to_string(chain.modules.size()) + ", " +
+               std::to_string(chain.baud) + " Bd" + (chain.attached ? ", left as it is" : "") +
+               (chain.unaddressed ? ", one without an address" : "");
+    }
+    std::string operator()(const bus::ConnectFailed& failed) const {
+        return "connecting failed: reason " + number(failed.reason) + ", modules " + list(failed.modules) +
+               ", " + std::to_string(failed.baud) + " Bd";
+    }
+    std::string operator()(const bus::OperationFinished& finished) const {
+        return "operation " + std::to_string(finished.id.value()) + ": " +
+               std::string(word(finished.outcome));
+    }
+    std::string operator()(const bus::GroupFinished& finished) const {
+        return "group operation " + std::to_string(finished.id.value()) + ": " +
+               std::string(word(finished.outcome)) + (finished.stopped ? ", stopped" : "");
+    }
+    std::string operator()(const bus::StopFinished& finished) const {
+        return "stop finished: stopped " + list(finished.stopped) + ", not reached " +
+               list(finished.unreached) + ", not confirmed " + list(finished.unconfirmed) + ", " +
+               ms(finished.took);
+    }
+    std::string operator()(const bus::OwedStopConfirmed& confirmed) const {
+        return name(confirmed.module) + " stands: " + std::string(word(confirmed.cause));
+    }
+    std::string operator()(const bus::ModuleSilence& silence) const {
+        return name(silence.module) + (silence.silent ? " is silent" : " answers again");
+    }
+    std::string operator()(const bus::CommandRefused& refused) const {
+        return name(refused.module) + " refused, attempt " + std::to_string(refused.attempt);
+    }
+    std::string operator()(const bus::LinkLost&) const { return "every module is silent"; }
+    std::string operator()(const bus::HoldExpired& expired) const {
+        return name(expired.module) + ": hold expired";
+    }
+    std::string operator()(const bus::HealthChanged& changed) const {
+        return "health of " + name(changed.module) + ": " + std::string(word(changed.health)) + ", wrong " +
+               std::to_string(changed.wrong) + " of " + std::to_string(changed.of);
+    }
+    std::string operator()(const bus::ModuleRestarted& restarted) const {
+        return name(restarted.module) + " has restarted" + (restarted.quiet ? ", the bus is quiet" : "");
+    }
+    std::string operator()(const bus::MotionSuspect& suspect) const {
+        return name(suspect.module) + ": motion suspect, reason " + number(suspect.reason) + ", position " +
+               std::to_string(suspect.position);
+    }
+    std::string operator()(const bus::GroupChanged& changed) const {
+        return name(changed.module) +
+               (changed.place ? ": group " + std::to_string(changed.place->group) : ": group unknown");
+    }
+    std::string operator()(const bus::RateChanged& changed) const {
+        return "rate changed: " + std::to_string(changed.baud) + " Bd";
+    }
+    std::string operator()(const bus::RateChangeFailed& failed) const {
+        return "rate not changed: reason " + number(failed.reason) + ", wanted " +
+               std::to_string(failed.wanted) + " Bd, modules " + list(failed.modules) + ", lost " +
+               list(failed.lost);
+    }
+    std::string operator()(const bus::Event& event) const { return std::visit(*this, event); }
+    std::string operator()(const PortOpened&) const { return "port open"; }
+    std::string operator()(const PortClosed& closed) const {
+        return closed.error
+                   ? "port closed: problem " + number(closed.error->problem) + ", " + closed.error->detail
+                   : "port closed";
+    }
+    std::string operator()(const SimulatorAnswered& answer) const {
+        return "simulator: " + answer.line + " -> " + answer.json;
+    }
+    std::string operator()(const PanelFroze& froze) const {
+        return "panel froze for " + ms(froze.length) + (froze.stopped ? ", motors were told to stop" : "");
+    }
+    std::string operator()(const MachineSlept& slept) const {
+        return "machine slept for " + ms(slept.length);
+    }
+};
+
+}  // namespace
+
+std::string logLine(const WorkerEvent& event) {
+    return std::visit(EventLine{}, event);
+}
+
+std::string logLine(const bus::Operation& operation) {
+    std::string text = "operation " + std::to_string(operation.id.value());
+    for (const bus::Step& step : operation.steps) {
+        const ModuleType type =
+            std::holds_alternative<StepCommand>(step.command) ? ModuleType::Step : ModuleType::Servo;
+        const auto packet = toPacket({BusAddress(0), bus::payloadOf(step.command)});
+        text += "; " + name(step.module) + ' ' + describeCommand(type, packet);
+    }
+    return text;
+}
+
+std::string logLine(const bus::GroupOperation& operation) {
+    return "group operation " + std::to_string(operation.id.value()) + ": " +
+           std::visit(Overloaded{
+                          [](const bus::GroupChange& change) {
+                              return name(change.module) + " to group " + std::to_string(change.place.group) +
+                                     (change.place.leader ? " as leader" : "");
+                          },
+                          [](const bus::GroupCommand& command) {
+                              return "group " + std::to_string(command.group) + ", action " +
+                                     number(command.action);
+                          },
+                      },
+                      operation.what);
+}
+
+}  // namespace nmc
