@@ -17,6 +17,7 @@
 #include "app/recordingcontroller.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
+#include "link/connection/sleepinhibitor.h"
 #include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -113,6 +114,7 @@ private:
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings{m_window, m_store};
     MotionMarker m_motionMarker;
+    SleepInhibitor m_sleep;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     std::optional<Target> m_target;      ///< what is connected, or was last

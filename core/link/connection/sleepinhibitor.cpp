@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "link/connection/sleepinhibitor.h"
+
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+
+#include "link/connection/linklog.h"
+
+namespace nmc {
+
+namespace {
+
+const QString kService = QStringLiteral("org.freedesktop.login1");
+const QString kPath = QStringLiteral("/org/freedesktop/login1");
+const QString kManager = QStringLiteral("org.freedesktop.login1.Manager");
+
+}  // namespace
+
+SleepInhibitor::SleepInhibitor(QString busAddress, QObject* parent)
+    : QObject(parent), m_address(std::move(busAddress)) {}
+
+SleepInhibitor::~SleepInhibitor() {
+    if (m_connected && !m_address.isEmpty())
+        QDBusConnection::disconnectFromBus(m_bus.name());
+}
+
+void SleepInhibitor::setMoving(bool moving) {
+    if (moving == m_moving)
+        return;
+    m_moving = moving;
+    if (moving)
+        take();
+    else
+        m_lock = {};
+}
+
+void SleepInhibitor::stopFinished() {
+    if (m_sleeping)
+        m_lock = {};
+}
+
+bool SleepInhibitor::connectToBus() {
+    if (m_connected)
+        return true;
+    m_bus = m_address.isEmpty() ? QDBusConnection::systemBus()
+                                : QDBusConnection::connectToBus(m_address, QStringLiteral("nmc-sleep"));
+    m_connected = m_bus.isConnected();
+    if (m_connected)
+        m_bus.connect(kService, kPath, kManager, QStringLiteral("PrepareForSleep"), this,
+                      SLOT(prepareForSleep(bool)));
+    else
+        qCDebug(linkLog).noquote() << "no D-Bus:" << m_bus.lastError().message();
+    return m_connected;
+}
+
+void SleepInhibitor::take() {
+    if (m_sleeping || m_asked || m_lock.isValid() || !connectToBus())
+        return;
+    QDBusMessage inhibit =
+        QDBusMessage::createMethodCall(kService, kPath, kManager, QStringLiteral("Inhibit"));
+    inhibit << QStringLiteral("sleep") << QStringLiteral("NMC Panel") << QStringLiteral("Motors are moving.")
+            << QStringLiteral("delay");
+    m_asked = true;
+    auto* call = new QDBusPendingCallWatcher(m_bus.asyncCall(inhibit), this);
+    connect(call, &QDBusPendingCallWatcher::finished, this, &SleepInhibitor::taken);
+}
+
+void SleepInhibitor::taken(QDBusPendingCallWatcher* call) {
+    call->deleteLater();
+    m_asked = false;
+    const QDBusPendingReply<QDBusUnixFileDescriptor> reply = *call;
+    if (reply.isError())
+        qCDebug(linkLog).noquote() << "sleep is not delayed:" << reply.error().message();
+    else if (m_moving)
+        m_lock = reply.value();
+}
+
+void SleepInhibitor::prepareForSleep(bool sleeps) {
+    m_sleeping = sleeps;
+    if (!m_moving)
+        return;
+    if (sleeps)
+        emit stopWanted();
+    else
+        take();
+}
+
+}  // namespace nmc

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// H-05: the computer waits with its sleep until the motors stand. A D-Bus of the test's own, and a logind on
+// it that is made here.
+#include "link/connection/sleepinhibitor.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <QDBusConnection>
+#include <QDBusUnixFileDescriptor>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTest>
+#include <array>
+
+#include "tests/link/connection.h"
+#include "tests/link/gatedtransport.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr int kPatienceMs = 20'000;
+
+/// What systemd's logind does with delays: keeps the other end of each, which is closed when it is let go.
+class FakeLogind : public QObject {
+    Q_OBJECT
+    Q_CLASSINFO("D-Bus Interface", "org.freedesktop.login1.Manager")
+
+public:
+    ~FakeLogind() override {
+        for (const int end : m_ends)
+            ::close(end);
+    }
+    [[nodiscard]] int asked() const { return static_cast<int>(m_ends.size()); }
+    [[nodiscard]] const QStringList& lastAsked() const { return m_last; }
+    /// How many locks are held now.
+    [[nodiscard]] int held() const {
+        int count = 0;
+        for (const int end : m_ends) {
+            pollfd look{end, 0, 0};
+            ::poll(&look, 1, 0);
+            count += (look.revents & POLLHUP) == 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+public slots:
+    QDBusUnixFileDescriptor Inhibit(const QString& what, const QString& who, const QString& why,
+                                    const QString& mode) {
+        m_last = {what, who, why, mode};
+        std::array<int, 2> ends{};
+        EXPECT_EQ(::pipe(ends.data()), 0);
+        m_ends.push_back(ends[0]);
+        QDBusUnixFileDescriptor lock(ends[1]);  // a copy of it
+        ::close(ends[1]);
+        return lock;
+    }
+
+signals:
+    void PrepareForSleep(bool start);
+
+private:
+    std::vector<int> m_ends;
+    QStringList m_last;
+};
+
+class H05_SleepInhibitor : public testing::Test {
+protected:
+    H05_SleepInhibitor() {
+        m_daemon.start(
+            QStringLiteral("dbus-daemon"),
+            {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
+        while (!m_daemon.canReadLine() && m_daemon.waitForReadyRead(kPatienceMs)) {
+        }
+        address = QString::fromLocal8Bit(m_daemon.readLine()).trimmed();
+        QDBusConnection bus = QDBusConnection::connectToBus(address, QStringLiteral("logind"));
+        EXPECT_TRUE(bus.registerObject(QStringLiteral("/org/freedesktop/login1"), &logind,
+                                       QDBusConnection::ExportAllContents));
+        EXPECT_TRUE(bus.registerService(QStringLiteral("org.freedesktop.login1")));
+    }
+    ~H05_SleepInhibitor() override {
+        QDBusConnection::disconnectFromBus(QStringLiteral("logind"));
+        m_daemon.kill();
+        m_daemon.waitForFinished();
+    }
+
+    QString address;
+    FakeLogind logind;
+
+private:
+    QProcess m_daemon;
+};
+
+TEST_F(H05_SleepInhibitor, DelaysSleepWhileAnythingMoves) {
+    SleepInhibitor inhibitor(address);
+    EXPECT_EQ(logind.asked(), 0);
+    inhibitor.setMoving(true);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    EXPECT_EQ(logind.lastAsked(),
+              (QStringList{QStringLiteral("sleep"), QStringLiteral("NMC Panel"),
+                           QStringLiteral("Motors are moving."), QStringLiteral("delay")}));
+    inhibitor.setMoving(true);
+    inhibitor.setMoving(false);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+    inhibitor.setMoving(true);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    EXPECT_EQ(logind.asked(), 2);
+}
+
+TEST_F(H05_SleepInhibitor, LetsGoOfALockThatComesWhenNothingMovesAnyMore) {
+    SleepInhibitor inhibitor(address);
+    inhibitor.setMoving(true);
+    inhibitor.setMoving(false);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.asked() == 1; }, kPatienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+}
+
+TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
+    Connection connection;
+    connection.open([] {
+        return std::make_unique<SimulatorTransport>(std::vector{ModuleIdentity{ModuleType::Servo, 4}});
+    });
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    SleepInhibitor inhibitor(address);
+    QObject::connect(&connection.store(), &BusStore::linkChanged, &inhibitor,
+                     [&] { inhibitor.setMoving(connection.store().movingMotors() > 0); });
+    QObject::connect(&inhibitor, &SleepInhibitor::stopWanted, &connection.worker(), &BusWorker::stopAll);
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
+    ASSERT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
+
+    emit logind.PrepareForSleep(true);  // the lid is shut
+    ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
+    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 0; })) << "now it may sleep";
+
+    emit logind.PrepareForSleep(false);  // and is opened again
+    ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
+    EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
+}
+
+/// A motor that cannot be reached does not keep the computer from its sleep for longer than the stop took.
+TEST_F(H05_SleepInhibitor, LetsGoWhenTheStopHasRunItsCourse) {
+    SleepInhibitor inhibitor(address);
+    QSignalSpy stopWanted(&inhibitor, &SleepInhibitor::stopWanted);
+    inhibitor.setMoving(true);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    inhibitor.stopFinished();
+    EXPECT_EQ(logind.held(), 1) << "a stop that has nothing to do with sleep";
+    emit logind.PrepareForSleep(true);
+    ASSERT_TRUE(stopWanted.wait(kPatienceMs));
+    EXPECT_EQ(logind.held(), 1) << "it waits for the stop";
+    inhibitor.stopFinished();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+}
+
+TEST(H05_NoLogind, IsNoError) {
+    SleepInhibitor inhibitor(QStringLiteral("unix:path=/nowhere/at/all"));
+    inhibitor.setMoving(true);
+    inhibitor.stopFinished();
+    inhibitor.setMoving(false);
+}
+
+}  // namespace
+}  // namespace nmc
+
+#include "sleepinhibitor_test.moc"
