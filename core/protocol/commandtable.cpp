@@ -7,48 +7,41 @@ namespace nmc {
 
 namespace {
 
-using enum InMotion;
-
 // DS-V 5.1. Set Gain takes a fifteenth byte and Reset Position a first one, both ignored (protocol.md 2).
 constexpr std::array kServoCommands{
-    CommandRow{CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1, Forbidden, true, false},
-    CommandRow{CommandCode::SetAddress, "set_address", "Set Address", 2, 2, Allowed, true, false},
-    CommandRow{CommandCode::DefineStatus, "define_status", "Define Status", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::ReadStatus, "read_status", "Read Status", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::LoadTrajectory, "load_trajectory", "Load Trajectory", 1, 14, VelocityModeOnly,
-               true, false},
-    CommandRow{CommandCode::StartMotion, "start_motion", "Start Motion", 0, 0, VelocityModeOnly, true, false},
-    CommandRow{CommandCode::SetGain, "set_gain", "Set Gain", 13, 15, Allowed, true, false},
-    CommandRow{CommandCode::StopMotor, "stop_motor", "Stop Motor", 1, 5, Allowed, true, false},
-    CommandRow{CommandCode::IoControl, "io_control", "I/O Control", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::SetHoming, "set_homing", "Set Homing Mode", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::SetBaud, "set_baud", "Set Baud Rate", 1, 1, Allowed, true, true},
-    CommandRow{CommandCode::ClearStickyBits, "clear_sticky_bits", "Clear Sticky Bits", 0, 0, Allowed, true,
-               false},
-    CommandRow{CommandCode::SaveAsHome, "save_as_home", "Save Current Position as Home", 0, 0, Allowed, true,
-               false},
-    CommandRow{CommandCode::Nop, "nop", "No Operation", 0, 0, Allowed, true, false},
-    CommandRow{CommandCode::HardReset, "hard_reset", "Hard Reset", 0, 0, Allowed, false, false},
+    CommandRow{CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1},
+    CommandRow{CommandCode::SetAddress, "set_address", "Set Address", 2, 2},
+    CommandRow{CommandCode::DefineStatus, "define_status", "Define Status", 1, 1},
+    CommandRow{CommandCode::ReadStatus, "read_status", "Read Status", 1, 1},
+    CommandRow{CommandCode::LoadTrajectory, "load_trajectory", "Load Trajectory", 1, 14},
+    CommandRow{CommandCode::StartMotion, "start_motion", "Start Motion", 0, 0},
+    CommandRow{CommandCode::SetGain, "set_gain", "Set Gain", 13, 15},
+    CommandRow{CommandCode::StopMotor, "stop_motor", "Stop Motor", 1, 5},
+    CommandRow{CommandCode::IoControl, "io_control", "I/O Control", 1, 1},
+    CommandRow{CommandCode::SetHoming, "set_homing", "Set Homing Mode", 1, 1},
+    CommandRow{CommandCode::SetBaud, "set_baud", "Set Baud Rate", 1, 1},
+    CommandRow{CommandCode::ClearStickyBits, "clear_sticky_bits", "Clear Sticky Bits", 0, 0},
+    CommandRow{CommandCode::SaveAsHome, "save_as_home", "Save Current Position as Home", 0, 0},
+    CommandRow{CommandCode::Nop, "nop", "No Operation", 0, 0},
+    CommandRow{CommandCode::HardReset, "hard_reset", "Hard Reset", 0, 0},
 };
 
 // DS-S 5.1. There is no Clear Sticky Bits.
 constexpr std::array kStepCommands{
-    CommandRow{CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 0, Forbidden, true, false},
-    CommandRow{CommandCode::SetAddress, "set_address", "Set Address", 2, 2, Allowed, true, false},
-    CommandRow{CommandCode::DefineStatus, "define_status", "Define Status", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::ReadStatus, "read_status", "Read Status", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::LoadTrajectory, "load_trajectory", "Load Trajectory", 1, 10, Allowed, true,
-               false},
-    CommandRow{CommandCode::StartMotion, "start_motion", "Start Motion", 0, 0, Allowed, true, false},
-    CommandRow{CommandCode::SetGain, "set_parameters", "Set Parameters", 5, 5, Allowed, true, false},
-    CommandRow{CommandCode::StopMotor, "stop_motor", "Stop Motor", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::IoControl, "set_outputs", "Set Outputs", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::SetHoming, "set_homing", "Set Homing Mode", 1, 1, Allowed, true, false},
-    CommandRow{CommandCode::SetBaud, "set_baud", "Set Baud Rate", 1, 1, Allowed, true, true},
-    CommandRow{CommandCode::SaveAsHome, "save_as_home", "Save Current Position as Home", 0, 0, Allowed, true,
-               false},
-    CommandRow{CommandCode::Nop, "nop", "No Operation", 0, 0, Allowed, true, false},
-    CommandRow{CommandCode::HardReset, "hard_reset", "Hard Reset", 0, 0, Allowed, false, false},
+    CommandRow{CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 0},
+    CommandRow{CommandCode::SetAddress, "set_address", "Set Address", 2, 2},
+    CommandRow{CommandCode::DefineStatus, "define_status", "Define Status", 1, 1},
+    CommandRow{CommandCode::ReadStatus, "read_status", "Read Status", 1, 1},
+    CommandRow{CommandCode::LoadTrajectory, "load_trajectory", "Load Trajectory", 1, 10},
+    CommandRow{CommandCode::StartMotion, "start_motion", "Start Motion", 0, 0},
+    CommandRow{CommandCode::SetGain, "set_parameters", "Set Parameters", 5, 5},
+    CommandRow{CommandCode::StopMotor, "stop_motor", "Stop Motor", 1, 1},
+    CommandRow{CommandCode::IoControl, "set_outputs", "Set Outputs", 1, 1},
+    CommandRow{CommandCode::SetHoming, "set_homing", "Set Homing Mode", 1, 1},
+    CommandRow{CommandCode::SetBaud, "set_baud", "Set Baud Rate", 1, 1},
+    CommandRow{CommandCode::SaveAsHome, "save_as_home", "Save Current Position as Home", 0, 0},
+    CommandRow{CommandCode::Nop, "nop", "No Operation", 0, 0},
+    CommandRow{CommandCode::HardReset, "hard_reset", "Hard Reset", 0, 0},
 };
 
 }  // namespace

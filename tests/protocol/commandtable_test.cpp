@@ -39,17 +39,6 @@ TEST(CommandTable, KnowsNoCommandOfAModuleWithoutADataSheet) {
     EXPECT_FALSE(findCommand(ModuleType::Step, CommandCode::ClearStickyBits).has_value());
 }
 
-TEST(CommandTable, SaysWhatMayBeSentInMotion) {
-    // DS-V 5.1, column "While Moving?".
-    EXPECT_EQ(findCommand(ModuleType::Servo, CommandCode::ResetPosition)->inMotion, InMotion::Forbidden);
-    EXPECT_EQ(findCommand(ModuleType::Servo, CommandCode::LoadTrajectory)->inMotion,
-              InMotion::VelocityModeOnly);
-    EXPECT_EQ(findCommand(ModuleType::Servo, CommandCode::StartMotion)->inMotion, InMotion::VelocityModeOnly);
-    EXPECT_EQ(findCommand(ModuleType::Servo, CommandCode::SetGain)->inMotion, InMotion::Allowed);
-    EXPECT_FALSE(findCommand(ModuleType::Servo, CommandCode::HardReset)->replies);
-    EXPECT_TRUE(findCommand(ModuleType::Step, CommandCode::SetBaud)->groupOnly);
-}
-
 template <typename... Commands>
 void expectEncodersFitTheTable(ModuleType type, std::variant<Commands...>*) {
     const auto check = [type](const Payload& payload) {
