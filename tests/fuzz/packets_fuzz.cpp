@@ -7,6 +7,7 @@
 
 #include "model/packets/packetfile.h"
 #include "protocol/describe.h"
+#include "tests/support/packetfilereader.h"
 
 namespace {
 

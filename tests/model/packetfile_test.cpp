@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "packetrecords.h"
+#include "tests/support/packetfilereader.h"
 
 namespace nmc {
 namespace {

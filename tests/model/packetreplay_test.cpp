@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/packets/packetfile.h"
+#include "tests/support/packetfilereader.h"
 #include "tests/support/packetreplay.h"
 #include "tests/support/virtualbus.h"
 

@@ -2,10 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
-
-#include <tl/expected.hpp>
 
 #include "model/packets/packetlog.h"
 
@@ -40,19 +36,6 @@
 /// times and rates to a chain in the same state get the same replies.
 namespace nmc {
 
-struct PacketFile {
-    PacketSession session;
-    std::uint64_t dropped = 0;
-    std::vector<PacketEntry> entries;  ///< numbered from 1
-};
-
-inline constexpr std::size_t kMaxPacketFile = 16U << 20U;  ///< bytes; a full PacketLog fits
-inline constexpr std::size_t kMaxPacketLine = 20'000;      ///< bytes
-
 [[nodiscard]] std::string writePacketFile(const PacketLog& log);
-
-/// Reads what writePacketFile() writes and nothing else; session.zero is TimePoint{}. The error is a sentence
-/// that names the line: "Line 12: the reply is not hexadecimal."
-[[nodiscard]] tl::expected<PacketFile, std::string> parsePacketFile(std::string_view text);
 
 }  // namespace nmc
