@@ -7,6 +7,7 @@
 #include "bus/belief.h"
 #include "bus/exchange.h"
 #include "bus/pollschedule.h"
+#include "bus/standstill.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -31,7 +32,7 @@ public:
     static constexpr Duration kSilentFor = std::chrono::milliseconds(500);
     static constexpr unsigned kSilences = 3;
     /// Two positions of a servo that stands still differ by no more (counts).
-    static constexpr std::int64_t kStandstill = 4;
+    static constexpr std::int64_t kStandstill = kStillCounts;
 
     StopRun(const std::vector<Belief>& beliefs, const PollSchedule& schedule, TimePoint now);
     /// Asked for again: look at everything anew; the time limit stays.

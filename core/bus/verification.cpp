@@ -3,12 +3,13 @@
 
 #include <cstdlib>
 
+#include "bus/standstill.h"
+
 namespace nmc::bus {
 
 namespace {
 
-/// Two positions of a motor that stands still, in counts: a servo works within its friction.
-constexpr std::int64_t kSame = 4;
+constexpr std::int64_t kSame = kStillCounts;
 /// A reset position differs from what was before by more, or it cannot be told.
 constexpr std::int64_t kTellsApart = 10 * kSame;
 

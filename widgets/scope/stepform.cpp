@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "model/procedure/stepresponse.h"
+#include "model/intent/stepresponseplan.h"
 #include "model/response/steprun.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"

@@ -3,7 +3,7 @@
 
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
-#include "model/procedure/stepresponse.h"
+#include "model/intent/stepresponseplan.h"
 
 namespace nmc {
 

@@ -71,7 +71,7 @@ struct StepBy {
     double pause = 0.0;         ///< s, after each move
     bool backAndForth = false;  ///< a round is there and back
 };
-/// A small move without a profile, to see how the servo follows (model/procedure/stepresponse.h). A
+/// A small move without a profile, to see how the servo follows (stepresponseplan.h). A
 /// procedure.
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed

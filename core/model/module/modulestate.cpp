@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/modulestate.h"
 
-#include <cstdlib>
+#include "bus/standstill.h"
 
 namespace nmc {
 
@@ -29,14 +29,12 @@ void merge(StatusReport& into, const StatusReport& from) {
 /// Whether a servo moves that was set in motion by somebody else: a velocity below one count a tick reads 0,
 /// so the position has to tell.
 void ModuleState::watchDrift(const bus::Sample& sample) {
-    constexpr std::int64_t kStill = 4;  // counts; a servo works within its friction
     constexpr Duration kLately = std::chrono::seconds(1);
     if (!servoOn())
         m_motionUnknown = false;
     if (!m_motionUnknown || !sample.report.position)
         return;
-    const std::int64_t now = *sample.report.position;
-    if (!m_restedAt || std::abs(now - *m_restedAt->report.position) > kStill) {
+    if (!m_restedAt || !samePlace(*m_restedAt->report.position, *sample.report.position)) {
         m_drifts = m_restedAt.has_value();
         m_restedAt = sample;
     } else if (sample.time - m_restedAt->time > kLately) {

@@ -5,23 +5,16 @@
 
 namespace nmc {
 
-Procedure::Next ChangeMotion::next(const ModuleState& module, TimePoint now) {
-    if (m_haltOwed)
-        return halt(module);
-    if (report().over())
-        return End{};
-    if (m_waiting)
-        return Wait{};
+Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) {
     if (module.silent)
         return fail(ProcedureFailure::ModuleSilent);
-    switch (m_stage) {
+    switch (m_report.stage) {
         case ProcedureStage::Preparing:
             return stop(module, now);
         case ProcedureStage::Stopping:
             return waitForStandstill(module, now);
         case ProcedureStage::Moving:
-            m_stage = ProcedureStage::Done;
-            return End{};
+            return finish();
         case ProcedureStage::BackingOff:
         case ProcedureStage::Searching:
         case ProcedureStage::SearchingIndex:
@@ -42,9 +35,8 @@ Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {
     if (whyNotFromStandstill(m_motion, module))
         return fail(ProcedureFailure::Refused);
     m_began = now;
-    m_stage = ProcedureStage::Stopping;
-    m_waiting = true;
-    return Send{{smoothStop(module)}};
+    m_report.stage = ProcedureStage::Stopping;
+    return send({smoothStop(module)});
 }
 
 /// Confirmed twice, by statuses that were latched after the stop.
@@ -70,55 +62,14 @@ Procedure::Next ChangeMotion::go(const ModuleState& module) {
     auto steps = planStep(stepintent::Move{m_motion}, module);
     if (!steps)
         return fail(ProcedureFailure::Refused);
-    m_stage = ProcedureStage::Moving;
-    m_waiting = m_mayRun = true;
-    return Send{std::move(*steps)};
+    m_report.stage = ProcedureStage::Moving;
+    m_mayRun = true;
+    return send(std::move(*steps));
 }
 
-Procedure::Next ChangeMotion::halt(const ModuleState& module) {
-    m_haltOwed = false;
-    m_waiting = true;
-    return Send{{smoothStop(module)}};
-}
-
-Procedure::Next ChangeMotion::fail(ProcedureFailure failure) {
-    m_stage = ProcedureStage::Failed;
-    m_failure = failure;
-    return End{};
-}
-
-void ChangeMotion::onFinished(bus::Outcome outcome) {
-    m_waiting = false;
-    if (report().over() || outcome == bus::Outcome::Done)
-        return;
-    if (outcome == bus::Outcome::Cancelled)
-        return cancel();
-    // A start that was not answered may have been carried out.
-    m_haltOwed = m_mayRun;
-    fail(ProcedureFailure::Refused);
-}
-
-void ChangeMotion::onLinkSuspect() {
-    if (report().over())
-        return;
-    m_haltOwed = m_mayRun;
-    fail(ProcedureFailure::LinkSuspect);
-}
-
-void ChangeMotion::cancel() {
-    if (report().over())
-        return;
-    m_haltOwed = m_mayRun;
-    m_stage = ProcedureStage::Cancelled;
-}
-
-ProcedureReport ChangeMotion::report() const {
-    ProcedureReport report;
-    report.module = m_module;
-    report.kind = ProcedureKind::ChangeMotion;
-    report.stage = m_stage;
-    report.failure = m_failure;
-    return report;
+std::vector<bus::Step> ChangeMotion::lastWord(const ModuleState& module) const {
+    // Before the new motion was asked for, the old one has been told to stop, or was left alone.
+    return m_mayRun ? std::vector{smoothStop(module)} : std::vector<bus::Step>{};
 }
 
 }  // namespace nmc

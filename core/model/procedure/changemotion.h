@@ -13,32 +13,21 @@ namespace nmc {
 /// same place, and starts the new motion. A relative goal counts from there.
 class ChangeMotion : public Procedure {
 public:
-    ChangeMotion(ModuleIndex module, StepMotion motion) : m_module(module), m_motion(motion) {}
-
-    [[nodiscard]] Next next(const ModuleState& module, TimePoint now) override;
-    void onFinished(bus::Outcome outcome) override;
-    void onLinkSuspect() override;
-    void cancel() override;
-    [[nodiscard]] ProcedureReport report() const override;
+    ChangeMotion(ModuleIndex module, StepMotion motion)
+        : Procedure(module, ProcedureKind::ChangeMotion), m_motion(motion) {}
 
 private:
     /// Slowing down from speed 250 at the longest acceleration time takes 15.9 s (DS-S 4.2).
     static constexpr Duration kStopLimit = std::chrono::seconds(20);
 
+    [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
+    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next stop(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next waitForStandstill(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next go(const ModuleState& module);
-    [[nodiscard]] Next halt(const ModuleState& module);
-    Next fail(ProcedureFailure failure);
 
-    ModuleIndex m_module;
     StepMotion m_motion;
-    ProcedureStage m_stage = ProcedureStage::Preparing;
-    std::optional<ProcedureFailure> m_failure;
     TimePoint m_began;
-    bool m_waiting = false;                ///< for onFinished()
-    bool m_mayRun = false;                 ///< the new motion was asked for
-    bool m_haltOwed = false;               ///< it was, and is not wanted any more
     std::optional<TimePoint> m_stoppedAt;  ///< the last status before the stop was confirmed
     std::optional<TimePoint> m_stoodAt;    ///< the first status that says so
     std::optional<std::int32_t> m_stoodPosition;

@@ -22,35 +22,22 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
 
 /// Positions wrap at 32 bits.
 [[nodiscard]] double way(std::int32_t from, std::int32_t to) {
-    return std::abs(static_cast<double>(
-        static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from))));
+    return std::abs(static_cast<double>(countsBetween(from, to)));
 }
 
 }  // namespace
 
 HomingRun::HomingRun(HomingRecipe recipe, const ModuleState& module)
-    : m_recipe(effective(std::move(recipe), module.info.identity)), m_chip(module) {
-    m_report.module = module.info.index;
-    m_report.kind = ProcedureKind::Homing;
+    : Procedure(module.info.index, ProcedureKind::Homing),
+      m_recipe(effective(std::move(recipe), module.info.identity)),
+      m_chip(module) {
     m_goesOff = m_chip.goesOff(m_recipe);
+    m_mayRun = true;
 }
 
-HomingRun::Next HomingRun::next(const ModuleState& module, TimePoint now) {
-    if (m_inFlight)
-        return Wait{};
-    if (!m_end) {
-        Next next = decide(module, now);
-        if (!m_end)
-            return next;
-    }
-    return giveUp(module);
-}
-
-HomingRun::Next HomingRun::decide(const ModuleState& module, TimePoint now) {
-    if (m_sent == Sent::LastWord) {
-        m_report.stage = ProcedureStage::Done;
-        return End{};
-    }
+HomingRun::Next HomingRun::proceed(const ModuleState& module, TimePoint now) {
+    if (m_sent == Sent::LastWord)
+        return finish();
     if (module.silent)
         return fail(ProcedureFailure::ModuleSilent);
     const auto seen = m_chip.look(module);
@@ -68,10 +55,10 @@ HomingRun::Next HomingRun::decide(const ModuleState& module, TimePoint now) {
             m_report.home = module.latest->home;
         return read(*seen, now);
     }
-    return seen->time > m_toldAt ? proceed(*seen, now) : Next(Wait{});
+    return seen->time > m_toldAt ? decide(*seen, now) : Next(Wait{});
 }
 
-HomingRun::Next HomingRun::proceed(const HomingLook& seen, TimePoint now) {
+HomingRun::Next HomingRun::decide(const HomingLook& seen, TimePoint now) {
     switch (m_report.stage) {
         case ProcedureStage::Preparing:
             return prepare(seen, now);
@@ -102,7 +89,7 @@ HomingRun::Next HomingRun::prepare(const HomingLook& seen, TimePoint now) {
         return fail(ProcedureFailure::WentOff);
     const HomeConditions wanted = conditions();
     if (!std::exchange(m_prepared, true) && (wanted.positionError || wanted.currentLimit))
-        return send(m_chip.clearStickyBits());
+        return tell(m_chip.clearStickyBits());
     return beginSearch(seen, now);
 }
 
@@ -145,7 +132,7 @@ HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
     if (seen.moving)
         return Wait{};
     m_watching = true;
-    return send(m_chip.watch(conditions(), m_recipe.stop));
+    return tell(m_chip.watch(conditions(), m_recipe.stop));
 }
 
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
@@ -158,7 +145,7 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
     }
     if (!anyActive(seen)) {
         m_told = true;
-        return send(m_chip.stop(Stop::Smoothly));
+        return tell(m_chip.stop(Stop::Smoothly));
     }
     // Stopped by the chip, a limit of the other side say, or gone far enough: it stays active.
     const bool blocked = m_chip.stopsMotionItself() && !seen.moving && stands(seen);
@@ -210,16 +197,16 @@ HomingRun::Next HomingRun::settle(const HomingLook& seen, TimePoint now) {
 
 HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
     if (m_sent == Sent::Nothing)
-        return send(m_chip.read(false), Sent::FirstRead);
+        return tell(m_chip.read(false), Sent::FirstRead);
     if (m_sent == Sent::FirstRead)
-        return send(m_chip.read(true), Sent::SecondRead);
+        return tell(m_chip.read(true), Sent::SecondRead);
     m_sent = Sent::Nothing;
     if (!m_report.home || m_report.home != m_firstReading) {
         m_report.home.reset();
         return fail(ProcedureFailure::ReadingsDiffer);
     }
     if (!m_recipe.goToHome)
-        return finish();
+        return disarm();
     return enter(ProcedureStage::GoingHome, now, seen.on ? HomingChip::Steps{} : m_chip.enable());
 }
 
@@ -232,7 +219,7 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
         if (seen.position != home) {
             HomingChip::Motion slowly = motion();
             slowly.velocity = m_recipe.velocity;
-            return send(m_chip.goTo(home, slowly));
+            return tell(m_chip.goTo(home, slowly));
         }
     }
     if (!stands(seen))
@@ -240,7 +227,7 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
     if (!m_stillSince)
         m_stillSince = now;
     if (!m_recipe.makeZero)
-        return finish();
+        return disarm();
     if (seen.position == home)
         return enter(ProcedureStage::Zeroing, now, m_chip.zero());
     // The zero would be off by what it is off now: the chip calls the motor's position 0, not the goal.
@@ -248,46 +235,31 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
 }
 
 HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {
-    if (way(0, seen.position) <= static_cast<double>(Standstill::kStill))
-        return finish();
+    if (samePlace(0, seen.position))
+        return disarm();
     return now - m_toldAt > kTakesEffect ? fail(ProcedureFailure::Refused) : Next(Wait{});
 }
 
 /// What a later safety stop, or a hand on the switch, does must not look like home.
-HomingRun::Next HomingRun::finish() {
-    return send(m_chip.disarm(), Sent::LastWord);
-}
-
-HomingRun::Next HomingRun::fail(ProcedureFailure failure) {
-    if (!m_end) {
-        m_end = ProcedureStage::Failed;
-        m_report.failure = failure;
-        m_told = false;
-    }
-    return Wait{};  // and next() gives up at once
+HomingRun::Next HomingRun::disarm() {
+    return tell(m_chip.disarm(), Sent::LastWord);
 }
 
 /// Stops what this run may have set going, and what it told the chip to watch for.
-HomingRun::Next HomingRun::giveUp(const ModuleState& module) {
-    if (std::exchange(m_told, true)) {
-        m_report.stage = *m_end;
-        return End{};
-    }
-    m_report.stage = ProcedureStage::Stopping;
+std::vector<bus::Step> HomingRun::lastWord(const ModuleState& module) const {
     const auto seen = m_chip.look(module);
     HomingChip::Steps steps;
     // To what is off the stop would be what switches it on.
-    if (m_mayStop && seen && seen->on)
+    if (m_mayRun && seen && seen->on)
         steps = m_chip.stop(Stop::Smoothly);
     const HomingChip::Steps disarm = m_chip.disarm();
     steps.insert(steps.end(), disarm.begin(), disarm.end());
-    return send(std::move(steps));
+    return steps;
 }
 
-HomingRun::Next HomingRun::send(HomingChip::Steps steps, Sent what) {
+HomingRun::Next HomingRun::tell(HomingChip::Steps steps, Sent what) {
     m_sent = what;
-    m_inFlight = true;
-    return Send{std::move(steps)};
+    return send(std::move(steps));
 }
 
 HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps) {
@@ -296,33 +268,7 @@ HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip
     m_began = m_toldAt = now;
     m_standstill.reset();
     m_offSince.reset();
-    return steps.empty() ? Next(Wait{}) : send(std::move(steps));
-}
-
-void HomingRun::onFinished(bus::Outcome outcome) {
-    m_inFlight = false;
-    if (m_end || outcome == bus::Outcome::Done)
-        return;
-    m_told = false;
-    if (outcome == bus::Outcome::Cancelled) {
-        m_end = ProcedureStage::Cancelled;
-        m_mayStop = false;
-    } else {
-        m_end = ProcedureStage::Failed;
-        m_report.failure = ProcedureFailure::Refused;
-    }
-}
-
-void HomingRun::onLinkSuspect() {
-    if (!m_report.over())
-        std::ignore = fail(ProcedureFailure::LinkSuspect);
-}
-
-void HomingRun::cancel() {
-    if (m_end || m_report.over())
-        return;
-    m_end = ProcedureStage::Cancelled;
-    m_told = false;
+    return steps.empty() ? Next(Wait{}) : tell(std::move(steps));
 }
 
 HomeConditions HomingRun::conditions() const {

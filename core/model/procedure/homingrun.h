@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "bus/standstill.h"
 #include "model/procedure/homingchip.h"
 #include "model/procedure/procedure.h"
-#include "model/procedure/standstill.h"
 
 namespace nmc {
 
@@ -21,17 +21,12 @@ public:
     /// `recipe` fits the module (model/intent/homingplan.h).
     HomingRun(HomingRecipe recipe, const ModuleState& module);
 
-    [[nodiscard]] Next next(const ModuleState& module, TimePoint now) override;
-    void onFinished(bus::Outcome outcome) override;
-    void onLinkSuspect() override;
-    void cancel() override;
-    [[nodiscard]] ProcedureReport report() const override { return m_report; }
-
 private:
     enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
 
-    [[nodiscard]] Next decide(const ModuleState& module, TimePoint now);
-    [[nodiscard]] Next proceed(const HomingLook& seen, TimePoint now);
+    [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
+    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] Next decide(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next prepare(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next backOff(const HomingLook& seen, TimePoint now);
@@ -41,10 +36,8 @@ private:
     [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next makeZero(const HomingLook& seen, TimePoint now);
-    [[nodiscard]] Next finish();
-    [[nodiscard]] Next fail(ProcedureFailure failure);
-    [[nodiscard]] Next giveUp(const ModuleState& module);
-    [[nodiscard]] Next send(HomingChip::Steps steps, Sent what = Sent::Commands);
+    [[nodiscard]] Next disarm();
+    [[nodiscard]] Next tell(HomingChip::Steps steps, Sent what = Sent::Commands);
     [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Steps steps);
 
     [[nodiscard]] bool inIndexSearch() const { return m_round == 2; }
@@ -59,9 +52,7 @@ private:
 
     HomingRecipe m_recipe;
     HomingChip m_chip;
-    ProcedureReport m_report;
     Sent m_sent = Sent::Nothing;
-    bool m_inFlight = false;
     bool m_goesOff = false;  ///< finding home switches the motor off
     unsigned m_round = 1;    ///< 2: the index, where it comes second
     bool m_prepared = false;
@@ -75,9 +66,6 @@ private:
     std::optional<TimePoint> m_offSince;
     std::optional<TimePoint> m_stillSince;
     Standstill m_standstill;
-    bool m_mayStop =
-        true;  ///< false: whoever cancelled the commands has stopped the motor, or switched it off
-    std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once the stop is out
 };
 
 }  // namespace nmc

@@ -73,6 +73,10 @@ struct ProcedureReport {
 /// Something with one module that takes more than one operation: it is told what the module says and how its
 /// operations ended, and says what to do next. It never waits for anything but the module and the clock.
 /// Pure; the procedure controller runs it on the GUI thread, and a stop of any kind cancels it.
+///
+/// What is common to all is here: one operation at a time; an end before the goal, for a reason or because it
+/// is not wanted any more, sends a last word, which stops what this may have set going, and is an end only
+/// then.
 class Procedure {
 public:
     /// Nothing for now; an operation to be submitted, whose end comes by onFinished() before next() is asked
@@ -84,19 +88,47 @@ public:
     struct End {};
     using Next = std::variant<Wait, Send, End>;
 
-    Procedure() = default;
     Procedure(const Procedure&) = delete;
     Procedure& operator=(const Procedure&) = delete;
     virtual ~Procedure() = default;
 
     /// After every news of the module, and at least ten times a second.
-    [[nodiscard]] virtual Next next(const ModuleState& module, TimePoint now) = 0;
-    virtual void onFinished(bus::Outcome outcome) = 0;
+    [[nodiscard]] Next next(const ModuleState& module, TimePoint now);
+    void onFinished(bus::Outcome outcome);
     /// An exchange with this module went wrong, or the link's health is not good any more.
-    virtual void onLinkSuspect() = 0;
+    void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
-    virtual void cancel() = 0;
-    [[nodiscard]] virtual ProcedureReport report() const = 0;
+    void cancel();
+    [[nodiscard]] const ProcedureReport& report() const { return m_report; }
+
+protected:
+    Procedure(ModuleIndex module, ProcedureKind kind);
+
+    /// What comes next; while nothing is in flight, and as long as it has not ended early.
+    [[nodiscard]] virtual Next proceed(const ModuleState& module, TimePoint now) = 0;
+    /// What must be sent when it ends early; nothing for nothing. Once.
+    [[nodiscard]] virtual std::vector<bus::Step> lastWord(const ModuleState& module) const = 0;
+    /// Behind the last word: whatever else it takes; End when that is all.
+    [[nodiscard]] virtual Next afterLastWord(const ModuleState& /*module*/, TimePoint /*now*/) {
+        return End{};
+    }
+
+    [[nodiscard]] Next send(std::vector<bus::Step> steps);
+    /// The goal is reached.
+    [[nodiscard]] Next finish();
+    /// It ends for that reason; next() gives up at once. The first reason counts.
+    [[nodiscard]] Next fail(ProcedureFailure failure);
+
+    ProcedureReport m_report;
+    /// This may have set the motor going, and nobody else has stopped it or switched it off since.
+    bool m_mayRun = false;
+
+private:
+    [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
+
+    bool m_inFlight = false;
+    bool m_lastWordSent = false;
+    std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once all has been said
 };
 
 }  // namespace nmc

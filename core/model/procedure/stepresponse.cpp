@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "model/intent/stepresponseplan.h"
+
 namespace nmc {
 
 namespace {
@@ -17,59 +19,16 @@ constexpr Duration kStillWithin = std::chrono::seconds(2);
 /// For a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 
-/// A step that would trip, or come close to it: a tenth, and what a servo swings at standstill.
-[[nodiscard]] bool wouldTrip(std::int64_t step, std::int64_t errorLimit) {
-    return step + step / 10 + Standstill::kStill > errorLimit;
-}
-
 }  // namespace
 
-std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module) {
-    if (const auto refusal = whyNot(Request::Move, module))
-        return refusal;
-    if (!module.gains)
-        return Refusal::GainsUnknown;
-    if (!module.latest->position)
-        return Refusal::PositionUnknown;
-    if (wanted.way == StepWay::StopHere && module.info.identity.version < servo::kStopHereVersion)
-        return Refusal::VersionLacksIt;
-    if (wanted.counts == 0)
-        return Refusal::StepTooShort;
-    const std::int64_t step = std::abs(std::int64_t{wanted.counts});
-    if (step > kLongestStep)
-        return Refusal::StepTooLong;
-    if (wouldTrip(step, module.gains->el))
-        return Refusal::StepWouldTrip;
-    const std::int64_t goal = std::int64_t{*module.latest->position} + wanted.counts;
-    if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)
-        return Refusal::GoalOutOfRange;
-    if (!(wanted.record >= kShortestRecord && wanted.record <= kLongestRecord))
-        return Refusal::RecordTime;
-    return std::nullopt;
-}
-
 StepResponseRun::StepResponseRun(const intent::StepResponse& wanted, const ModuleState& module)
-    : m_wanted(wanted) {
-    m_report.module = module.info.index;
-    m_report.kind = ProcedureKind::StepResponse;
-}
-
-StepResponseRun::Next StepResponseRun::next(const ModuleState& module, TimePoint now) {
-    if (m_inFlight)
-        return Wait{};
-    if (!m_end && module.silent)
-        fail(ProcedureFailure::ModuleSilent);
-    else if (!m_end && !module.servoOn())
-        fail(ProcedureFailure::WentOff);
-    if (!m_end) {
-        Next next = proceed(module, now);
-        if (!m_end)
-            return next;
-    }
-    return giveUp(module, now);
-}
+    : Procedure(module.info.index, ProcedureKind::StepResponse), m_wanted(wanted) {}
 
 StepResponseRun::Next StepResponseRun::proceed(const ModuleState& module, TimePoint now) {
+    if (module.silent)
+        return fail(ProcedureFailure::ModuleSilent);
+    if (!module.servoOn())
+        return fail(ProcedureFailure::WentOff);
     if (m_report.stage == ProcedureStage::Preparing)
         return prepare(module, now);
     return m_report.stage == ProcedureStage::Moving ? record(module, now) : settle(module, now);
@@ -78,29 +37,25 @@ StepResponseRun::Next StepResponseRun::proceed(const ModuleState& module, TimePo
 StepResponseRun::Next StepResponseRun::prepare(const ModuleState& module, TimePoint now) {
     if (stands(module, now))
         return step(module);
-    if (now - *m_since > kStillWithin)
-        fail(ProcedureFailure::NotStill);
-    return Wait{};
+    return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
 }
 
 StepResponseRun::Next StepResponseRun::step(const ModuleState& module) {
     // Something may have changed while it was waited for standstill.
-    if (whyNot(m_wanted, module)) {
-        fail(ProcedureFailure::Refused);
-        return Wait{};
-    }
+    if (whyNot(m_wanted, module))
+        return fail(ProcedureFailure::Refused);
     const std::int32_t from = *module.latest->position;
     m_taken = {{}, from, from + m_wanted.counts, m_wanted.record, m_wanted.way, *module.gains};
     m_report.stage = ProcedureStage::Moving;
-    m_mayStop = true;
+    m_mayRun = true;
     const Counts goal(m_taken.goal);
     if (m_wanted.way == StepWay::StopHere)
-        return send({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, goal}});
+        return send(steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, goal}}));
     servo::LoadTrajectory load;
     load.position = goal;
     load.velocity = CountsPerTick(kAtOnce);
     load.acceleration = CountsPerTickSquared(kAtOnce);
-    return send({load, StartMotion{}});
+    return send(steps({load, StartMotion{}}));
 }
 
 StepResponseRun::Next StepResponseRun::record(const ModuleState& module, TimePoint now) {
@@ -109,67 +64,57 @@ StepResponseRun::Next StepResponseRun::record(const ModuleState& module, TimePoi
         m_report.step = m_taken;
     }
     if (module.motionCommandedAt != m_taken.at) {  // something else moves or has stopped it
-        m_mayStop = false;
-        m_end = ProcedureStage::Cancelled;
+        m_mayRun = false;
+        cancel();
         return Wait{};
     }
-    if (goneTooFar(module)) {
-        fail(ProcedureFailure::TravelLimit);
-        return Wait{};
-    }
+    if (goneTooFar(module))
+        return fail(ProcedureFailure::TravelLimit);
     if (toSeconds(now - m_taken.at) < m_taken.record)
         return Wait{};
     m_report.stage = ProcedureStage::Stopping;
-    return hold(module);
+    m_since.reset();
+    return send(hold(module));
 }
 
 StepResponseRun::Next StepResponseRun::settle(const ModuleState& module, TimePoint now) {
-    if (stands(module, now)) {
-        m_report.stage = ProcedureStage::Done;
-        return End{};
-    }
-    if (now - *m_since > kStillWithin) {
-        m_mayStop = false;  // it has been told
-        fail(ProcedureFailure::NotStill);
-    }
-    return Wait{};
+    if (stands(module, now))
+        return finish();
+    if (now - *m_since <= kStillWithin)
+        return Wait{};
+    m_mayRun = false;  // it has been told
+    return fail(ProcedureFailure::NotStill);
 }
 
-StepResponseRun::Next StepResponseRun::giveUp(const ModuleState& module, TimePoint now) {
+std::vector<bus::Step> StepResponseRun::lastWord(const ModuleState& module) const {
     // To a servo that is off the hold would be what switches it on.
-    if (m_mayStop && module.servoOn()) {
-        if (!std::exchange(m_holdSent, true))
-            return hold(module);
-        if (m_report.failure == ProcedureFailure::TravelLimit)
-            return calm(module, now);
-    }
-    m_report.stage = *m_end;
-    return End{};
+    return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Step>{};
 }
 
-StepResponseRun::Next StepResponseRun::calm(const ModuleState& module, TimePoint now) {
-    if (stands(module, now)) {
-        m_mayStop = false;
-        return giveUp(module, now);
-    }
+/// What a hold does not calm the servo itself keeps going.
+StepResponseRun::Next StepResponseRun::afterLastWord(const ModuleState& module, TimePoint now) {
+    if (!m_mayRun || !module.servoOn() || m_report.failure != ProcedureFailure::TravelLimit)
+        return End{};
+    if (!std::exchange(m_calming, true))
+        m_since.reset();
+    if (stands(module, now))
+        return End{};
     if (now - *m_since < kCalmWithin)
         return Wait{};
-    m_mayStop = false;
+    m_mayRun = false;
     m_report.failure = ProcedureFailure::Unstable;
-    return send({servo::StopMotor{false, servo::StopManner::MotorOff, {}}});
+    return send(steps({servo::StopMotor{false, servo::StopManner::MotorOff, {}}}));
 }
 
-StepResponseRun::Next StepResponseRun::hold(const ModuleState& module) {
-    m_since.reset();
-    return send({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
+std::vector<bus::Step> StepResponseRun::hold(const ModuleState& module) const {
+    return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
 }
 
-StepResponseRun::Next StepResponseRun::send(std::vector<ServoCommand> commands) {
-    m_inFlight = true;
-    Send send;
+std::vector<bus::Step> StepResponseRun::steps(std::vector<ServoCommand> commands) const {
+    std::vector<bus::Step> steps;
     for (ServoCommand& command : commands)
-        send.steps.push_back({m_report.module, std::move(command)});
-    return send;
+        steps.push_back({m_report.module, std::move(command)});
+    return steps;
 }
 
 /// No stable servo overshoots by a whole step, nor swings back to where it came from.
@@ -179,7 +124,7 @@ bool StepResponseRun::goneTooFar(const ModuleState& module) const {
     const std::int64_t step = std::abs(std::int64_t{m_wanted.counts});
     const std::int64_t gone = countsBetween(m_taken.from, *module.latest->position);
     const std::int64_t way = m_wanted.counts < 0 ? -gone : gone;
-    return way > 2 * step + Standstill::kStill || way < -step / 4 - Standstill::kStill;
+    return way > 2 * step + kStillCounts || way < -step / 4 - kStillCounts;
 }
 
 bool StepResponseRun::stands(const ModuleState& module, TimePoint now) {
@@ -189,35 +134,6 @@ bool StepResponseRun::stands(const ModuleState& module, TimePoint now) {
     }
     return module.latestTime > *m_since &&
            m_standstill.look(module.latestTime, *module.latest->position, module.moving());
-}
-
-void StepResponseRun::fail(ProcedureFailure failure) {
-    m_end = ProcedureStage::Failed;
-    m_report.failure = failure;
-}
-
-void StepResponseRun::onFinished(bus::Outcome outcome) {
-    m_inFlight = false;
-    if (outcome == bus::Outcome::Cancelled)
-        m_mayStop = false;  // whoever did that has stopped the motor, or switched it off
-    if (m_end || outcome == bus::Outcome::Done)
-        return;
-    if (outcome == bus::Outcome::Cancelled)
-        m_end = ProcedureStage::Cancelled;
-    else
-        fail(ProcedureFailure::Refused);
-}
-
-void StepResponseRun::onLinkSuspect() {
-    if (!m_end && !m_report.over())
-        fail(ProcedureFailure::LinkSuspect);
-}
-
-void StepResponseRun::cancel() {
-    if (m_holdSent)
-        m_mayStop = false;  // and whoever cancels sees to the rest
-    if (!m_end && !m_report.over())
-        m_end = ProcedureStage::Cancelled;
 }
 
 }  // namespace nmc

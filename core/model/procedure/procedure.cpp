@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/procedure.h"
+
+#include <tuple>
+#include <utility>
+
+namespace nmc {
+
+Procedure::Procedure(ModuleIndex module, ProcedureKind kind) {
+    m_report.module = module;
+    m_report.kind = kind;
+}
+
+Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
+    if (m_inFlight)
+        return Wait{};
+    if (m_report.over())
+        return End{};
+    if (!m_end) {
+        Next next = proceed(module, now);
+        if (!m_end)
+            return next;
+    }
+    if (!std::exchange(m_lastWordSent, true)) {
+        if (auto steps = lastWord(module); !steps.empty()) {
+            m_report.stage = ProcedureStage::Stopping;
+            return send(std::move(steps));
+        }
+    }
+    Next rest = afterLastWord(module, now);
+    if (std::holds_alternative<End>(rest))
+        m_report.stage = *m_end;
+    return rest;
+}
+
+void Procedure::onFinished(bus::Outcome outcome) {
+    m_inFlight = false;
+    if (outcome == bus::Outcome::Cancelled)
+        m_mayRun = false;  // whoever did that has stopped the motor, or switched it off
+    if (m_end || outcome == bus::Outcome::Done)
+        return;
+    if (outcome == bus::Outcome::Cancelled)
+        m_end = ProcedureStage::Cancelled;
+    else
+        std::ignore = fail(ProcedureFailure::Refused);
+}
+
+void Procedure::onLinkSuspect() {
+    std::ignore = fail(ProcedureFailure::LinkSuspect);
+}
+
+void Procedure::cancel() {
+    if (m_lastWordSent)
+        m_mayRun = false;  // whoever wants something else now sees to the rest
+    if (!ends())
+        m_end = ProcedureStage::Cancelled;
+}
+
+Procedure::Next Procedure::send(std::vector<bus::Step> steps) {
+    m_inFlight = true;
+    return Send{std::move(steps)};
+}
+
+Procedure::Next Procedure::finish() {
+    m_report.stage = ProcedureStage::Done;
+    return End{};
+}
+
+Procedure::Next Procedure::fail(ProcedureFailure failure) {
+    if (!ends()) {
+        m_end = ProcedureStage::Failed;
+        m_report.failure = failure;
+    }
+    return Wait{};
+}
+
+}  // namespace nmc
