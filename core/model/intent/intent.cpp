@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/intent.h"
 
+#include "base/overloaded.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
@@ -161,8 +162,8 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
-    template <stepintent::Any Other>
-    Plan operator()(const Other&) const {
+    Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                                stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
 
@@ -191,10 +192,19 @@ private:
 }  // namespace
 
 bool isStop(const Intent& intent) {
-    return std::holds_alternative<intent::StopSmoothly>(intent) ||
-           std::holds_alternative<intent::StopAbruptly>(intent) ||
-           std::holds_alternative<intent::StopHere>(intent) ||
-           std::holds_alternative<intent::MotorOff>(intent);
+    return std::visit(
+        Overloaded{
+            [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
+                           intent::MotorOff> auto&) { return true; },
+            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::RunAtVelocity,
+                           intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
+                           intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::DrivePwm,
+                           intent::SetAmplifier, intent::ControlIo, intent::Home, intent::StepBy,
+                           intent::StepResponse, intent::CancelProcedure, intent::ArmLimitStop,
+                           stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                           stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+        },
+        intent);
 }
 
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 
 #include "model/intent/stepmotion.h"
@@ -28,9 +27,5 @@ struct LoadMove {
 struct ChangeMotion {
     StepMotion motion;
 };
-
-template <typename T>
-concept Any = std::same_as<T, SetParameters> || std::same_as<T, SetOutputs> || std::same_as<T, Move> ||
-    std::same_as<T, LoadMove> || std::same_as<T, ChangeMotion>;
 
 }  // namespace nmc::stepintent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/stepplan.h"
 
+#include "base/overloaded.h"
 #include "model/intent/homingplan.h"
 
 namespace nmc {
@@ -176,8 +177,12 @@ struct Planner {
         return allowed(whyNotHome(home.recipe, module), [] { return Steps{}; });
     }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
-    template <typename ForServos>
-    Plan operator()(const ForServos&) const {
+    /// plan() has answered that for both chips.
+    Plan operator()(const intent::AskAnew&) const { return Steps{}; }
+    Plan operator()(
+        const AnyOf<intent::GoTo, intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
+                    intent::LoadMove, intent::StopHere, intent::DrivePwm, intent::ControlIo, intent::StepBy,
+                    intent::StepResponse, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
 };

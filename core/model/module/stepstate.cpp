@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/stepstate.h"
 
+#include "base/overloaded.h"
+
 namespace nmc {
 
 void StepState::attached() {
@@ -140,8 +142,9 @@ struct StepState::Executed {
     void operator()(const step::SetOutputs& set) const { s.m_outputs = set.outputs; }
     void operator()(const step::StopMotor& stop) const { s.stopped(stop, time); }
     void operator()(const step::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
-    template <typename Other>
-    void operator()(const Other&) const {}
+    // What these change shows in a status, or is no business of a motion.
+    void operator()(const AnyOf<ResetPosition, SetAddress, DefineStatus, ReadStatus, SetBaud, SaveAsHome, Nop,
+                                HardReset> auto&) const {}
 };
 
 void StepState::apply(const StepCommand& executed, TimePoint time) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/overloaded.h"
+
 namespace nmc {
 
 namespace {
@@ -19,21 +21,21 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
-    if (const auto* trajectory = std::get_if<servo::LoadTrajectory>(command)) {
-        load(*trajectory);
-        if (trajectory->startNow)
-            start(executed);
-    } else if (std::holds_alternative<StartMotion>(*command)) {
-        start(executed);
-    } else if (const auto* stopMotor = std::get_if<servo::StopMotor>(command)) {
-        stop(*stopMotor, executed);
-    } else if (std::holds_alternative<ResetPosition>(*command)) {
-        zero(executed);
-    } else if (const auto* gains = std::get_if<servo::SetGain>(command)) {
-        setServoRate(gains->sr, executed);
-    } else if (const auto* homing = std::get_if<servo::SetHoming>(command)) {
-        arm(*homing, executed);
-    }
+    std::visit(Overloaded{
+                   [&](const servo::LoadTrajectory& trajectory) {
+                       load(trajectory);
+                       if (trajectory.startNow)
+                           start(executed);
+                   },
+                   [&](const StartMotion&) { start(executed); },
+                   [&](const servo::StopMotor& stopMotor) { stop(stopMotor, executed); },
+                   [&](const ResetPosition&) { zero(executed); },
+                   [&](const servo::SetGain& gains) { setServoRate(gains.sr, executed); },
+                   [&](const servo::SetHoming& homing) { arm(homing, executed); },
+                   [](const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::IoControl, SetBaud,
+                                  servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) {},
+               },
+               *command);
 }
 
 void CommandPosition::apply(const bus::Sample& sample) {
