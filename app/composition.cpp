@@ -159,8 +159,8 @@ void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         m_window.showLink(m_store.link());
         m_motionMarker.update(m_store.link());
-        m_sleep.setMoving(m_store.movingMotors() > 0);
     });
+    m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_procedures, &ProcedureController::stopAll);
     connect(&m_store, &BusStore::happened, this, &Composition::tell);

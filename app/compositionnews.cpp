@@ -52,7 +52,6 @@ void Composition::told(const bus::OperationFinished& finished) {
 }
 
 void Composition::told(const bus::StopFinished& finished) {
-    m_sleep.stopFinished();
     m_flight.note(texts::stopResult(finished, false).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());

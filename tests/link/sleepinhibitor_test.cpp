@@ -125,8 +125,7 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
     });
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     SleepInhibitor inhibitor(address);
-    QObject::connect(&connection.store(), &BusStore::linkChanged, &inhibitor,
-                     [&] { inhibitor.setMoving(connection.store().movingMotors() > 0); });
+    inhibitor.follow(connection.store());
     QObject::connect(&inhibitor, &SleepInhibitor::stopWanted, &connection.worker(), &BusWorker::stopAll);
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
@@ -152,7 +151,8 @@ TEST_F(H05_SleepInhibitor, LetsGoWhenTheStopHasRunItsCourse) {
     EXPECT_EQ(logind.held(), 1) << "a stop that has nothing to do with sleep";
     emit logind.PrepareForSleep(true);
     ASSERT_TRUE(stopWanted.wait(kPatienceMs));
-    EXPECT_EQ(logind.held(), 1) << "it waits for the stop";
+    inhibitor.setMoving(false);
+    EXPECT_EQ(logind.held(), 1) << "it waits for the end of the stop";
     inhibitor.stopFinished();
     EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
 }

@@ -73,14 +73,10 @@ TEST(StepSpeed, TakesTheNearestIntegerSpeed) {
 
 // One unit of 25 steps/s each 4 x 0.25 ms is 25 000 steps/s^2; of 200 each 0.25 ms 800 000; of 25 each
 // 63.75 ms 392.16.
-TEST(StepSpeed, TurnsAccelerationTimesIntoAccelerationsAndBack) {
+TEST(StepSpeed, TurnsAccelerationTimesIntoAccelerations) {
     EXPECT_DOUBLE_EQ(StepSpeed(SpeedMode::X1).acceleration(4), 25'000);
     EXPECT_DOUBLE_EQ(StepSpeed(SpeedMode::X8).acceleration(1), 800'000);
     EXPECT_NEAR(StepSpeed(SpeedMode::X1).acceleration(255), 392.157, 1e-3);
-    EXPECT_EQ(StepSpeed(SpeedMode::X1).accelerationTimeFor(25'000), 4);
-    EXPECT_EQ(StepSpeed(SpeedMode::X1).accelerationTimeFor(24'000), 4);
-    EXPECT_EQ(StepSpeed(SpeedMode::X1).accelerationTimeFor(0), 255);
-    EXPECT_EQ(StepSpeed(SpeedMode::X1).accelerationTimeFor(1e9), 1);
 }
 
 // From speed 25 to 125 at 1 ms each takes 100 ms (the sheet's own example), at 1x 0.001 x 25 x (25 + ... +

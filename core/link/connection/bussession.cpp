@@ -147,13 +147,17 @@ void BusSession::watchOver(TimePoint now) {
 }
 
 void BusSession::tellGuards() {
-    Guarded news = m_guarded;
-    if (auto burst = m_engine.changedStopBurst())
-        news.burst = std::move(*burst);
-    news.moving = m_engine.anythingMoves();
-    if (news == m_guarded)
+    const bool moving = m_engine.anythingMoves();
+    auto burst = m_engine.changedStopBurst();
+    if (!burst && moving == m_guarded.moving)
         return;
-    m_guarded = std::move(news);
+    if (burst)
+        m_guarded.burst = std::move(*burst);
+    m_guarded.moving = moving;
+    armGuards();
+}
+
+void BusSession::armGuards() {
     for (LoopGuard* guard : m_guards)
         guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
 }
@@ -170,8 +174,7 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
                            if (rate.baud == m_guarded.baud)
                                return;
                            m_guarded.baud = rate.baud;
-                           for (LoopGuard* guard : m_guards)
-                               guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
+                           armGuards();
                        },
                        [&](const bus::Send& send) { done = m_transport.send(send.bytes); },
                        [&](const bus::DiscardInput&) { m_transport.discardInput(); },

@@ -38,7 +38,6 @@ private:
         std::vector<std::uint8_t> burst;
         std::uint32_t baud = 0;
         bool moving = false;
-        bool operator==(const Guarded&) const = default;
     };
 
     std::optional<PortError> converse();
@@ -47,7 +46,9 @@ private:
     void search(RequestBox::Search how, TimePoint now);
     /// Stops the motors when nobody else can see to it.
     void watchOver(TimePoint now);
+    /// When anything has changed that concerns them.
     void tellGuards();
+    void armGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
     bool publishEvents();

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "link/connection/linklog.h"
 
-#include <array>
 #include <chrono>
-#include <string_view>
 #include <vector>
 
 #include "base/overloaded.h"
@@ -38,21 +36,32 @@ std::string list(const std::vector<ModuleIndex>& modules) {
     return text.empty() ? "none" : text;
 }
 
-std::string_view word(bus::Outcome outcome) {
-    constexpr std::array<std::string_view, 5> kWords{"done", "refused", "no answer", "forbidden",
-                                                     "cancelled"};
-    return kWords[static_cast<std::size_t>(outcome)];
+std::string word(bus::Outcome outcome) {
+    switch (outcome) {
+        case bus::Outcome::Done:
+            return "done";
+        case bus::Outcome::Refused:
+            return "refused";
+        case bus::Outcome::NoAnswer:
+            return "no answer";
+        case bus::Outcome::Forbidden:
+            return "forbidden";
+        case bus::Outcome::Cancelled:
+            return "cancelled";
+    }
+    return {};
 }
 
-std::string_view word(bus::LinkHealth health) {
-    constexpr std::array<std::string_view, 3> kWords{"good", "doubtful", "lost"};
-    return kWords[static_cast<std::size_t>(health)];
-}
-
-std::string_view word(bus::StopCause cause) {
-    constexpr std::array<std::string_view, 5> kWords{"hold released", "hold expired", "motion suspect",
-                                                     "group half started", "link given up"};
-    return kWords[static_cast<std::size_t>(cause)];
+std::string word(bus::LinkHealth health) {
+    switch (health) {
+        case bus::LinkHealth::Good:
+            return "good";
+        case bus::LinkHealth::Doubtful:
+            return "doubtful";
+        case bus::LinkHealth::Lost:
+            return "lost";
+    }
+    return {};
 }
 
 template <typename Enum>
@@ -76,12 +85,11 @@ struct EventLine {
                ", " + std::to_string(failed.baud) + " Bd";
     }
     std::string operator()(const bus::OperationFinished& finished) const {
-        return "operation " + std::to_string(finished.id.value()) + ": " +
-               std::string(word(finished.outcome));
+        return "operation " + std::to_string(finished.id.value()) + ": " + word(finished.outcome);
     }
     std::string operator()(const bus::GroupFinished& finished) const {
-        return "group operation " + std::to_string(finished.id.value()) + ": " +
-               std::string(word(finished.outcome)) + (finished.stopped ? ", stopped" : "");
+        return "group operation " + std::to_string(finished.id.value()) + ": " + word(finished.outcome) +
+               (finished.stopped ? ", stopped" : "");
     }
     std::string operator()(const bus::StopFinished& finished) const {
         return "stop finished: stopped " + list(finished.stopped) + ", not reached " +
@@ -89,7 +97,7 @@ struct EventLine {
                ms(finished.took);
     }
     std::string operator()(const bus::OwedStopConfirmed& confirmed) const {
-        return name(confirmed.module) + " stands: " + std::string(word(confirmed.cause));
+        return name(confirmed.module) + " stands: the stop owed for cause " + number(confirmed.cause);
     }
     std::string operator()(const bus::ModuleSilence& silence) const {
         return name(silence.module) + (silence.silent ? " is silent" : " answers again");
@@ -102,7 +110,7 @@ struct EventLine {
         return name(expired.module) + ": hold expired";
     }
     std::string operator()(const bus::HealthChanged& changed) const {
-        return "health of " + name(changed.module) + ": " + std::string(word(changed.health)) + ", wrong " +
+        return "health of " + name(changed.module) + ": " + word(changed.health) + ", wrong " +
                std::to_string(changed.wrong) + " of " + std::to_string(changed.of);
     }
     std::string operator()(const bus::ModuleRestarted& restarted) const {

@@ -5,6 +5,7 @@
 #include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
 
+#include "link/connection/busstore.h"
 #include "link/connection/linklog.h"
 
 namespace nmc {
@@ -25,13 +26,22 @@ SleepInhibitor::~SleepInhibitor() {
         QDBusConnection::disconnectFromBus(m_bus.name());
 }
 
+void SleepInhibitor::follow(const BusStore& store) {
+    connect(&store, &BusStore::linkChanged, this, [this, &store] { setMoving(store.movingMotors() > 0); });
+    connect(&store, &BusStore::happened, this, [this](const StoreEvent& event) {
+        if (std::holds_alternative<bus::StopFinished>(event))
+            stopFinished();
+    });
+}
+
 void SleepInhibitor::setMoving(bool moving) {
     if (moving == m_moving)
         return;
     m_moving = moving;
     if (moving)
         take();
-    else
+    else if (!m_sleeping)  // otherwise a stop is under way, and what it has seen to stand is confirmed at its
+                           // end
         m_lock = {};
 }
 
@@ -78,12 +88,12 @@ void SleepInhibitor::taken(QDBusPendingCallWatcher* call) {
 
 void SleepInhibitor::prepareForSleep(bool sleeps) {
     m_sleeping = sleeps;
-    if (!m_moving)
-        return;
-    if (sleeps)
+    if (sleeps && m_moving)
         emit stopWanted();
-    else
+    else if (m_moving)
         take();
+    else
+        m_lock = {};
 }
 
 }  // namespace nmc

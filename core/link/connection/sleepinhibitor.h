@@ -10,6 +10,8 @@ class QDBusPendingCallWatcher;
 
 namespace nmc {
 
+class BusStore;
+
 /// Has the computer wait with its sleep until the motors stand, by a lock of logind
 /// (org.freedesktop.login1.Manager.Inhibit). It is taken while anything moves, and it is of the kind "delay":
 /// a lid that is shut goes past a "block", and a computer that stays awake in a bag helps nobody, but nothing
@@ -23,6 +25,9 @@ public:
     /// something moves.
     explicit SleepInhibitor(QString busAddress = {}, QObject* parent = nullptr);
     ~SleepInhibitor() override;
+
+    /// Is told by it what moves, and that a stop has run its course.
+    void follow(const BusStore& store);
 
     void setMoving(bool moving);
     /// A stop of all motors has run its course: no more can be done before the computer sleeps.

@@ -54,12 +54,6 @@ double StepSpeed::acceleration(int accelerationTime) const {
     return unit() / (kTimeUnit * accelerationTime);
 }
 
-std::uint8_t StepSpeed::accelerationTimeFor(double acceleration) const {
-    const double slowest = this->acceleration(static_cast<int>(step::kAccelerationTimeRange.max));
-    const double time = unit() / (kTimeUnit * std::max(acceleration, slowest));
-    return static_cast<std::uint8_t>(within(std::round(time), step::kAccelerationTimeRange));
-}
-
 StepForecast forecastMove(StepSpeed mode, int minimum, int speed, int accelerationTime, double distance) {
     const double steps = std::abs(distance);
     if (steps == 0.0)

@@ -35,8 +35,6 @@ public:
 
     /// One unit of speed every `accelerationTime` x 0.25 ms.
     [[nodiscard]] double acceleration(int accelerationTime) const;
-    /// The acceleration time nearest to a wish, within 1..255.
-    [[nodiscard]] std::uint8_t accelerationTimeFor(double acceleration) const;
 
     bool operator==(const StepSpeed&) const = default;
 
