@@ -2815,6 +2815,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>A record takes from 0.02 s to 3 s.</source>
         <translation>Eine Aufzeichnung dauert 0,02 s bis 3 s.</translation>
     </message>
+    <message>
+        <source>No motor moves any more. All are told to stop before the port closes.</source>
+        <translation>Kein Motor bewegt sich mehr. Alle erhalten den Stoppbefehl, bevor der Anschluss geschlossen wird.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3189,17 +3193,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>Nicht verbunden.
 
 Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::CloseDialog</name>
-    <message>
-        <source>Motors are moving</source>
-        <translation>Motoren in Bewegung</translation>
-    </message>
-    <message>
-        <source>St&amp;ay</source>
-        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 <context>
@@ -4700,6 +4693,30 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>machine</source>
         <translation>Maschine</translation>
     </message>
+    <message>
+        <source>&amp;Save and close</source>
+        <translation>&amp;Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Close: the next start offers them again</source>
+        <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
+    </message>
+    <message>
+        <source>&amp;Save them</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Drop them: the changes are lost</source>
+        <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>S&amp;tay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
 </context>
 <context>
     <name>nmc::MainWindow</name>
@@ -4760,6 +4777,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>&amp;Stop and close</source>
         <translation>&amp;Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Motors are moving</source>
+        <translation>Motoren in Bewegung</translation>
+    </message>
+    <message>
+        <source>St&amp;ay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>Restart the network</source>
+        <translation>Netzwerk neu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network: positions and gains are lost</source>
+        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -5604,21 +5641,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Tells every module the new rate, and asks each there.</source>
         <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::RestartDialog</name>
-    <message>
-        <source>Restart the network</source>
-        <translation>Netzwerk neu starten</translation>
-    </message>
-    <message>
-        <source>&amp;Restart the network: positions and gains are lost</source>
-        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -7265,33 +7287,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>triggered %1</source>
         <translation>ausgelöst um %1</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::UnsavedDialog</name>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>&amp;Save and close</source>
-        <translation>&amp;Speichern und schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Save them</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Close: the next start offers them again</source>
-        <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
-    </message>
-    <message>
-        <source>&amp;Drop them: the changes are lost</source>
-        <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
-    </message>
-    <message>
-        <source>S&amp;tay</source>
-        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 </TS>

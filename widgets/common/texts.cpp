@@ -196,6 +196,8 @@ QString stopReach(int reachable, int modules) {
 }
 
 QString closing(int movingMotors) {
+    if (movingMotors == 0)
+        return Texts::tr("No motor moves any more. All are told to stop before the port closes.");
     return movingMotors == 1 ? Texts::tr("1 motor is moving. It will be stopped before the port closes.")
                              : Texts::tr("%1 motors are moving. They will be stopped before the port closes.")
                                    .arg(movingMotors);

@@ -120,6 +120,10 @@ void ConnectionBar::choosePort(const QString& port, quint32 baud) {
         m_baud->setCurrentIndex(index);
 }
 
+const QWidget& ConnectionBar::stopButton() const {
+    return *m_stop;
+}
+
 QString ConnectionBar::port() const {
     return m_port->currentData().toString();
 }

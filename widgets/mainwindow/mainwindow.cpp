@@ -2,7 +2,6 @@
 #include "widgets/mainwindow/mainwindow.h"
 
 #include <QClipboard>
-#include <QCloseEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
@@ -13,13 +12,15 @@
 
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
+#include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
-#include "widgets/mainwindow/closedialog.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
+#include "widgets/mainwindow/otherwindows.h"
+#include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
@@ -71,6 +72,8 @@ void MainWindow::buildTop() {
     // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
     auto* top = new QWidget(this);
     auto* menuBar = new QMenuBar(top);
+    // One that the desktop shows for us keeps Esc to itself.
+    menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     fillMenus(*menuBar, *this, m_docks);
     m_bar = new ConnectionBar(top);
@@ -121,7 +124,11 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
+    connect(m_machineMenu, &MachineMenu::shown, this, [this] { AskDialog::reviewAll(*this); });
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
+    connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
+            &MainWindow::requestStop);
+    connect(new OtherWindows(this), &OtherWindows::opened, m_panel, &ModulePanel::endHold);
 
     connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
         showSelected();
@@ -155,6 +162,8 @@ void MainWindow::showLink(const LinkState& state) {
     const bool another =
         state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
     m_link = state;
+    if (state.phase == LinkPhase::Disconnected)
+        m_disconnectAfterStop = false;
     if (connecting) {
         m_panel->resetSpeeds();
         m_procedures.clear();
@@ -233,6 +242,7 @@ void MainWindow::showSelected() {
     }
     m_simulator->showSelected(selectedModule());
     showScopeModules();
+    AskDialog::reviewAll(*this);
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -337,65 +347,6 @@ void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json
 
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
-}
-
-int MainWindow::movingMotors() const {
-    if (m_link.phase == LinkPhase::Disconnected)
-        return 0;
-    return static_cast<int>(std::count_if(m_link.modules.cbegin(), m_link.modules.cend(),
-                                          [](const ModuleState& m) { return m.moving(); }));
-}
-
-void MainWindow::askBeforeDisconnect() {
-    const int moving = movingMotors();
-    if (moving == 0) {
-        emit disconnectRequested();
-        return;
-    }
-    auto* dialog = new CloseDialog(moving, tr("&Stop and disconnect"), this);
-    connect(dialog, &QDialog::accepted, this, [this] {
-        m_disconnectAfterStop = true;
-        emit stopAllRequested();
-    });
-    dialog->open();
-}
-
-void MainWindow::askBeforeRestart() {
-    if (m_link.phase == LinkPhase::Disconnected || findChild<RestartDialog*>() != nullptr)
-        return;
-    auto* dialog = new RestartDialog(movingMotors(), this);
-    connect(dialog, &QDialog::accepted, this, &MainWindow::restartNetworkRequested);
-    dialog->open();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    const int moving = movingMotors();
-    if (!m_mayClose && moving == 0 && m_machineMenu->file().modified) {
-        event->ignore();
-        m_machineMenu->askBeforeClose([this] { finishClose(); });
-        return;
-    }
-    if (m_mayClose || moving == 0) {
-        m_panel->endHold();
-        saveLayout();
-        event->accept();
-        return;
-    }
-    event->ignore();
-    if (findChild<CloseDialog*>() != nullptr)
-        return;
-    auto* dialog = new CloseDialog(moving, tr("&Stop and close"), this);
-    connect(dialog, &QDialog::accepted, this, [this] {
-        m_bar->showStopResult(texts::stoppingBeforeClose());
-        emit stopAllRequested();
-        emit closeConfirmed();
-    });
-    dialog->open();
-}
-
-void MainWindow::finishClose() {
-    m_mayClose = true;
-    close();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

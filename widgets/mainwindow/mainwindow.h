@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -153,6 +154,9 @@ private:
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
+    /// Of a question that stands until the port is closed, or is another: what it says now.
+    [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
+    void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     void takeMessageAction(const QString& key, const QString& actionId);
     [[nodiscard]] int movingMotors() const;
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
@@ -181,6 +185,7 @@ private:
     QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
     bool m_mayClose = false;
+    bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
     bool m_disconnectAfterStop = false;
 };
 
