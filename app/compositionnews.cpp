@@ -7,7 +7,23 @@
 
 namespace nmc {
 
+namespace {
+
+/// Whatever was held is not held any more, whether the panel asked for that or not.
+bool endsHold(const StoreEvent& event) {
+    const auto* health = std::get_if<bus::HealthChanged>(&event);
+    return std::holds_alternative<bus::HoldExpired>(event) ||
+           std::holds_alternative<bus::StopFinished>(event) ||
+           std::holds_alternative<bus::MotionSuspect>(event) ||
+           std::holds_alternative<bus::LinkLost>(event) ||
+           (health != nullptr && health->health == bus::LinkHealth::Lost);
+}
+
+}  // namespace
+
 void Composition::tell(const StoreEvent& event) {
+    if (endsHold(event))
+        m_window.endHold();
     // What became of a procedure's operation is for the procedure to say.
     if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
         return;

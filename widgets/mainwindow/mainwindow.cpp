@@ -345,6 +345,10 @@ void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json
     m_simulator->showAnswer(line, json);
 }
 
+void MainWindow::endHold() {
+    m_panel->endHold();
+}
+
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
 }

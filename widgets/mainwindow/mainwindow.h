@@ -81,6 +81,8 @@ public:
     void beginPackets(const PacketSession& session);
     /// What was recorded since the last call, once a frame while packetRecordingWanted().
     void showPackets(std::vector<bus::ExchangeRecord> records);
+    /// The bus has ended what is held: the button comes up, and must be pressed anew.
+    void endHold();
     /// How often a held button says so; 100 ms.
     void setHoldInterval(int milliseconds);
 
@@ -109,7 +111,7 @@ signals:
     void restartNetworkRequested();
     void stopAllRequested();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// On press and every 100 ms while held.
+    /// On press and every 100 ms while held; each press has a number of its own.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
     /// The user changed what the panel knows of an axis; nothing is sent by that.
