@@ -80,6 +80,8 @@ private:
     void tell(const StoreEvent& event);
     /// A message whose cause can be looked at in the scope afterwards.
     void tellIncident(Message message, std::optional<ModuleIndex> module = {});
+    /// The same, of modules that were told to stop: the message says so when they are seen at rest.
+    void tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
@@ -94,6 +96,8 @@ private:
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);
+    void told(const bus::OwedStopConfirmed& confirmed);
+    void told(const CurrentLimited& current);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
@@ -117,6 +121,9 @@ private:
     std::optional<Target> m_target;      ///< what is connected, or was last
     std::optional<Target> m_openNext;    ///< to be opened when the present connection has closed
     std::vector<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
+    /// Which message tells of it, with its words, which grow.
+    std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
+    std::map<QString, Message> m_stopMessages;
     bool m_quitWhenClosed = false;
     bool m_enableFaults = false;
     std::uint32_t m_lastOperation = 0;

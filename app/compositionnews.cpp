@@ -36,7 +36,33 @@ void Composition::tellIncident(Message message, std::optional<ModuleIndex> modul
     m_window.showMessage(texts::withRecord(std::move(message)));
 }
 
+void Composition::tellStop(const Message& message, bus::StopCause cause,
+                           const std::vector<ModuleIndex>& modules) {
+    for (const ModuleIndex module : modules)
+        m_toldToStop[{cause, module}] = message.key;
+    m_stopMessages[message.key] = texts::withRecord(message);
+    tellIncident(message, modules.size() == 1 ? std::optional(modules.front()) : std::nullopt);
+}
+
+void Composition::told(const bus::OwedStopConfirmed& confirmed) {
+    const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
+    if (told == m_toldToStop.end())
+        return;
+    Message& message = m_stopMessages[told->second];
+    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    m_window.amendMessage(message);
+    m_toldToStop.erase(told);
+}
+
+void Composition::told(const CurrentLimited& current) {
+    if (current.limited)
+        tellIncident(texts::currentLimited(current.module), current.module);
+    else
+        m_window.endMessage(texts::key::current(current.module));
+}
+
 void Composition::told(const bus::ChainFound& found) {
+    m_toldToStop.clear();
     m_window.endMessage(texts::key::link());
     const int modules = static_cast<int>(found.modules.size());
     const QString key = chainLengthKey();
@@ -99,12 +125,14 @@ void Composition::told(const bus::LinkLost&) {
 }
 
 void Composition::told(const bus::HoldExpired& expired) {
-    tellIncident(texts::holdExpired(expired.module), expired.module);
+    tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module});
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Good)
         m_window.endMessage(texts::key::badLink());
+    else if (changed.health == bus::LinkHealth::Lost && changed.module)
+        tellStop(texts::badLink(changed), bus::StopCause::LinkGivenUp, {*changed.module});
     else
         tellIncident(texts::badLink(changed), changed.module);
 }
@@ -116,12 +144,18 @@ void Composition::told(const bus::ModuleRestarted& restarted) {
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {
-    tellIncident(texts::motionSuspect(suspect), suspect.module);
+    tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module});
 }
 
 void Composition::told(const bus::GroupFinished& finished) {
-    if (finished.outcome != bus::Outcome::Done)
-        m_window.showMessage(texts::groupFailed(finished));
+    if (finished.outcome == bus::Outcome::Done)
+        return;
+    if (!finished.stopped)
+        return m_window.showMessage(texts::groupFailed(finished));
+    std::vector<ModuleIndex> members;
+    for (const bus::GroupMember& member : finished.members)
+        members.push_back(member.module);
+    tellStop(texts::groupFailed(finished), bus::StopCause::GroupHalfStarted, members);
 }
 
 void Composition::told(const bus::RateChanged& changed) {

@@ -81,7 +81,7 @@ TEST(H01_FrozenPanel, SaysSoInTheMessageList) {
     });
     ASSERT_TRUE(panel.waitFor([&] { return stopped; }));
     EXPECT_TRUE(panel.waitFor([&] {
-        return panel.count(QStringLiteral("motors were stopped after 2 s")) == 1;
+        return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
     })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
 }
 

@@ -25,7 +25,7 @@ QString span(double seconds) {
 
 Message panelFroze(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("The panel was frozen for %1; motors were stopped after 2 s.")
+        stopped ? Texts::tr("The panel was frozen for %1; motors were told to stop after 2 s.")
                 : Texts::tr("The panel was frozen for %1 while a motor was moving. It was not stopped.");
     return {.key = u"froze"_s,
             .severity = Severity::Attention,

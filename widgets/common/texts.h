@@ -93,6 +93,8 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);
 [[nodiscard]] Message powerLost(ModuleIndex module);
+/// PIC-SERVO: too much current.
+[[nodiscard]] Message currentLimited(ModuleIndex module);
 /// A PIC-STEP switched its motor off; `activity` says why.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
@@ -126,6 +128,10 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
+/// There were modules, and each is known to have stopped.
+[[nodiscard]] bool allStopped(const bus::StopFinished& finished);
+/// Goes behind the headline of the message that told of the stop: "It has stopped."
+[[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);
@@ -214,6 +220,7 @@ namespace key {
 [[nodiscard]] QString garbled(ModuleIndex module);
 [[nodiscard]] QString tripped(ModuleIndex module);
 [[nodiscard]] QString power(ModuleIndex module);
+[[nodiscard]] QString current(ModuleIndex module);
 [[nodiscard]] QString restarted(ModuleIndex module);
 [[nodiscard]] QString stop();
 [[nodiscard]] QString safety();

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
@@ -34,12 +35,6 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 using namespace settingskeys;
-
-namespace {
-/// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
-constexpr double kOldAfter = 0.5;  // s
-
-}  // namespace
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
@@ -161,23 +156,37 @@ void MainWindow::showLink(const LinkState& state) {
     const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
     const bool another =
         state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
-    m_link = state;
+    const std::optional<TimePoint> now = m_link.now;
+    m_link = asShown(state);
+    m_link.now = now;
     if (state.phase == LinkPhase::Disconnected)
         m_disconnectAfterStop = false;
     if (connecting) {
         m_panel->resetSpeeds();
         m_procedures.clear();
-        m_now.reset();
+        m_link.now.reset();
     }
     if (another)
         showSession();
-    m_bar->showLink(state);
-    m_linkBar->showLink(state);
-    m_chain->showLink(state, m_machine);
-    m_simulator->showLink(state);
-    m_monitor->showLink(state);
+    m_bar->showLink(m_link);
+    m_linkBar->showLink(m_link);
+    m_simulator->showLink(m_link);
+    m_monitor->showLink(m_link);
+    showModules();
+}
+
+void MainWindow::showModules() {
+    m_live = liveModules();
+    m_chain->showLink(m_link, m_machine);
     m_chainMenu->refresh();
     showSelected();
+}
+
+std::vector<bool> MainWindow::liveModules() const {
+    std::vector<bool> live;
+    for (const ModuleState& module : m_link.modules)
+        live.push_back(isLive(m_link, module));
+    return live;
 }
 
 void MainWindow::showSession() {
@@ -222,10 +231,9 @@ QString MainWindow::nothingText() const {
 std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
     if (!module.latest.has_value())
         return std::nullopt;
-    const double age = m_now.has_value() ? toSeconds(*m_now - module.latestTime) : 0.0;
-    if (module.silent || m_link.phase != LinkPhase::Connected || age > kOldAfter)
-        return age;
-    return std::nullopt;
+    if (isLive(m_link, module))
+        return std::nullopt;
+    return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
 }
 
 void MainWindow::showSelected() {
@@ -292,6 +300,11 @@ void MainWindow::showMessage(const Message& message) {
     m_banner->showMessage(message);
 }
 
+void MainWindow::amendMessage(const Message& message) {
+    m_messages->amendMessage(message);
+    m_banner->amendMessage(message);
+}
+
 void MainWindow::endMessage(const QString& key) {
     m_messages->endMessage(key);
     m_banner->endMessage(key);
@@ -331,14 +344,12 @@ void MainWindow::showStopResult(const bus::StopFinished& finished) {
                                      [](const ModuleState& module) { return module.driveOn(); });
     const Message result = texts::stopResult(finished, holding);
     m_bar->showStopResult(result.headline);
-    if (finished.unreached.empty())
+    const bool all = texts::allStopped(finished);
+    if (all)
         endMessage(texts::key::stop());
     showMessage(texts::withRecord(result));
-    if (m_disconnectAfterStop) {
-        m_disconnectAfterStop = false;
-        if (finished.unreached.empty())
-            emit disconnectRequested();
-    }
+    if (std::exchange(m_disconnectAfterStop, false) && all)
+        emit disconnectRequested();
 }
 
 void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {

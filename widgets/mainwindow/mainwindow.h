@@ -72,6 +72,8 @@ public:
     void showStepRun(const KeptRun& run);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
+    /// More is known of a cause that is told already: no repeat, and nothing where it is over or hidden.
+    void amendMessage(const Message& message);
     /// The cause is gone.
     void endMessage(const QString& key);
     void showStopResult(const bus::StopFinished& finished);
@@ -152,7 +154,9 @@ private:
     void saveLayout();
     void showSafetyOnce();
     void showSession();
+    void showModules();
     void showSelected();
+    [[nodiscard]] std::vector<bool> liveModules() const;
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
@@ -166,10 +170,10 @@ private:
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
-    LinkState m_link;
+    LinkState m_link;  ///< as it may be shown
+    std::vector<bool> m_live;  ///< of its modules, as they are shown
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
-    std::optional<TimePoint> m_now;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;

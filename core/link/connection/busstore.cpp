@@ -124,11 +124,18 @@ void BusStore::take(const bus::Event& event) {
         emit happened(*lost);
     } else if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
         // It may have been carried out or not.
-        if (finished->outcome == bus::Outcome::NoAnswer && known(finished->module))
+        if (finished->outcome == bus::Outcome::NoAnswer && known(finished->module)) {
             m_records[finished->module.value()].feed.doubt();
+            doubtMotions({finished->module});
+        }
         emit happened(*finished);
     } else if (const auto* stopped = std::get_if<bus::StopFinished>(&event)) {
+        take(*stopped);
         emit happened(*stopped);
+    } else if (const auto* owed = std::get_if<bus::OwedStopConfirmed>(&event)) {
+        if (known(owed->module))
+            m_link.modules[owed->module.value()].confirmedAtRest();
+        emit happened(*owed);
     } else if (const auto* refused = std::get_if<bus::CommandRefused>(&event)) {
         emit happened(*refused);
     } else if (const auto* expired = std::get_if<bus::HoldExpired>(&event)) {
@@ -168,11 +175,28 @@ void BusStore::take(const bus::Sample& sample) {
     Record& record = m_records[sample.module.value()];
     ++record.samples;
     const bool wasOff = module.switchedItselfOff;
+    const bool wasLimited = module.currentWasLimited();
     module.apply(sample);
     if (const auto kept = record.feed.take(sample))
         m_history.append(sample.module, *kept);
     if (module.switchedItselfOff && !wasOff)
         emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
+    if (module.currentWasLimited() != wasLimited)
+        emit happened(CurrentLimited{sample.module, !wasLimited});
+}
+
+void BusStore::doubtMotions(const std::vector<ModuleIndex>& modules) {
+    for (const ModuleIndex module : modules)
+        if (known(module))
+            m_link.modules[module.value()].doubtMotion();
+}
+
+void BusStore::take(const bus::StopFinished& stopped) {
+    for (const ModuleIndex module : stopped.stopped)
+        if (known(module))
+            m_link.modules[module.value()].confirmedAtRest();
+    doubtMotions(stopped.unreached);
+    doubtMotions(stopped.unconfirmed);
 }
 
 void BusStore::noteGains(const bus::CommandExecuted& executed) {
@@ -227,9 +251,11 @@ void BusStore::silence(const bus::ModuleSilence& silence) {
         m_link.modules[silence.module.value()].silent = silence.silent;
         Record& record = m_records[silence.module.value()];
         record.feed.breakHere();
-        if (silence.silent)
+        if (silence.silent) {
             record.feed.doubt();
-        else if (m_link.phase == LinkPhase::Lost)
+            doubtMotions({silence.module});
+        }
+        if (!silence.silent && m_link.phase == LinkPhase::Lost)
             m_link.phase = LinkPhase::Connected;
     }
     emit happened(silence);

@@ -20,13 +20,19 @@ struct ServoWentOff {
     std::int32_t position = 0;
 };
 
+/// A servo began to limit the current of its motor, or has been told to forget that it did.
+struct CurrentLimited {
+    ModuleIndex module;
+    bool limited = true;
+};
+
 /// What the user should hear of; samples and progress are state, not news.
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
-                 bus::RateChangeFailed, PortClosed, ServoWentOff, SimulatorAnswered, PanelFroze,
-                 MachineSlept>;
+                 bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, CurrentLimited,
+                 SimulatorAnswered, PanelFroze, MachineSlept>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -69,6 +75,9 @@ private:
     void noteGains(const bus::CommandExecuted& executed);
     /// It may have other gains than those that it confirmed.
     void doubtGains(ModuleIndex module);
+    /// What these were told has not been heard of: what moves them is for their positions to say.
+    void doubtMotions(const std::vector<ModuleIndex>& modules);
+    void take(const bus::StopFinished& stopped);
     void found(const bus::ChainFound& chain);
     void silence(const bus::ModuleSilence& silence);
     void closed(const PortClosed& closed);
