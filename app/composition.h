@@ -28,9 +28,9 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
+    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings.
     explicit Composition(QSettings& settings, PortController::Places places = {},
-                         const QString& unsavedFolder = {}, QObject* parent = nullptr);
+                         const QString& dataFolder = {}, QObject* parent = nullptr);
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
@@ -67,6 +67,9 @@ private:
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
     void act(const QString& key, const QString& action);
+    /// What other sessions have left, and is over.
+    void endLeft(const QStringList& files);
+    [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
     /// Where the settings remember how long the chain at this port was.
     [[nodiscard]] QString chainLengthKey() const;
     void scanAgain();
@@ -124,6 +127,7 @@ private:
     /// Which message tells of it, with its words, which grow.
     std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
     std::map<QString, Message> m_stopMessages;
+    std::optional<QString> m_troublePort;  ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
     bool m_enableFaults = false;
     std::uint32_t m_lastOperation = 0;

@@ -24,6 +24,8 @@ bool endsHold(const StoreEvent& event) {
 void Composition::tell(const StoreEvent& event) {
     if (endsHold(event))
         m_window.endHold();
+    if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
+        m_motionMarker.ended(operation->id, monotonicNow());
     // What became of a procedure's operation is for the procedure to say.
     if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
         return;
@@ -45,6 +47,7 @@ void Composition::tellStop(const Message& message, bus::StopCause cause,
 }
 
 void Composition::told(const bus::OwedStopConfirmed& confirmed) {
+    endLeft(m_motionMarker.stopped({confirmed.module}));
     const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
     if (told == m_toldToStop.end())
         return;
@@ -63,7 +66,12 @@ void Composition::told(const CurrentLimited& current) {
 
 void Composition::told(const bus::ChainFound& found) {
     m_toldToStop.clear();
-    m_window.endMessage(texts::key::link());
+    m_motionMarker.found(monotonicNow());
+    if (m_troublePort == m_target->port) {
+        m_troublePort.reset();
+        m_window.endMessage(texts::key::gone());
+        m_window.endMessage(texts::key::link());
+    }
     const int modules = static_cast<int>(found.modules.size());
     const QString key = chainLengthKey();
     // The machine's own word goes before what was seen at this port.
@@ -97,6 +105,7 @@ void Composition::told(const bus::StopFinished& finished) {
     m_flight.note(texts::stopResult(finished, false).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
+    endLeft(m_motionMarker.stopped(finished.stopped));
     m_window.showStopResult(finished);
 }
 
@@ -118,6 +127,7 @@ void Composition::told(const bus::CommandRefused& refused) {
 }
 
 void Composition::told(const bus::LinkLost&) {
+    m_troublePort = m_target->port;
     // One text for one cause: the modules' own silences are part of it.
     for (const ModuleState& module : m_store.link().modules)
         m_window.endMessage(texts::key::silent(module.info.index));
@@ -148,6 +158,7 @@ void Composition::told(const bus::MotionSuspect& suspect) {
 }
 
 void Composition::told(const bus::GroupFinished& finished) {
+    m_motionMarker.ended(finished.id, monotonicNow());
     if (finished.outcome == bus::Outcome::Done)
         return;
     if (!finished.stopped)
@@ -176,6 +187,8 @@ void Composition::told(const PortClosed& closed) {
     if (closed.error) {
         PortError error = *closed.error;
         error.port = m_target->port;
+        if (error.problem == PortProblem::Gone)
+            m_troublePort = error.port;
         m_window.showMessage(texts::portProblem(error));
         m_ports.closed(error);
     } else

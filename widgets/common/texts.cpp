@@ -250,6 +250,12 @@ QString restarted(ModuleIndex module) {
 QString stop() {
     return u"stop"_s;
 }
+QString gone() {
+    return u"gone"_s;
+}
+QString endedWhileMoving(const QString& file) {
+    return u"endedWhileMoving."_s + file;
+}
 QString safety() {
     return u"safety"_s;
 }

@@ -55,6 +55,7 @@ inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< t
 inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
+inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors that a session left moving
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
 inline const QString kShowRecord = QStringLiteral("showRecord");
 inline const QString kDiscardWork = QStringLiteral("discardWork");
@@ -122,8 +123,9 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// `stopped`: motors moved, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
 [[nodiscard]] Message machineSlept(double seconds);
-/// The session before ended without a stop.
-[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules);
+/// A session before ended without a stop; `file` is what it has left.
+[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
+                                       const QString& file);
 /// `file`: where they belong.
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.
@@ -223,6 +225,8 @@ namespace key {
 [[nodiscard]] QString current(ModuleIndex module);
 [[nodiscard]] QString restarted(ModuleIndex module);
 [[nodiscard]] QString stop();
+[[nodiscard]] QString gone();
+[[nodiscard]] QString endedWhileMoving(const QString& file);
 [[nodiscard]] QString safety();
 [[nodiscard]] QString machineFile();
 [[nodiscard]] QString unsavedWork();

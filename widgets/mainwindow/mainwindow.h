@@ -170,7 +170,7 @@ private:
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
-    LinkState m_link;  ///< as it may be shown
+    LinkState m_link;          ///< as it may be shown
     std::vector<bool> m_live;  ///< of its modules, as they are shown
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
