@@ -12,11 +12,13 @@ namespace {
 /// Whatever was held is not held any more, whether the panel asked for that or not.
 bool endsHold(const StoreEvent& event) {
     const auto* health = std::get_if<bus::HealthChanged>(&event);
+    const auto* group = std::get_if<bus::GroupFinished>(&event);
     return std::holds_alternative<bus::HoldExpired>(event) ||
            std::holds_alternative<bus::StopFinished>(event) ||
            std::holds_alternative<bus::MotionSuspect>(event) ||
            std::holds_alternative<bus::LinkLost>(event) ||
-           (health != nullptr && health->health == bus::LinkHealth::Lost);
+           (health != nullptr && health->health == bus::LinkHealth::Lost) ||
+           (group != nullptr && group->stopped);
 }
 
 }  // namespace

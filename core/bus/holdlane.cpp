@@ -19,6 +19,8 @@ void HoldLane::hold(const HoldToMove& hold, TimePoint now) {
     if (m_wanted && m_wanted->module != hold.module)
         release();
     m_wanted = hold;
+    if (m_told)
+        m_told->press = hold.press;  // the same motion need not be told twice
     m_until = now + m_timeout;
 }
 
