@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QFileInfo>
 #include <QWindow>
 
 #include "link/clock.h"
@@ -31,6 +32,10 @@ std::vector<ModuleIdentity> simulatedChain(const QString& port) {
     return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
 }
 
+QString markerFolder(const QString& data, const QSettings& settings) {
+    return data.isEmpty() ? QFileInfo(settings.fileName()).absolutePath() : data;
+}
+
 /// A session that begins now.
 PacketSession packetSession(const QString& port) {
     PacketSession session;
@@ -44,14 +49,14 @@ PacketSession packetSession(const QString& port) {
 
 }  // namespace
 
-Composition::Composition(QSettings& settings, PortController::Places places, const QString& unsavedFolder,
+Composition::Composition(QSettings& settings, PortController::Places places, const QString& dataFolder,
                          QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_window(settings),
       m_ports(std::move(places)),
-      m_machine(settings, m_window, m_store, unsavedFolder),
-      m_motionMarker(settings) {
+      m_machine(settings, m_window, m_store, dataFolder),
+      m_motionMarker(markerFolder(dataFolder, settings)) {
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -74,8 +79,9 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
-    if (!m_motionMarker.left().empty())
-        m_window.showMessage(texts::endedWhileMoving(m_motionMarker.left()));
+    for (const MotionMarker::Left& left : m_motionMarker.left())
+        m_window.showMessage(
+            texts::endedWhileMoving({left.modules.begin(), left.modules.end()}, left.port, left.file));
     checkSettings();
     m_machine.start();
     m_window.showPorts(m_ports.ports());
@@ -104,7 +110,6 @@ bool Composition::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Composition::quit() {
-    m_motionMarker.clear();
     m_window.finishClose();
     QCoreApplication::quit();
 }
@@ -121,8 +126,10 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::holdRequested, this,
-            [this](const bus::HoldToMove& hold) { m_procedures.cancel(hold.module); });
+    connect(&m_window, &MainWindow::holdRequested, this, [this](const bus::HoldToMove& hold) {
+        m_motionMarker.held(hold.module, monotonicNow());
+        m_procedures.cancel(hold.module);
+    });
     wireChain();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
@@ -151,14 +158,17 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
     connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
     connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
-        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), command});
+        const bus::OperationId id(++m_lastOperation);
+        if (command.action == bus::GroupCommand::Action::StartMotion)
+            m_motionMarker.asked(id, groupMembers(command.group));
+        m_worker.submit(bus::GroupOperation{id, command});
     });
 }
 
 void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         m_window.showLink(m_store.link());
-        m_motionMarker.update(m_store.link());
+        endLeft(m_motionMarker.update(m_store.link()));
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
@@ -200,7 +210,7 @@ void Composition::openNow(const Target& target) {
         m_ports.opening(port, target.baud);
     }
     m_window.endMessage(texts::key::port());
-    m_window.endMessage(texts::key::link());
+    m_motionMarker.begin(port, target.baud, isSimulator(port));
     m_store.begin(port, isSimulator(port), target.baud);
     m_window.beginPackets(packetSession(port));
     m_worker.open(std::move(factory), config);
@@ -222,24 +232,44 @@ void Composition::act(const QString& key, const QString& action) {
     if (m_machine.act(action))
         ;  // done
     else if (action == texts::action::kRetry && m_target)
-        connectTo(m_target->port, m_target->baud);
+        return connectTo(m_target->port, m_target->baud);  // over when the chain is found
     else if (action == texts::action::kScanAgain || action == texts::action::kReconnect)
         return scanAgain();
     else if (action == texts::action::kConnectOffered && m_ports.offered()) {
         const PortController::Offer offer = *m_ports.offered();
         m_window.choosePort(offer.port, offer.baud);
+        if (m_troublePort)
+            m_troublePort = offer.port;  // the same adapter by another name
         connectAnyway(offer.port, offer.baud);
     } else if (action == texts::action::kHow) {
         m_window.showMessage(texts::latencyCure(m_ports.latencyFile()));
     } else if (action == texts::action::kUseSimulator) {
         m_window.choosePort(kSimulatorPort, kPowerUpBaud);
-        connectTo(kSimulatorPort, kPowerUpBaud);
+        return connectTo(kSimulatorPort, kPowerUpBaud);
+    } else if (action == texts::action::kLookedAt) {
+        for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
+            if (texts::key::endedWhileMoving(left.file) == key)
+                m_motionMarker.forget(left.file);
     } else if (action == texts::action::kClearAndStayOff) {
         clearTrip(key);
     } else if (action == texts::action::kWorkWith) {
         acceptChain();
     }
     m_window.endMessage(key);
+}
+
+void Composition::endLeft(const QStringList& files) {
+    for (const QString& file : files)
+        m_window.endMessage(texts::key::endedWhileMoving(file));
+}
+
+/// Those that are known to be in it, and those of which nothing is known.
+std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
+    std::vector<ModuleIndex> members;
+    for (const ModuleState& module : m_store.link().modules)
+        if (!module.info.group || module.info.group->group == group)
+            members.push_back(module.info.index);
+    return members;
 }
 
 QString Composition::chainLengthKey() const {

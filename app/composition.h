@@ -29,9 +29,9 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
+    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings.
     explicit Composition(QSettings& settings, PortController::Places places = {},
-                         const QString& unsavedFolder = {}, QObject* parent = nullptr);
+                         const QString& dataFolder = {}, QObject* parent = nullptr);
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
@@ -68,6 +68,9 @@ private:
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
     void act(const QString& key, const QString& action);
+    /// What other sessions have left, and is over.
+    void endLeft(const QStringList& files);
+    [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
     /// Where the settings remember how long the chain at this port was.
     [[nodiscard]] QString chainLengthKey() const;
     void scanAgain();
@@ -81,6 +84,8 @@ private:
     void tell(const StoreEvent& event);
     /// A message whose cause can be looked at in the scope afterwards.
     void tellIncident(Message message, std::optional<ModuleIndex> module = {});
+    /// The same, of modules that were told to stop: the message says so when they are seen at rest.
+    void tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
@@ -96,6 +101,8 @@ private:
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);
+    void told(const bus::OwedStopConfirmed& confirmed);
+    void told(const CurrentLimited& current);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
@@ -120,6 +127,10 @@ private:
     std::optional<Target> m_target;      ///< what is connected, or was last
     std::optional<Target> m_openNext;    ///< to be opened when the present connection has closed
     std::vector<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
+    /// Which message tells of it, with its words, which grow.
+    std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
+    std::map<QString, Message> m_stopMessages;
+    std::optional<QString> m_troublePort;  ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
     bool m_enableFaults = false;
     std::uint32_t m_lastOperation = 0;

@@ -7,7 +7,27 @@
 
 namespace nmc {
 
+namespace {
+
+/// Whatever was held is not held any more, whether the panel asked for that or not.
+bool endsHold(const StoreEvent& event) {
+    const auto* health = std::get_if<bus::HealthChanged>(&event);
+    const auto* group = std::get_if<bus::GroupFinished>(&event);
+    return std::holds_alternative<bus::HoldExpired>(event) ||
+           std::holds_alternative<bus::StopFinished>(event) ||
+           std::holds_alternative<bus::MotionSuspect>(event) ||
+           std::holds_alternative<bus::LinkLost>(event) ||
+           (health != nullptr && health->health == bus::LinkHealth::Lost) ||
+           (group != nullptr && group->stopped);
+}
+
+}  // namespace
+
 void Composition::tell(const StoreEvent& event) {
+    if (endsHold(event))
+        m_window.endHold();
+    if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
+        m_motionMarker.ended(operation->id, monotonicNow());
     // What became of a procedure's operation is for the procedure to say.
     if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
         return;
@@ -20,8 +40,40 @@ void Composition::tellIncident(Message message, std::optional<ModuleIndex> modul
     m_window.showMessage(texts::withRecord(std::move(message)));
 }
 
+void Composition::tellStop(const Message& message, bus::StopCause cause,
+                           const std::vector<ModuleIndex>& modules) {
+    for (const ModuleIndex module : modules)
+        m_toldToStop[{cause, module}] = message.key;
+    m_stopMessages[message.key] = texts::withRecord(message);
+    tellIncident(message, modules.size() == 1 ? std::optional(modules.front()) : std::nullopt);
+}
+
+void Composition::told(const bus::OwedStopConfirmed& confirmed) {
+    endLeft(m_motionMarker.stopped({confirmed.module}));
+    const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
+    if (told == m_toldToStop.end())
+        return;
+    Message& message = m_stopMessages[told->second];
+    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    m_window.amendMessage(message);
+    m_toldToStop.erase(told);
+}
+
+void Composition::told(const CurrentLimited& current) {
+    if (current.limited)
+        tellIncident(texts::currentLimited(current.module), current.module);
+    else
+        m_window.endMessage(texts::key::current(current.module));
+}
+
 void Composition::told(const bus::ChainFound& found) {
-    m_window.endMessage(texts::key::link());
+    m_toldToStop.clear();
+    m_motionMarker.found(monotonicNow());
+    if (m_troublePort == m_target->port) {
+        m_troublePort.reset();
+        m_window.endMessage(texts::key::gone());
+        m_window.endMessage(texts::key::link());
+    }
     const int modules = static_cast<int>(found.modules.size());
     const QString key = chainLengthKey();
     // The machine's own word goes before what was seen at this port.
@@ -55,6 +107,7 @@ void Composition::told(const bus::StopFinished& finished) {
     m_flight.note(texts::stopResult(finished, false).key, texts::stopOfAll(), {},
                   monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
+    endLeft(m_motionMarker.stopped(finished.stopped));
     m_window.showStopResult(finished);
 }
 
@@ -76,6 +129,7 @@ void Composition::told(const bus::CommandRefused& refused) {
 }
 
 void Composition::told(const bus::LinkLost&) {
+    m_troublePort = m_target->port;
     // One text for one cause: the modules' own silences are part of it.
     for (const ModuleState& module : m_store.link().modules)
         m_window.endMessage(texts::key::silent(module.info.index));
@@ -83,12 +137,14 @@ void Composition::told(const bus::LinkLost&) {
 }
 
 void Composition::told(const bus::HoldExpired& expired) {
-    tellIncident(texts::holdExpired(expired.module), expired.module);
+    tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module});
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Good)
         m_window.endMessage(texts::key::badLink());
+    else if (changed.health == bus::LinkHealth::Lost && changed.module)
+        tellStop(texts::badLink(changed), bus::StopCause::LinkGivenUp, {*changed.module});
     else
         tellIncident(texts::badLink(changed), changed.module);
 }
@@ -100,15 +156,19 @@ void Composition::told(const bus::ModuleRestarted& restarted) {
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {
-    tellIncident(texts::motionSuspect(suspect), suspect.module);
+    tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module});
 }
 
-/// The module itself shows that it stands.
-void Composition::told(const bus::OwedStopConfirmed&) {}
-
 void Composition::told(const bus::GroupFinished& finished) {
-    if (finished.outcome != bus::Outcome::Done)
-        m_window.showMessage(texts::groupFailed(finished));
+    m_motionMarker.ended(finished.id, monotonicNow());
+    if (finished.outcome == bus::Outcome::Done)
+        return;
+    if (!finished.stopped)
+        return m_window.showMessage(texts::groupFailed(finished));
+    std::vector<ModuleIndex> members;
+    for (const bus::GroupMember& member : finished.members)
+        members.push_back(member.module);
+    tellStop(texts::groupFailed(finished), bus::StopCause::GroupHalfStarted, members);
 }
 
 void Composition::told(const bus::RateChanged& changed) {
@@ -129,6 +189,8 @@ void Composition::told(const PortClosed& closed) {
     if (closed.error) {
         PortError error = *closed.error;
         error.port = m_target->port.toStdString();
+        if (error.problem == PortProblem::Gone)
+            m_troublePort = m_target->port;
         m_window.showMessage(texts::portProblem(error));
         m_ports.closed(error);
     } else

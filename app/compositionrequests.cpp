@@ -13,6 +13,27 @@
 
 namespace nmc {
 
+namespace {
+
+/// What moves a motor, or may; what switches one on holds it where it is.
+bool mayMove(const bus::ModuleCommand& command) {
+    return std::visit(
+        [](const auto& chip) {
+            using Chip = std::decay_t<decltype(chip)>;
+            using Load = std::conditional_t<std::is_same_v<Chip, ServoCommand>, servo::LoadTrajectory,
+                                            step::LoadTrajectory>;
+            if (const auto* load = std::get_if<Load>(&chip))
+                return load->startNow;
+            if constexpr (std::is_same_v<Chip, ServoCommand>)
+                if (const auto* stop = std::get_if<servo::StopMotor>(&chip))
+                    return stop->manner == servo::StopManner::Here;
+            return std::holds_alternative<StartMotion>(chip);
+        },
+        command);
+}
+
+}  // namespace
+
 void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
@@ -42,6 +63,12 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
 
 bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
     const bus::OperationId id(++m_lastOperation);
+    std::vector<ModuleIndex> moved;
+    for (const bus::Step& step : steps)
+        if (mayMove(step.command))
+            moved.push_back(step.module);
+    if (!moved.empty())
+        m_motionMarker.asked(id, moved);
     m_worker.submit({id, std::move(steps)});
     return id;
 }

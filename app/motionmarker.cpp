@@ -1,49 +1,197 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/motionmarker.h"
 
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 namespace nmc {
 
 namespace {
 
-const QString kMoving = QStringLiteral("session/moving");  // module numbers, as the user knows them
+using namespace std::chrono_literals;
+
 constexpr int kMostModules = 32;
+constexpr qint64 kMostBytes = 4'096;
+/// A status that was latched so long after a command shows what the command did.
+constexpr Duration kShows = 200ms;
+/// A motor that another session left moving shows it within so long (ModuleState::attached).
+constexpr Duration kLooked = 1'500ms;
+
+/// When that process was started, in the kernel's ticks; empty: it is gone. A number may be given again, but
+/// not to one that was started at the same time.
+std::optional<QByteArray> startOf(qint64 process) {
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(process));
+    if (!stat.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QByteArray text = stat.readAll();
+    // The name of the program, in brackets, may hold anything. Behind it: the state, and 18 more fields.
+    const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
+    if (fields.size() < 20 || fields[0] == "Z")
+        return std::nullopt;
+    return fields[19];
+}
+
+const QRegularExpression kName(QStringLiteral(R"(^moving-(\d+)-(\d+)-\d+\.json$)"));
+
+bool isOfALiveProcess(const QString& name) {
+    const QRegularExpressionMatch match = kName.match(name);
+    return startOf(match.captured(1).toLongLong()) == match.captured(2).toLatin1();
+}
+
+std::optional<MotionMarker::Left> read(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QJsonObject json = QJsonDocument::fromJson(file.read(kMostBytes)).object();
+    MotionMarker::Left left{path, json[QStringLiteral("port")].toString(),
+                            static_cast<quint32>(json[QStringLiteral("baud")].toInt())};
+    for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
+        if (const int n = number.toInt(); n >= 1 && n <= kMostModules)
+            left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
+    return left.modules.empty() ? std::nullopt : std::optional(left);
+}
+
+/// A port may be known by several names.
+bool isSamePort(const QString& a, const QString& b) {
+    const QString target = QFileInfo(a).canonicalFilePath();
+    return a == b || (!target.isEmpty() && target == QFileInfo(b).canonicalFilePath());
+}
 
 }  // namespace
 
-MotionMarker::MotionMarker(QSettings& settings) : m_settings(settings) {
-    for (const QString& number : settings.value(kMoving).toStringList())
-        if (const int n = number.toInt(); n >= 1 && n <= kMostModules)
-            m_left.emplace_back(static_cast<std::uint8_t>(n - 1));
-    m_written = m_left;
+MotionMarker::MotionMarker(QString folder) : m_folder(std::move(folder)) {
+    for (const QString& name : QDir(m_folder).entryList(QDir::Files, QDir::Name))
+        if (kName.match(name).hasMatch() && !isOfALiveProcess(name))
+            if (auto left = read(QDir(m_folder).filePath(name)))
+                m_left.push_back(std::move(*left));
 }
 
-void MotionMarker::update(const LinkState& link) {
-    // Without modules nothing new is known: a port that was unplugged stopped no motor.
-    if (link.simulated || link.modules.empty())
-        return;
-    std::vector<ModuleIndex> moving;
-    for (const ModuleState& module : link.modules)
-        if (module.moving())
-            moving.push_back(module.info.index);
+void MotionMarker::begin(const QString& port, quint32 baud, bool simulated) {
+    // What the connection before has left moving is looked at as what another session has left.
+    if (!m_own.modules.empty())
+        m_left.push_back(m_own);
+    const qint64 process = QCoreApplication::applicationPid();
+    const QString name = QStringLiteral("moving-%1-%2-%3.json")
+                             .arg(process)
+                             .arg(QString::fromLatin1(startOf(process).value_or("0")))
+                             .arg(++m_connections);
+    m_own = {QDir(m_folder).filePath(name), port, baud};
+    m_simulated = simulated;
+    m_pending.clear();
+    m_askedAt.clear();
+}
+
+void MotionMarker::asked(bus::OperationId id, const std::vector<ModuleIndex>& modules) {
+    m_pending[id] = modules;
+    std::set<ModuleIndex> moving = m_own.modules;
+    moving.insert(modules.begin(), modules.end());
     write(moving);
 }
 
-void MotionMarker::clear() {
-    write({});
+void MotionMarker::ended(bus::OperationId id, TimePoint now) {
+    const auto pending = m_pending.find(id);
+    if (pending == m_pending.end())
+        return;
+    for (const ModuleIndex module : pending->second)
+        m_askedAt[module] = now;
+    m_pending.erase(pending);
 }
 
-void MotionMarker::write(const std::vector<ModuleIndex>& moving) {
-    if (moving == m_written)
+void MotionMarker::held(ModuleIndex module, TimePoint now) {
+    m_askedAt[module] = now;
+    std::set<ModuleIndex> moving = m_own.modules;
+    moving.insert(module);
+    write(moving);
+}
+
+bool MotionMarker::moves(const ModuleState& module) const {
+    const ModuleIndex index = module.info.index;
+    for (const auto& [id, modules] : m_pending)
+        if (std::find(modules.begin(), modules.end(), index) != modules.end())
+            return true;
+    const auto asked = m_askedAt.find(index);
+    if (asked != m_askedAt.end() && module.latestTime < asked->second + kShows)
+        return true;
+    return module.moving() || (module.silent && m_own.modules.count(index) != 0);
+}
+
+QStringList MotionMarker::update(const LinkState& link) {
+    // Without modules nothing new is known: a port that was unplugged stopped no motor.
+    if (link.simulated || link.modules.empty())
+        return {};
+    std::set<ModuleIndex> moving;
+    for (const ModuleState& module : link.modules)
+        if (moves(module))
+            moving.insert(module.info.index);
+    write(moving);
+    for (Left& left : m_left)
+        if (isSamePort(left.port, QString::fromStdString(link.port)))
+            for (const ModuleState& module : link.modules)
+                if (isLive(link, module) && !moves(module) && module.latestTime > m_foundAt + kLooked)
+                    left.modules.erase(module.info.index);
+    return forgetOver();
+}
+
+QStringList MotionMarker::forgetOver() {
+    QStringList over;
+    for (const Left& left : m_left)
+        if (left.modules.empty())
+            over << left.file;
+    for (const QString& file : over)
+        forget(file);
+    return over;
+}
+
+QStringList MotionMarker::stopped(const std::vector<ModuleIndex>& modules) {
+    std::set<ModuleIndex> moving = m_own.modules;
+    for (const ModuleIndex module : modules) {
+        moving.erase(module);
+        m_askedAt.erase(module);
+        for (Left& left : m_left)
+            if (isSamePort(left.port, m_own.port))
+                left.modules.erase(module);
+    }
+    write(moving);
+    return forgetOver();
+}
+
+void MotionMarker::forget(const QString& file) {
+    QFile::remove(file);
+    m_left.erase(
+        std::remove_if(m_left.begin(), m_left.end(), [&file](const Left& left) { return left.file == file; }),
+        m_left.end());
+}
+
+void MotionMarker::write(const std::set<ModuleIndex>& moving) {
+    if (m_simulated || moving == m_own.modules)
         return;
-    m_written = moving;
-    QStringList numbers;
+    m_own.modules = moving;
+    if (moving.empty()) {
+        QFile::remove(m_own.file);
+        return;
+    }
+    QJsonArray numbers;
     for (const ModuleIndex module : moving)
-        numbers << QString::number(module.value() + 1);
-    if (numbers.isEmpty())
-        m_settings.remove(kMoving);
-    else
-        m_settings.setValue(kMoving, numbers);
-    m_settings.sync();  // a killed program writes nothing any more
+        numbers.append(module.value() + 1);
+    QDir().mkpath(m_folder);
+    QSaveFile file(m_own.file);
+    if (!file.open(QIODevice::WriteOnly))
+        return;  // that nothing can be kept is said at the start
+    file.write(QJsonDocument(QJsonObject{{QStringLiteral("port"), m_own.port},
+                                         {QStringLiteral("baud"), static_cast<qint64>(m_own.baud)},
+                                         {QStringLiteral("modules"), numbers}})
+                   .toJson(QJsonDocument::Compact));
+    file.commit();
 }
 
 }  // namespace nmc

@@ -1,31 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSettings>
+#include <QString>
+#include <QStringList>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "model/module/linkstate.h"
 
 namespace nmc {
 
-/// Remembers on disk which motors move, as long as they do: a program that is killed cannot stop them, and
-/// the next one can at least say so. Writes only when something changes. GUI thread.
+/// Remembers on disk which motors move, or may, as long as they do: a program that is killed cannot stop
+/// them, and the next one can at least say so. Each connection of each program has a file of its own; those
+/// of programs that are gone are found by the next start, and stay until their modules were seen at rest or
+/// the user has looked. Writes only when something changes. GUI thread.
 class MotionMarker {
 public:
-    explicit MotionMarker(QSettings& settings);
+    /// What moved when a session ended without a word, or when its port was unplugged.
+    struct Left {
+        QString file;
+        QString port;
+        quint32 baud = 0;
+        std::set<ModuleIndex> modules{};
+    };
 
-    /// What moved when the session before ended without a word.
-    [[nodiscard]] const std::vector<ModuleIndex>& left() const { return m_left; }
-    void update(const LinkState& link);
-    /// The session ends in order.
-    void clear();
+    /// `folder` need not be there; it is made when something moves.
+    explicit MotionMarker(QString folder);
+
+    [[nodiscard]] const std::vector<Left>& left() const { return m_left; }
+
+    /// A port is being opened.
+    void begin(const QString& port, quint32 baud, bool simulated);
+    /// A chain was found at it.
+    void found(TimePoint now) { m_foundAt = now; }
+    /// Before what may move these is sent; until it ends it counts as motion.
+    void asked(bus::OperationId id, const std::vector<ModuleIndex>& modules);
+    void ended(bus::OperationId id, TimePoint now);
+    /// The same for evidence of a hold.
+    void held(ModuleIndex module, TimePoint now);
+    /// Files of those whose modules have all been seen at rest since: they are over.
+    [[nodiscard]] QStringList update(const LinkState& link);
+    /// These were seen at rest after a stop; the same.
+    [[nodiscard]] QStringList stopped(const std::vector<ModuleIndex>& modules);
+    /// The user has looked at the motors.
+    void forget(const QString& file);
 
 private:
-    void write(const std::vector<ModuleIndex>& moving);
+    [[nodiscard]] bool moves(const ModuleState& module) const;
+    void write(const std::set<ModuleIndex>& moving);
+    [[nodiscard]] QStringList forgetOver();
 
-    QSettings& m_settings;
-    std::vector<ModuleIndex> m_left;
-    std::vector<ModuleIndex> m_written;
+    QString m_folder;
+    std::vector<Left> m_left;
+    Left m_own;
+    bool m_simulated = false;
+    unsigned m_connections = 0;
+    TimePoint m_foundAt;
+    std::map<bus::OperationId, std::vector<ModuleIndex>> m_pending;
+    std::map<ModuleIndex, TimePoint> m_askedAt;
 };
 
 }  // namespace nmc

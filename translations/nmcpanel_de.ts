@@ -796,10 +796,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung ist unzuverlässig: %1 der letzten %2 Übertragungen sind misslungen.</translation>
     </message>
     <message>
-        <source>Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.</source>
-        <translation>Die Motoren wurden angehalten. Eine niedrigere Rate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
-    </message>
-    <message>
         <source>Updates are slow (%1 per second) because the USB adapter waits %2 ms before passing data on.</source>
         <translation>Die Werte kommen langsam (%1 pro Sekunde), weil der USB-Adapter Daten erst nach %2 ms weitergibt.</translation>
     </message>
@@ -912,10 +908,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Er bleibt aus, wenn die Versorgung wiederkehrt.</translation>
     </message>
     <message>
-        <source>Module %1 was stopped: the button was held, but the panel was too slow to say so.</source>
-        <translation>Modul %1 wurde angehalten: die Taste war gedrückt, aber das Programm hat das zu spät gemeldet.</translation>
-    </message>
-    <message>
         <source>The computer was busy for more than 250 ms. Press and hold again.</source>
         <translation>Der Rechner war länger als 250 ms beschäftigt. Erneut drücken und halten.</translation>
     </message>
@@ -930,14 +922,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 of %2 stopped, %3 ms. Every motor is off.</source>
         <translation>%1 von %2 angehalten, %3 ms. Alle Motoren sind aus.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped. Module %3 does not answer: use the hardware stop.</source>
-        <translation>%1 von %2 angehalten. Modul %3 antwortet nicht: Hardware-Stopp benutzen.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 stopped. Modules %3 do not answer: use the hardware stop.</source>
-        <translation>%1 von %2 angehalten. Die Module %3 antworten nicht: Hardware-Stopp benutzen.</translation>
     </message>
     <message>
         <source>reaches %1 of %2</source>
@@ -1232,20 +1216,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
     </message>
     <message>
-        <source>Module %1 was switched off: it moved the wrong way, to %2 counts.</source>
-        <translation>Modul %1 wurde abgeschaltet: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
-    </message>
-    <message>
-        <source>Module %1 was stopped: it went past its goal, to %2 counts.</source>
-        <translation>Modul %1 wurde gestoppt: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
-    </message>
-    <message>
         <source>Either the command was damaged on its way, or the gains let it overshoot by far. Read the position before the next move.</source>
         <translation>Entweder wurde der Befehl unterwegs beschädigt, oder die Reglerwerte lassen es weit überschwingen. Vor der nächsten Fahrt die Position ablesen.</translation>
-    </message>
-    <message>
-        <source>Module %1 says that it moves, but reports %2 counts again and again.</source>
-        <translation>Modul %1 meldet Bewegung, aber immer wieder dieselbe Position %2.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1262,10 +1234,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
-    </message>
-    <message>
-        <source>The panel was frozen for %1; motors were stopped after 2 s.</source>
-        <translation>Das Programm reagierte %1 lang nicht; die Motoren wurden nach 2 s gestoppt.</translation>
     </message>
     <message>
         <source>The panel was frozen for %1 while a motor was moving. It was not stopped.</source>
@@ -1290,10 +1258,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The last session ended while motors %1 were moving.</source>
         <translation>Die letzte Sitzung endete, während sich die Motoren %1 bewegten.</translation>
-    </message>
-    <message>
-        <source>The program was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves.</source>
-        <translation>Das Programm wurde gewaltsam beendet, oder der Rechner fiel aus. Motorzustand unbekannt: sehen Sie nach, bevor Sie verbinden; bewegt sich etwas, benutzen Sie den Hardware-Stopp.</translation>
     </message>
     <message>
         <source>Settings are not saved.</source>
@@ -1412,16 +1376,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung zu Modul %1 ist zweifelhaft: %2 der letzten %3 Austausche gingen schief.</translation>
     </message>
     <message>
-        <source>Nothing was lost: wrong answers are recognised and asked for again. Motors are stopped if it gets worse. Usually noise on the cable.</source>
-        <translation>Nichts ging verloren: Falsche Antworten werden erkannt und neu erfragt. Wird es schlimmer, werden die Motoren gestoppt. Meist Störungen auf dem Kabel.</translation>
-    </message>
-    <message>
         <source>Its motor is off.</source>
         <translation>Sein Motor ist aus.</translation>
-    </message>
-    <message>
-        <source>It listens at 19 200 Bd, where the others&apos; traffic is noise to it: all motors were stopped and nothing is sent any more.</source>
-        <translation>Es hört bei 19 200 Bd, wo der Verkehr der anderen für es Rauschen ist: Alle Motoren wurden gestoppt, und es wird nichts mehr gesendet.</translation>
     </message>
     <message>
         <source>Every module forgets its position, its gains and its address, and lets go of its motor.</source>
@@ -2815,6 +2771,114 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>A record takes from 0.02 s to 3 s.</source>
         <translation>Eine Aufzeichnung dauert 0,02 s bis 3 s.</translation>
     </message>
+    <message>
+        <source>No motor moves any more. All are told to stop before the port closes.</source>
+        <translation>Kein Motor bewegt sich mehr. Alle erhalten den Stoppbefehl, bevor der Anschluss geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.</source>
+        <translation>Die Motoren erhielten den Stoppbefehl. Eine niedrigere Rate, ein kürzeres Kabel oder Abschlusswiderstände an beiden Enden versuchen.</translation>
+    </message>
+    <message>
+        <source>Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it gets worse. Usually noise on the cable.</source>
+        <translation>Nichts ging verloren: Falsche Antworten werden erkannt und noch einmal erfragt. Die Motoren erhalten den Stoppbefehl, wenn es schlimmer wird. Meist Störungen auf dem Kabel.</translation>
+    </message>
+    <message>
+        <source>It listens at 19 200 Bd, where the others&apos; traffic is noise to it: all motors were told to stop, and nothing is sent any more.</source>
+        <translation>Es hört mit 19 200 Bd, wo der Verkehr der anderen für es Rauschen ist: Alle Motoren erhielten den Stoppbefehl, und es wird nichts mehr gesendet.</translation>
+    </message>
+    <message>
+        <source>The panel was frozen for %1; motors were told to stop after 2 s.</source>
+        <translation>Das Programm reagierte %1 lang nicht; die Motoren erhielten nach 2 s den Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>It was connected to %1, and was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves. This is said until the motor was seen at rest.</source>
+        <translation>Sie war mit %1 verbunden und wurde abgebrochen, oder der Rechner fiel aus. Zustand des Motors unbekannt: vor dem Verbinden nachsehen; den Hardware-Stopp benutzen, wenn er sich bewegt. Das steht hier, bis der Motor stillstehend gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>I have looked: it stands still</source>
+        <translation>Ich habe nachgesehen: Er steht still</translation>
+    </message>
+    <message>
+        <source>Module %1 does not answer</source>
+        <translation>Modul %1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Modules %1 do not answer</source>
+        <translation>Die Module %1 antworten nicht</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop but was not seen at rest</source>
+        <translation>Modul %1 erhielt den Stoppbefehl, wurde aber nicht stillstehend gesehen</translation>
+    </message>
+    <message>
+        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <translation>Die Module %1 erhielten den Stoppbefehl, wurden aber nicht stillstehend gesehen</translation>
+    </message>
+    <message>
+        <source>No module is known</source>
+        <translation>Kein Modul ist bekannt</translation>
+    </message>
+    <message>
+        <source>: use the hardware stop.</source>
+        <translation>: den Hardware-Stopp benutzen.</translation>
+    </message>
+    <message>
+        <source>No stop could be confirmed.</source>
+        <translation>Kein Stopp konnte bestätigt werden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stopped.</source>
+        <translation>%1 von %2 gestoppt.</translation>
+    </message>
+    <message>
+        <source>Module %1 has stopped.</source>
+        <translation>Modul %1 steht jetzt.</translation>
+    </message>
+    <message>
+        <source>It has stopped.</source>
+        <translation>Es steht jetzt.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: the button was held, but the panel was too slow to say so.</source>
+        <translation>Modul %1 erhielt den Stoppbefehl: Der Knopf war gedrückt, aber das Programm war zu langsam, es zu melden.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to switch off: it moved the wrong way, to %2 counts.</source>
+        <translation>Modul %1 erhielt den Befehl, auszuschalten: Es bewegte sich in die falsche Richtung, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: it went past its goal, to %2 counts.</source>
+        <translation>Modul %1 erhielt den Stoppbefehl: Es fuhr über sein Ziel hinaus, bis %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: it says that it moves, but reports %2 counts again and again.</source>
+        <translation>Modul %1 erhielt den Stoppbefehl: Es sagt, dass es sich bewegt, meldet aber immer wieder %2 Inkremente.</translation>
+    </message>
+    <message>
+        <source>Module %1 limits the current of its motor: overcurrent.</source>
+        <translation>Modul %1 begrenzt den Strom seines Motors: Überstrom.</translation>
+    </message>
+    <message>
+        <source>The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, or raise the limit. It says so until the sticky bits are cleared.</source>
+        <translation>Vielleicht erreicht der Motor sein Ziel nicht oder hält seine Last nicht. Auf Klemmen oder zu große Last prüfen oder die Grenze erhöhen. Das Modul meldet es, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Off, but turning</source>
+        <translation>Aus, dreht aber</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>The shaft moves although the motor is off: a load turns it, or it is still running down. No stop holds it; use a brake, or enable the servo.</source>
+        <translation>Die Welle bewegt sich, obwohl der Motor aus ist: Eine Last dreht sie, oder sie läuft noch aus. Kein Stopp hält sie; eine Bremse benutzen oder den Servo einschalten.</translation>
+    </message>
+    <message>
+        <source>The motor stands, but its current was limited: it may not hold its load. This stays until the sticky bits are cleared.</source>
+        <translation>Der Motor steht, aber sein Strom wurde begrenzt: Vielleicht hält er seine Last nicht. Das bleibt so, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3189,17 +3253,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>Nicht verbunden.
 
 Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::CloseDialog</name>
-    <message>
-        <source>Motors are moving</source>
-        <translation>Motoren in Bewegung</translation>
-    </message>
-    <message>
-        <source>St&amp;ay</source>
-        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 <context>
@@ -4700,6 +4753,30 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>machine</source>
         <translation>Maschine</translation>
     </message>
+    <message>
+        <source>&amp;Save and close</source>
+        <translation>&amp;Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Close: the next start offers them again</source>
+        <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
+    </message>
+    <message>
+        <source>&amp;Save them</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Drop them: the changes are lost</source>
+        <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>S&amp;tay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
 </context>
 <context>
     <name>nmc::MainWindow</name>
@@ -4760,6 +4837,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>&amp;Stop and close</source>
         <translation>&amp;Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Motors are moving</source>
+        <translation>Motoren in Bewegung</translation>
+    </message>
+    <message>
+        <source>St&amp;ay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>Restart the network</source>
+        <translation>Netzwerk neu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the network: positions and gains are lost</source>
+        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -5604,21 +5701,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Tells every module the new rate, and asks each there.</source>
         <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::RestartDialog</name>
-    <message>
-        <source>Restart the network</source>
-        <translation>Netzwerk neu starten</translation>
-    </message>
-    <message>
-        <source>&amp;Restart the network: positions and gains are lost</source>
-        <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -7265,33 +7347,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>triggered %1</source>
         <translation>ausgelöst um %1</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::UnsavedDialog</name>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>&amp;Save and close</source>
-        <translation>&amp;Speichern und schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Save them</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Close: the next start offers them again</source>
-        <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
-    </message>
-    <message>
-        <source>&amp;Drop them: the changes are lost</source>
-        <translation>&amp;Verwerfen: die Änderungen gehen verloren</translation>
-    </message>
-    <message>
-        <source>S&amp;tay</source>
-        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 </TS>

@@ -136,7 +136,7 @@ void Engine::Private::submit(Operation operation, TimePoint now) {
 
 void Engine::Private::hold(const HoldToMove& hold, TimePoint now) {
     if (m_phase != Phase::Running || m_stop || hold.module.value() >= m_modules.size())
-        return;
+        return m_hold.refuse(hold);
     m_hold.hold(hold, now);
     proceed(now);
 }

@@ -61,7 +61,8 @@ public:
     void changeRate(std::uint32_t baud, TimePoint now);
 
     /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
-    /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold().
+    /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold(). Ended
+    /// so or otherwise, or not possible now: only a press of a higher number moves again.
     void hold(const HoldToMove& hold, TimePoint now);
     void release(TimePoint now);
 

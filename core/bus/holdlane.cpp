@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "bus/holdlane.h"
 
+#include <algorithm>
+
 namespace nmc::bus {
 
+void HoldLane::end(std::uint32_t press) {
+    m_over = std::max(press, m_over.value_or(press));
+}
+
+void HoldLane::refuse(const HoldToMove& hold) {
+    end(hold.press);
+}
+
 void HoldLane::hold(const HoldToMove& hold, TimePoint now) {
+    if (m_over && hold.press <= *m_over)
+        return;
     if (m_wanted && m_wanted->module != hold.module)
         release();
     m_wanted = hold;
+    if (m_told)
+        m_told->press = hold.press;  // the same motion need not be told twice
     m_until = now + m_timeout;
 }
 
 void HoldLane::release() {
+    if (m_wanted)
+        end(m_wanted->press);
     m_wanted.reset();
     if (m_told)
         m_owed = m_told;
@@ -25,6 +41,8 @@ bool HoldLane::expired(TimePoint now) {
 }
 
 void HoldLane::clear() {
+    if (m_wanted)
+        end(m_wanted->press);
     m_wanted.reset();
     m_told.reset();
     m_owed.reset();

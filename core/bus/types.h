@@ -89,13 +89,15 @@ struct StepPace {
     bool operator==(const StepPace&) const = default;
 };
 
-/// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again.
+/// Motion while it is held (interface.md, "Moving"): a velocity that must be asked for again and again. One
+/// that has ended, whoever ended it, is over until the button was up: nothing but a higher press moves again.
 struct HoldToMove {
     ModuleIndex module;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
     bool reverse = false;
     std::optional<StepPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
+    std::uint32_t press = 0;         ///< which press of a button it is; each is a higher number
     bool operator==(const HoldToMove&) const = default;
 };
 

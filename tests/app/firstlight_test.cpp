@@ -6,15 +6,18 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
+#include "widgets/panels/holdbutton.h"
 
 namespace nmc {
 namespace {
@@ -214,6 +217,40 @@ TEST(FirstLight, HoldToMoveMovesOnlyWhileItIsHeld) {
     QTest::mouseRelease(&button, Qt::LeftButton);
     ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::Holding; }));
     EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    Panel panel;
+    panel.start(sim.terminal(), 115'200);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.found(2); }));
+    panel.selectModule(0);
+    panel.setGainsAndEnable();
+    auto& button = panel.find<HoldButton>("holdForwardButton");
+    const auto moving = [&] { return sim.state(1)[QStringLiteral("command_velocity")].toDouble() != 0.0; };
+    QTest::mousePress(&button, Qt::LeftButton);
+    ASSERT_TRUE(panel.waitFor(moving));
+    // The window does not turn its event loop until the bus has ended the hold: the button is still down.
+    QTimer::singleShot(0, &button, [&] {
+        QElapsedTimer patience;
+        patience.start();
+        while (moving() && patience.elapsed() < 20'000) {
+        }
+    });
+    ASSERT_TRUE(panel.waitFor([&] { return !button.isHeld(); })) << "it shows that it is not held any more";
+    EXPECT_FALSE(button.isDown());
+    const TimePoint until = panel.module(0).latestTime + std::chrono::seconds(1);
+    bool movedAgain = false;
+    ASSERT_TRUE(panel.waitFor([&] {
+        movedAgain = movedAgain || moving();
+        return panel.module(0).latestTime >= until;
+    }));
+    EXPECT_FALSE(movedAgain);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    QTest::mousePress(&button, Qt::LeftButton);
+    EXPECT_TRUE(panel.waitFor(moving)) << "pressed anew";
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    EXPECT_TRUE(panel.waitFor([&] { return !moving(); }));
 }
 
 TEST(FirstLight, AClosedTerminalIsSaidAndTheSimulatorIsOneClickAway) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,11 +17,12 @@ namespace nmc::testing_support {
 /// The whole program without main(), driven by what its window emits instead of by mouse and key.
 class IntentPanel {
 public:
-    /// `settings`: a file; empty for a fresh one.
-    explicit IntentPanel(const QString& settings = {}, PortController::Places places = {})
+    /// `settings`: a file; empty for a fresh one. `data`: where what moves is kept; empty: beside it.
+    explicit IntentPanel(const QString& settings = {}, PortController::Places places = {},
+                         const QString& data = {})
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
                      QSettings::IniFormat),
-          m_composition(m_settings, std::move(places)) {}
+          m_composition(m_settings, std::move(places), data) {}
 
     void start() { m_composition.show({}); }
     /// Connects, and waits until the modules are there.
@@ -61,6 +64,18 @@ public:
     }
     [[nodiscard]] int count(const QString& words) {
         return static_cast<int>(headlines().filter(words).size());
+    }
+
+    /// What was told and is not over; empty: no such message.
+    [[nodiscard]] const MessageRow* standing(const QString& words) {
+        for (const MessageRow* row : window().findChild<MessageList*>()->rows())
+            if (!row->over() && row->message().headline.contains(words))
+                return row;
+        return nullptr;
+    }
+    /// The files that say which motors move, beside the settings.
+    [[nodiscard]] QStringList markers() const {
+        return QFileInfo(m_settings.fileName()).dir().entryList({QStringLiteral("moving-*.json")});
     }
 
     [[nodiscard]] const ModuleState& module() const { return *m_composition.store().module(ModuleIndex(0)); }

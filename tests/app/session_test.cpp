@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
-#include <QFile>
 #include <QTimer>
 #include <csignal>
 
@@ -33,7 +32,7 @@ TEST_P(Signals, StopTheMotorsAndEndTheProgram) {
     EXPECT_FALSE(panel.composition().worker().isOpen());
     EXPECT_FALSE(moves(sim));
     EXPECT_TRUE(sim.state(1)[QStringLiteral("servo_on")].toBool());
-    EXPECT_FALSE(panel.settings().contains(QStringLiteral("session/moving")));
+    EXPECT_TRUE(panel.markers().isEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(H04, Signals, testing::Values(SIGTERM, SIGINT, SIGHUP));
@@ -81,45 +80,8 @@ TEST(H01_FrozenPanel, SaysSoInTheMessageList) {
     });
     ASSERT_TRUE(panel.waitFor([&] { return stopped; }));
     EXPECT_TRUE(panel.waitFor([&] {
-        return panel.count(QStringLiteral("motors were stopped after 2 s")) == 1;
+        return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
     })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
-}
-
-TEST(H02_Killed, IsSaidAtTheNextStartWithTheMotorThatWasMoving) {
-    QTemporaryDir directory;
-    const QString left = directory.filePath(QStringLiteral("left.ini"));
-    {
-        NmcsimProcess sim(QStringLiteral("servo,servo"));
-        IntentPanel panel;
-        ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-        // What is on the disk now is what SIGKILL would leave there.
-        ASSERT_TRUE(QFile::copy(panel.settings().fileName(), left));
-        panel.ask(intent::StopAbruptly{});
-        ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    }
-    IntentPanel next(left);
-    next.start();
-    EXPECT_EQ(next.count(QStringLiteral("The last session ended while motor 1 was moving.")), 1);
-}
-
-TEST(H02_Killed, IsNotSaidWhenTheMotorHadStopped) {
-    NmcsimProcess sim(QStringLiteral("servo,servo"));
-    IntentPanel panel;
-    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    panel.ask(intent::StopAbruptly{});
-    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
-    EXPECT_TRUE(panel.waitFor([&] { return !panel.settings().contains(QStringLiteral("session/moving")); }));
-}
-
-TEST(H02_Killed, AMarkerThatWasTamperedWithIsNoDanger) {
-    QTemporaryDir directory;
-    const QString file = directory.filePath(QStringLiteral("bad.ini"));
-    QSettings(file, QSettings::IniFormat)
-        .setValue(QStringLiteral("session/moving"), QStringList{QStringLiteral("0"), QStringLiteral("33"),
-                                                                QStringLiteral("-1"), QStringLiteral("x")});
-    IntentPanel panel(file);
-    panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("last session")), 0);
 }
 
 TEST(H18_ReadOnlyHome, IsSaidOnceAndTheProgramRuns) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bus/holdlane.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
@@ -81,9 +82,10 @@ TEST_F(Hold, NeverSwitchesAServoOn) {
 
 TEST_F(Hold, NeverSwitchesATrippedServoOn) {
     enableFirst();
-    holdFor(300ms, forward(0));
+    const HoldToMove press = forward(0);
+    holdFor(300ms, press);
     bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, bus.now);
-    holdFor(200ms, forward(0));
+    holdFor(200ms, press);
     bus.chain.set(ModuleIndex(0), sim::Input::Power, 1.0, bus.now);
     holdFor(200ms, forward(0));
     ASSERT_FALSE(bus.servo(0).servoOn);
@@ -170,6 +172,85 @@ TEST_F(Hold, EndsWithAStopOfAllMotors) {
     EXPECT_EQ(bus.sends(kSmoothStop, from), 0U);
     EXPECT_EQ(bus.servo(0).commandVelocity, 0);
     EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+}
+
+// ---- a hold that has ended is over until the button was up ----
+
+TEST_F(Hold, LateEvidenceOfAPressThatExpiredMovesNothing) {
+    enableFirst();
+    const HoldToMove press = forward(0);
+    bus.engine.hold(press, bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<HoldExpired>() == 1; }, 1s));
+    bus.runFor(300ms);
+    const std::int32_t position = bus.servo(0).position;
+    holdFor(1s, press);
+    EXPECT_EQ(bus.sends("AA 01 94", from), 1U);
+    EXPECT_NEAR(bus.servo(0).position, position, 2);
+    EXPECT_EQ(bus.count<HoldExpired>(), 1U);
+    holdFor(500ms, forward(0));
+    EXPECT_EQ(bus.sends("AA 01 94", from), 2U) << "the next press moves again";
+}
+
+TEST_F(Hold, LateEvidenceAfterAReleaseAStopOrAMissingAnswerMovesNothing) {
+    enableFirst();
+    const auto expectOver = [this](const HoldToMove& press) {
+        bus.runFor(500ms);
+        const std::size_t starts = bus.sends("AA 01 94", from);
+        holdFor(500ms, press);
+        EXPECT_EQ(bus.sends("AA 01 94", from), starts);
+        EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    };
+    const HoldToMove released = forward(0);
+    holdFor(300ms, released);
+    bus.engine.release(bus.now);
+    expectOver(released);
+    const HoldToMove stopped = forward(0);
+    holdFor(300ms, stopped);
+    ASSERT_TRUE(bus.stopAll());
+    expectOver(stopped);
+    const HoldToMove unanswered = forward(0);
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x94; };
+    holdFor(200ms, unanswered);
+    bus.losesReply = {};
+    expectOver(unanswered);
+    const HoldToMove first = forward(0);
+    holdFor(300ms, first);
+    ASSERT_EQ(bus.perform({gains(1), enable(1)}), Outcome::Done);
+    holdFor(300ms, forward(1));
+    bus.engine.release(bus.now);
+    expectOver(first);
+}
+
+TEST_F(Hold, APressThatCameDuringAStopIsOverBeforeItBegan) {
+    enableFirst();
+    const HoldToMove press = forward(0);
+    bus.engine.stopAll(bus.now);
+    bus.engine.hold(press, bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }, 1s));
+    holdFor(500ms, press);
+    EXPECT_EQ(bus.sends("AA 01 94", from), 0U);
+}
+
+TEST(HoldLane, KnowsAPressByItsNumber) {
+    const TimePoint t{};
+    HoldLane lane(250ms);
+    HoldToMove press = forward(0);
+    lane.hold(press, t);
+    EXPECT_FALSE(lane.expired(t + 249ms));
+    EXPECT_TRUE(lane.expired(t + 250ms));
+    lane.hold(press, t + 251ms);
+    EXPECT_FALSE(lane.wanted());
+    ++press.press;
+    lane.refuse(press);
+    lane.hold(press, t + 252ms);
+    EXPECT_FALSE(lane.wanted());
+    ++press.press;
+    lane.hold(press, t + 253ms);
+    ASSERT_TRUE(lane.wanted());
+    lane.clear();
+    lane.hold(press, t + 254ms);
+    EXPECT_FALSE(lane.wanted());
+    EXPECT_FALSE(lane.deadline());
 }
 
 TEST_F(Hold, DoesNotStartAgainAfterARefusalOnceReleased) {

@@ -169,10 +169,13 @@ private:
                 return;
             default:
                 did("hold");
-                bus.engine.hold(
-                    {ModuleIndex(m), CountsPerTick(static_cast<std::uint32_t>(below(10 * 65'536))),
-                     CountsPerTickSquared(655), coin()},
-                    bus.now);
+                bus.engine.hold({ModuleIndex(m),
+                                 CountsPerTick(static_cast<std::uint32_t>(below(10 * 65'536))),
+                                 CountsPerTickSquared(655),
+                                 coin(),
+                                 {},
+                                 ++m_presses},
+                                bus.now);
                 return;
         }
     }
@@ -247,6 +250,7 @@ private:
     }
 
     sim::Random m_random;
+    std::uint32_t m_presses = 0;
     std::string m_lately;
     bool m_failed = false;
 

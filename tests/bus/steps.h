@@ -55,8 +55,10 @@ namespace nmc::test {
     return toServo(module, load);
 }
 
+/// A press of its own each time.
 [[nodiscard]] inline bus::HoldToMove forward(std::uint8_t module, std::uint32_t velocity = 65'536) {
-    return {ModuleIndex(module), CountsPerTick(velocity), CountsPerTickSquared(655), false};
+    static std::uint32_t presses = 0;
+    return {ModuleIndex(module), CountsPerTick(velocity), CountsPerTickSquared(655), false, {}, ++presses};
 }
 
 /// A load for a PIC-STEP with only these of its items, in the order of DS-S 5.1, Table 4.

@@ -85,6 +85,37 @@ TEST(ChainDiagnosis, SilenceAndRestartsComeFirst) {
     EXPECT_EQ(chain.at, ModuleIndex(1));
 }
 
+TEST(ChainDiagnosis, ALostChainIsNotFineWhateverItsModulesSaidLast) {
+    LinkState link = linkWith({kServo, kStep});
+    link.phase = LinkPhase::Lost;
+    const auto chain = diagnose(machineOf({kServo, kStep}), link);
+    EXPECT_EQ(chain.finding, Finding::Silent);
+    for (const ChainPlace& place : chain.places)
+        EXPECT_EQ(place.verdict, Verdict::Silent);
+}
+
+TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
+    for (const LinkPhase phase : {LinkPhase::Connecting, LinkPhase::Lost}) {
+        LinkState link = linkWith({kServo});
+        link.phase = phase;
+        EXPECT_FALSE(isLive(link, link.modules[0]));
+        EXPECT_EQ(asShown(link).modules[0].activity(), Activity::Silent);
+    }
+}
+
+TEST(LinkState, AValueIsOldByHowOftenItsModuleIsAsked) {
+    LinkState link = linkWith({kServo});
+    ModuleState& module = link.modules[0];
+    module.latest.emplace();
+    module.latestTime = TimePoint(std::chrono::seconds(10));
+    link.now = TimePoint(std::chrono::milliseconds(10'400));
+    EXPECT_TRUE(isLive(link, module));
+    link.now = TimePoint(std::chrono::milliseconds(10'600));
+    EXPECT_FALSE(isLive(link, module));
+    module.repliesPerSecond = 1.0;  // another module has the bus
+    EXPECT_TRUE(isLive(link, module));
+}
+
 TEST(ChainDiagnosis, NothingIsConcludedWithoutAConnection) {
     EXPECT_EQ(diagnose(machineOf({kServo}), {}).finding, Finding::NotConnected);
     LinkState lost;

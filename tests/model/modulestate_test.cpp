@@ -147,6 +147,67 @@ TEST(ModuleState, AServoThatAnotherHostLeftMovingIsMoving) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
+// ---- what nobody has heard an answer to ----
+
+TEST(ModuleState, AVelocityThatWasStoppedUnheardIsNotBelievedAnyMore) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(2.0, kPower | kMoveDone, kServoOn, 5'000));
+    ASSERT_EQ(module.activity(), Activity::AtSpeed);
+    module.doubtMotion();  // silent; it was told to stop, and stands when it is heard again
+    module.apply(sampleOf(4.0, kPower | kMoveDone, kServoOn, 9'000));
+    EXPECT_TRUE(module.moving()) << "nobody knows yet";
+    for (int i = 1; i <= 15; ++i)
+        module.apply(sampleOf(4.0 + i * 0.1, kPower | kMoveDone, kServoOn, 9'000 + i % 2));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    EXPECT_FALSE(module.moving());
+}
+
+TEST(ModuleState, AVelocityThatGoesOnUnheardIsMotion) {
+    ModuleState module = holdingServo();
+    module.doubtMotion();  // a start was not answered
+    for (int i = 0; i <= 5; ++i)
+        module.apply(sampleOf(1.0 + i * 0.1, kPower | kMoveDone, kServoOn, i * 20));
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    EXPECT_TRUE(module.moving());
+}
+
+TEST(ModuleState, AConfirmedStopIsBelievedAtOnce) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(2.0, kPower | kMoveDone, kServoOn, 5'000));
+    module.doubtMotion();
+    module.confirmedAtRest();
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    EXPECT_FALSE(module.moving());
+}
+
+TEST(ModuleState, AShaftThatTurnsAlthoughTheMotorIsOffSaysSo) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, stopWith(servo::StopManner::MotorOff, false)));
+    module.apply(sampleOf(1.1, kMoveDone | kPosError | kPower, 0, 0));
+    EXPECT_EQ(module.activity(), Activity::ServoOff);
+    for (int i = 1; i <= 5; ++i)
+        module.apply(sampleOf(1.1 + i * 0.1, kMoveDone | kPosError | kPower, 0, i * -30));
+    EXPECT_EQ(module.activity(), Activity::Turned);
+    EXPECT_EQ(severityOf(module.activity()), Severity::Attention);
+    EXPECT_FALSE(module.moving()) << "no stop could hold it";
+    for (int i = 1; i <= 12; ++i)
+        module.apply(sampleOf(1.6 + i * 0.1, kMoveDone | kPosError | kPower, 0, -150 + i % 2));
+    EXPECT_EQ(module.activity(), Activity::ServoOff);
+}
+
+TEST(ModuleState, AServoThatLimitsItsCurrentIsNotSimplyHolding) {
+    constexpr std::uint8_t kOvercurrent = 0x04;  // DS-V 4.5: stays until it is cleared
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(1.0, kMoveDone | kPower | kOvercurrent, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Limited);
+    EXPECT_EQ(severityOf(module.activity()), Severity::Attention);
+    EXPECT_TRUE(module.currentWasLimited());
+    module.apply(sampleOf(2.0, kMoveDone | kPower, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+}
+
 TEST(ModuleState, AModuleThatRestartedIsOffAndHasForgotten) {
     ModuleState module = holdingServo();
     module.restarted();

@@ -51,6 +51,31 @@ TEST_F(ChainList, ThePcCannotBeSelected) {
     EXPECT_EQ(window->selectedModule(), ModuleIndex(0));
 }
 
+TEST_F(ChainList, ALostLinkStrikesOutEverythingAtOnce) {
+    for (const LinkPhase phase : {LinkPhase::Lost, LinkPhase::Connecting}) {
+        LinkState link = connectedTo({Servo{.position = 2995}.state(), Servo{.index = 1}.state()});
+        window->showLink(link);
+        EXPECT_FALSE(at(0, ChainModel::PositionIsOld).toBool());
+        link.phase = phase;
+        window->showLink(link);
+        for (int row : {0, 1}) {
+            EXPECT_TRUE(at(row, ChainModel::PositionIsOld).toBool());
+            EXPECT_EQ(at(row, ChainModel::ActivityText).toString(), u"No answer"_s);
+        }
+        EXPECT_EQ(text(u"stateLabel"_s), u"No answer"_s);
+        EXPECT_TRUE(find<QLabel>(u"positionLabel"_s)->font().strikeOut());
+        EXPECT_EQ(find(u"stopAllButton"_s)->toolTip().contains(u"reaches 2 of 2"_s), false);
+    }
+}
+
+TEST_F(ChainList, AModuleThatWasNotHeardForLongIsStruckOutInTheListAsInItsHead) {
+    showServos({{.millisecond = 0}, {.millisecond = 900}});
+    window->showHistory(History(2), TimePoint(std::chrono::milliseconds(1'950)));
+    EXPECT_TRUE(at(0, ChainModel::PositionIsOld).toBool());
+    EXPECT_TRUE(find<QLabel>(u"positionLabel"_s)->font().strikeOut());
+    EXPECT_FALSE(at(1, ChainModel::PositionIsOld).toBool());
+}
+
 TEST_F(ChainList, KeepsTheSelectionWhileValuesChange) {
     showServos({{}, {}});
     list()->setCurrentIndex(list()->model()->index(1, 0));

@@ -44,6 +44,21 @@ TEST_F(Hold, AsksOnPressAndAgainWhileHeld) {
     expectEnded();
 }
 
+TEST_F(Hold, EachPressHasANumberOfItsOwnThatItKeeps) {
+    press();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 2; }));
+    const auto number = [this](qsizetype at) { return holds.at(at).at(0).value<bus::HoldToMove>().press; };
+    EXPECT_EQ(number(1), number(0));
+    window->endHold();
+    expectEnded();
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    const qsizetype before = holds.size();
+    QTest::mousePress(button(u"holdReverseButton"_s), Qt::LeftButton);
+    ASSERT_EQ(holds.size(), before + 1);
+    EXPECT_GT(number(before), number(0)) << "of whichever button";
+    QTest::mouseRelease(button(u"holdReverseButton"_s), Qt::LeftButton);
+}
+
 TEST_F(Hold, ReverseIsReverse) {
     QTest::mousePress(button(u"holdReverseButton"_s), Qt::LeftButton);
     ASSERT_EQ(holds.size(), 1);

@@ -25,6 +25,20 @@ TEST_F(Messages, OneRowForOneCauseAndRepeatsAreCounted) {
     EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageBody"_s)->text().contains(u"(3 of 3)"_s));
 }
 
+TEST_F(Messages, WhatBecomesKnownLaterIsNoRepeat) {
+    Message message = texts::motionSuspect({ModuleIndex(0), bus::MotionSuspect::Reason::Overshot, 5});
+    window->showMessage(message);
+    message.headline += u" It has stopped."_s;
+    window->amendMessage(message);
+    ASSERT_EQ(list()->rows().size(), 1);
+    EXPECT_EQ(list()->rows().at(0)->count(), 1);
+    EXPECT_EQ(list()->rows().at(0)->message().headline, message.headline);
+    EXPECT_EQ(text(u"bannerHeadline"_s), message.headline);
+    window->endMessage(message.key);
+    window->amendMessage(message);
+    EXPECT_FALSE(find(u"banner"_s)->isVisible());
+}
+
 TEST_F(Messages, NewestIsFirst) {
     window->showMessage(texts::garbled(ModuleIndex(0)));
     window->showMessage(texts::powerLost(ModuleIndex(1)));

@@ -79,7 +79,7 @@ TEST(Texts, BadLink) {
     const Message m = texts::badLink({bus::LinkHealth::Lost, 14, 200, {}});
     EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
     EXPECT_EQ(m.body,
-              u"Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends."_s);
+              u"Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Reconnect"_s});
     const Message one = texts::badLink({bus::LinkHealth::Doubtful, 5, 60, ModuleIndex(2)});
     EXPECT_EQ(one.headline, u"The link to module 3 is doubtful: 5 of its last 60 exchanges went wrong."_s);
@@ -135,6 +135,54 @@ TEST(Texts, StopBeforeAndAfter) {
               u"5 of 5 stopped, 21 ms. Every motor is off."_s);
     EXPECT_EQ(texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}}, true).headline,
               u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
+}
+
+TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
+    const ModuleIndex one(0);
+    const ModuleIndex two(1);
+    const ModuleIndex three(2);
+    const auto said = [](const bus::StopFinished& finished) {
+        EXPECT_FALSE(texts::allStopped(finished));
+        const Message message = texts::stopResult(finished, true);
+        EXPECT_EQ(message.severity, Severity::Fault);
+        EXPECT_EQ(message.key, texts::key::stop());
+        return message.headline;
+    };
+    EXPECT_EQ(
+        said({{one, three}, {}, {two}, {}}),
+        u"2 of 3 stopped. Module 2 was told to stop but was not seen at rest: use the hardware stop."_s);
+    EXPECT_EQ(said({{one}, {three}, {two}, {}}),
+              u"1 of 3 stopped. Module 3 does not answer. Module 2 was told to stop but was not seen at "
+              u"rest: use the hardware stop."_s);
+    EXPECT_EQ(said({{one}, {}, {two, three}, {}}),
+              u"1 of 3 stopped. Modules 2 and 3 were told to stop but were not seen at rest: use the "
+              u"hardware stop."_s);
+    EXPECT_EQ(said({{}, {one, two}, {}, {}}),
+              u"No stop could be confirmed. Modules 1 and 2 do not answer: use the hardware stop."_s);
+    EXPECT_EQ(said({{}, {}, {one}, {}}),
+              u"No stop could be confirmed. Module 1 was told to stop but was not seen at rest: use the "
+              u"hardware stop."_s);
+    EXPECT_EQ(said({}), u"No stop could be confirmed. No module is known: use the hardware stop."_s);
+}
+
+TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
+    using Reason = bus::MotionSuspect::Reason;
+    bus::HealthChanged lost{bus::LinkHealth::Lost, 14, 200, {}};
+    bus::GroupFinished half{bus::OperationId(1), bus::Outcome::NoAnswer, bus::GroupCommand{}, {}, true};
+    for (const Message& m :
+         {texts::holdExpired(ModuleIndex(0)), texts::motionSuspect({ModuleIndex(0), Reason::WrongWay, 5}),
+          texts::motionSuspect({ModuleIndex(0), Reason::Overshot, 5}),
+          texts::motionSuspect({ModuleIndex(0), Reason::Frozen, 5}), texts::badLink(lost),
+          texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half), texts::machineSlept(60),
+          texts::panelFroze(3, true)}) {
+        const QString words = m.headline + u' ' + m.body;
+        EXPECT_TRUE(words.contains(u"told to "_s)) << words.toStdString();
+        for (const QString& deed : {u"was stopped"_s, u"were stopped"_s, u"switched off:"_s, u" ended"_s})
+            EXPECT_FALSE(words.contains(deed)) << words.toStdString();
+    }
+    EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::HoldExpired}), u"It has stopped."_s);
+    EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::GroupHalfStarted}),
+              u"Module 2 has stopped."_s);
 }
 
 TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {

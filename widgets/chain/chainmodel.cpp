@@ -11,7 +11,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainModel::Row ChainModel::rowOf(const ModuleState& module, const AxisSettings& settings) {
+ChainModel::Row ChainModel::rowOf(const LinkState& link, const ModuleState& module,
+                                  const AxisSettings& settings) {
     Row row;
     row.address = module.info.address.value();
     row.name = texts::moduleName(module.info.index);
@@ -26,7 +27,7 @@ ChainModel::Row ChainModel::rowOf(const ModuleState& module, const AxisSettings&
     if (module.latest.has_value() && module.latest->position.has_value())
         row.position = texts::fixedPosition(scale, *module.latest->position);
     row.native = scale.native();
-    row.old = module.silent;
+    row.old = !isLive(link, module);
     return row;
 }
 
@@ -38,13 +39,13 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine) {
         m_open = open;
         m_rows.clear();
         for (std::size_t i = 0; i < count; ++i)
-            m_rows.push_back(rowOf(state.modules[i], machine.axis(state.modules[i].info.index)));
+            m_rows.push_back(rowOf(state, state.modules[i], machine.axis(state.modules[i].info.index)));
         m_host = texts::portName(QString::fromStdString(state.port));
         endResetModel();
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        Row row = rowOf(state.modules[i], machine.axis(state.modules[i].info.index));
+        Row row = rowOf(state, state.modules[i], machine.axis(state.modules[i].info.index));
         if (row == m_rows[i])
             continue;
         m_rows[i] = std::move(row);

@@ -49,7 +49,8 @@ private:
         bool old = false;
         bool operator==(const Row&) const = default;
     };
-    [[nodiscard]] static Row rowOf(const ModuleState& module, const AxisSettings& settings);
+    [[nodiscard]] static Row rowOf(const LinkState& link, const ModuleState& module,
+                                   const AxisSettings& settings);
 
     std::vector<Row> m_rows;
     QString m_host;

@@ -11,50 +11,81 @@
 
 namespace nmc {
 
-using namespace Qt::StringLiterals;
+void AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
+    auto* dialog = window->findChild<AskDialog*>(question.name);
+    if (dialog == nullptr) {
+        dialog = new AskDialog(question, choices, window);
+        dialog->show();
+    }
+    dialog->raise();
+    dialog->activateWindow();
+}
 
-AskDialog::AskDialog(const Question& question, QWidget* parent)
-    : QDialog(parent), m_buttons(new QHBoxLayout) {
-    look::name(this, question.name, question.text);
+void AskDialog::reviewAll(const QWidget& window) {
+    for (AskDialog* dialog : window.findChildren<AskDialog*>())
+        if (dialog->isVisible())
+            dialog->review();
+}
+
+AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* window)
+    : QDialog(window), m_text(question.text), m_label(new QLabel(this)), m_buttons(new QHBoxLayout) {
+    look::name(this, question.name, question.title);
     setWindowTitle(question.title);
     setAttribute(Qt::WA_DeleteOnClose);
-    setModal(true);
+    // One that was answered is still there for a moment, and stands no longer.
+    connect(this, &QDialog::finished, this, [this] { setObjectName({}); });
     const int unit = look::gridUnit(this);
     auto* glyph = new GlyphLabel(this);
     glyph->setFont(look::scaled(font(), 1.6));
     glyph->showSeverity(Severity::Attention);
-    auto* text = new QLabel(question.text, this);
-    text->setObjectName(question.textName);
-    text->setTextFormat(Qt::PlainText);
+    m_label->setObjectName(question.textName);
+    m_label->setTextFormat(Qt::PlainText);
     QFont bold = font();
     bold.setBold(true);
-    text->setFont(bold);
+    m_label->setFont(bold);
+    m_buttons->addStretch(1);
+    for (const Choice& choice : choices)
+        addChoice(choice);
     auto* stay = new QPushButton(question.stay, this);
     look::name(stay, question.stayName, QString(question.stay).remove(u'&'));
     connect(stay, &QPushButton::clicked, this, &QDialog::reject);
-    m_buttons->addStretch(1);
     m_buttons->addWidget(stay);
-    addChoice(question.go, question.goName);
+    (question.stayIsDefault ? stay : qobject_cast<QPushButton*>(m_buttons->itemAt(1)->widget()))
+        ->setDefault(true);
 
     auto* message = new QHBoxLayout;
     message->setSpacing(unit);
     message->addWidget(glyph);
-    message->addWidget(text, 1);
+    message->addWidget(m_label, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit * 2, unit * 2, unit * 2, unit * 2);
     layout->setSpacing(unit * 2);
     layout->addLayout(message);
     layout->addLayout(m_buttons);
+    review();
 }
 
-QPushButton* AskDialog::addChoice(const QString& text, const QString& objectName) {
-    auto* button = new QPushButton(text, this);
-    look::name(button, objectName, QString(text).remove(u'&'));
-    connect(button, &QPushButton::clicked, this, &QDialog::accept);
-    const int beforeStay = m_buttons->count() - 1;
-    setTabOrder(button, qobject_cast<QPushButton*>(m_buttons->itemAt(beforeStay)->widget()));
-    m_buttons->insertWidget(beforeStay, button);
-    return button;
+void AskDialog::addChoice(const Choice& choice) {
+    auto* button = new QPushButton(choice.text, this);
+    look::name(button, choice.name, QString(choice.text).remove(u'&'));
+    connect(button, &QPushButton::clicked, this, [this, go = choice.go] {
+        if (!review())
+            return;
+        accept();
+        go();
+    });
+    m_buttons->addWidget(button);
+}
+
+bool AskDialog::review() {
+    const QString text = m_text();
+    if (text.isEmpty()) {
+        reject();
+        return false;
+    }
+    look::setText(m_label, text);
+    setAccessibleDescription(text);
+    return true;
 }
 
 }  // namespace nmc

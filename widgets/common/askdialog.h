@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
+#include <initializer_list>
 
 class QHBoxLayout;
-class QPushButton;
+class QLabel;
 
 namespace nmc {
 
-/// A question before something that cannot be undone, with one button that does it and says so, and one that
-/// leaves all as it is. Esc stops the motors here, too.
+/// A question before something that cannot be undone, in a window of its own that blocks no other: the panel
+/// stays usable, and STOP ALL with it. So what it asks about may change while it stands. Its words are made
+/// anew at every review, and an answer counts only if there is still something to ask.
 class AskDialog : public QDialog {
     Q_OBJECT
 
@@ -17,20 +20,32 @@ public:
     struct Question {
         QString name;  ///< object name
         QString title;
-        QString text;
-        QString go;      ///< a verb that finishes the sentence; names what is lost
-        QString goName;  ///< object name of that button
-        QString stay;
+        /// What it says now; empty: there is nothing to ask any more, and the question is withdrawn.
+        std::function<QString()> text;
+        QString stay;  ///< leaves all as it is
         QString stayName;
+        bool stayIsDefault = false;                      ///< otherwise the first choice is
         QString textName = QStringLiteral("closeText");  ///< object name of the text
     };
-    AskDialog(const Question& question, QWidget* parent);
+    struct Choice {
+        QString text;  ///< a verb that finishes the sentence; names what is lost
+        QString name;  ///< object name of the button
+        std::function<void()> go;
+    };
 
-protected:
-    /// Another way to go on, before the button that leaves all as it is. It accepts, too.
-    QPushButton* addChoice(const QString& text, const QString& objectName);
+    /// One that stands already under this name comes to the front instead.
+    static void ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    /// Something has changed that questions of this window may be about.
+    static void reviewAll(const QWidget& window);
 
 private:
+    AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    void addChoice(const Choice& choice);
+    /// False: it was withdrawn.
+    bool review();
+
+    std::function<QString()> m_text;
+    QLabel* m_label;
     QHBoxLayout* m_buttons;
 };
 

@@ -97,6 +97,14 @@ void paintMark(MarkPainter mark, Activity activity) {
             mark.line(
                 {{0.05, 0.8}, {0.05, 0.2}, {0.4, 0.2}, {0.4, 0.8}, {0.75, 0.8}, {0.75, 0.2}, {0.98, 0.2}});
             break;
+        case Activity::Turned:
+            mark.ring(0.38);
+            mark.line({{0.5, 0.5}, {0.98, 0.02}});
+            break;
+        case Activity::Limited:
+            mark.ring(0.40);
+            mark.line({{0.12, 0.5}, {0.88, 0.5}});
+            break;
         case Activity::Holding:
             mark.ring(0.40);
             mark.disc({0.5, 0.5}, 0.20);

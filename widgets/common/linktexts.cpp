@@ -138,8 +138,8 @@ Message badLink(const bus::HealthChanged& health) {
                          : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
                                .arg(health.wrong)
                                .arg(health.of);
-        m.body =
-            Texts::tr("Motors were stopped. Try a lower rate, a shorter cable, or termination at both ends.");
+        m.body = Texts::tr(
+            "Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.");
         m.actions = {{action::kReconnect, Texts::tr("Reconnect")}};
         return m;
     }
@@ -153,8 +153,8 @@ Message badLink(const bus::HealthChanged& health) {
                            .arg(health.wrong)
                            .arg(health.of);
     m.body = Texts::tr(
-        "Nothing was lost: wrong answers are recognised and asked for again. Motors are stopped if it gets "
-        "worse. Usually noise on the cable.");
+        "Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it "
+        "gets worse. Usually noise on the cable.");
     return m;
 }
 
@@ -186,8 +186,9 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
                     .arg(number);
     if (restarted.quiet)
         body << Texts::tr(
-            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were stopped and "
-            "nothing is sent any more.");
+            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were told to "
+            "stop, "
+            "and nothing is sent any more.");
     return {.key = key::restarted(restarted.module),
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
@@ -209,37 +210,6 @@ Message garbled(ModuleIndex module) {
         .severity = Severity::Attention,
         .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
         .body = Texts::tr("The command may or may not have been carried out; position is being read again.")};
-}
-
-Message motionSuspect(const bus::MotionSuspect& suspect) {
-    const QString number = moduleNumber(suspect.module);
-    const QString position = grouped(suspect.position);
-    Message m{.key = ofModule(u"suspect"_s, suspect.module), .severity = Severity::Fault};
-    switch (suspect.reason) {
-        case bus::MotionSuspect::Reason::WrongWay:
-            m.headline = Texts::tr("Module %1 was switched off: it moved the wrong way, to %2 counts.")
-                             .arg(number)
-                             .arg(position);
-            m.body = Texts::tr(
-                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before "
-                "the next move.");
-            break;
-        case bus::MotionSuspect::Reason::Overshot:
-            m.headline = Texts::tr("Module %1 was stopped: it went past its goal, to %2 counts.")
-                             .arg(number)
-                             .arg(position);
-            m.body = Texts::tr(
-                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the "
-                "position before the next move.");
-            break;
-        case bus::MotionSuspect::Reason::Frozen:
-            m.headline = Texts::tr("Module %1 says that it moves, but reports %2 counts again and again.")
-                             .arg(number)
-                             .arg(position);
-            m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
-            break;
-    }
-    return m;
 }
 
 }  // namespace nmc::texts

@@ -144,7 +144,8 @@ Message portMessage(const PortError& error) {
 
 Message portProblem(const PortError& error) {
     Message m = portMessage(error);
-    m.key = key::port();
+    // What is not known of motors outlives what is tried next with the port.
+    m.key = error.problem == PortProblem::Gone ? key::gone() : key::port();
     m.details = shown(error.detail);
     if (m.severity == Severity::Normal)
         m.severity = Severity::Attention;
@@ -179,7 +180,7 @@ Message adapterBack(const QString& port, bool sameSerial) {
     const QString text = sameSerial ? Texts::tr("The adapter is back as %1 (same serial number). Reconnect?")
                                     : Texts::tr("An adapter of the same kind is there as %1. Reconnect?");
     return {.key = key::port(),
-            .severity = Severity::Attention,
+            .severity = Severity::Fault,
             .headline = text.arg(port),
             .body = Texts::tr(
                 "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for "

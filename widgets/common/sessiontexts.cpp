@@ -25,7 +25,7 @@ QString span(double seconds) {
 
 Message panelFroze(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("The panel was frozen for %1; motors were stopped after 2 s.")
+        stopped ? Texts::tr("The panel was frozen for %1; motors were told to stop after 2 s.")
                 : Texts::tr("The panel was frozen for %1 while a motor was moving. It was not stopped.");
     return {.key = u"froze"_s,
             .severity = Severity::Attention,
@@ -45,16 +45,20 @@ Message machineSlept(double seconds) {
             "the next move.")};
 }
 
-Message endedWhileMoving(const std::vector<ModuleIndex>& modules) {
+Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port, const QString& file) {
     const QString text = modules.size() == 1
                              ? Texts::tr("The last session ended while motor %1 was moving.")
                              : Texts::tr("The last session ended while motors %1 were moving.");
-    return {.key = u"endedWhileMoving"_s,
-            .severity = Severity::Attention,
-            .headline = text.arg(listOfModules(modules)),
-            .body = Texts::tr(
-                "The program was killed, or the computer failed. Motor state unknown: look at it before you "
-                "connect; use the hardware stop if it moves.")};
+    return {
+        .key = key::endedWhileMoving(file),
+        .severity = Severity::Attention,
+        .headline = text.arg(listOfModules(modules)),
+        .body =
+            Texts::tr("It was connected to %1, and was killed, or the computer failed. Motor state unknown: "
+                      "look at it before you connect; use the hardware stop if it moves. This is said until "
+                      "the motor was seen at rest.")
+                .arg(portName(port)),
+        .actions = {{action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
 }
 
 Message settingsNotSaved(const QString& file) {

@@ -97,6 +97,17 @@ Message powerLost(ModuleIndex module) {
         .body = Texts::tr("It stays off when power returns.")};
 }
 
+Message currentLimited(ModuleIndex module) {
+    return {
+        .key = key::current(module),
+        .severity = Severity::Attention,
+        .headline =
+            Texts::tr("Module %1 limits the current of its motor: overcurrent.").arg(moduleNumber(module)),
+        .body = Texts::tr(
+            "The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, "
+            "or raise the limit. It says so until the sticky bits are cleared.")};
+}
+
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
     const QString number = moduleNumber(module);
     Message message{.key = key::tripped(module), .severity = Severity::Fault};
@@ -134,7 +145,9 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
         case Activity::ServoOff:
         case Activity::Tripped:
         case Activity::PwmMode:
+        case Activity::Turned:
         case Activity::Holding:
+        case Activity::Limited:
         case Activity::Accelerating:
         case Activity::AtSpeed:
         case Activity::Decelerating:
@@ -148,15 +161,6 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
     return message;
 }
 
-Message holdExpired(ModuleIndex module) {
-    return {.key = ofModule(u"hold"_s, module),
-            .severity = Severity::Attention,
-            .headline =
-                Texts::tr("Module %1 was stopped: the button was held, but the panel was too slow to say so.")
-                    .arg(moduleNumber(module)),
-            .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
-}
-
 Message notPossible(ModuleIndex module, Refusal reason) {
     return {
         .key = ofModule(u"notPossible"_s, module),
@@ -165,37 +169,9 @@ Message notPossible(ModuleIndex module, Refusal reason) {
         .body = refusal(reason)};
 }
 
-Message stopResult(const bus::StopFinished& finished, bool holding) {
-    // Of its own, so that a stop that went well does not count as a repeat of one that did not.
-    Message m{.key = finished.unreached.empty() ? u"stopped"_s : key::stop()};
-    const auto stopped = static_cast<int>(finished.stopped.size());
-    const int all = stopped + static_cast<int>(finished.unreached.size());
-    if (finished.unreached.empty()) {
-        const auto ms = std::llround(toSeconds(finished.took) * 1000);
-        const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")
-                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every motor is off.");
-        m.headline = text.arg(stopped).arg(all).arg(ms);
-        return m;
-    }
-    m.severity = Severity::Fault;
-    const QString who = listOfModules(finished.unreached);
-    m.headline = finished.unreached.size() == 1
-                     ? Texts::tr("%1 of %2 stopped. Module %3 does not answer: use the hardware stop.")
-                           .arg(stopped)
-                           .arg(all)
-                           .arg(who)
-                     : Texts::tr("%1 of %2 stopped. Modules %3 do not answer: use the hardware stop.")
-                           .arg(stopped)
-                           .arg(all)
-                           .arg(who);
-    return m;
-}
-
-QString stopReach(int reachable, int modules) {
-    return Texts::tr("reaches %1 of %2").arg(reachable).arg(modules);
-}
-
 QString closing(int movingMotors) {
+    if (movingMotors == 0)
+        return Texts::tr("No motor moves any more. All are told to stop before the port closes.");
     return movingMotors == 1 ? Texts::tr("1 motor is moving. It will be stopped before the port closes.")
                              : Texts::tr("%1 motors are moving. They will be stopped before the port closes.")
                                    .arg(movingMotors);
@@ -265,11 +241,20 @@ QString tripped(ModuleIndex module) {
 QString power(ModuleIndex module) {
     return ofModule(u"power"_s, module);
 }
+QString current(ModuleIndex module) {
+    return ofModule(u"current"_s, module);
+}
 QString restarted(ModuleIndex module) {
     return ofModule(u"restarted"_s, module);
 }
 QString stop() {
     return u"stop"_s;
+}
+QString gone() {
+    return u"gone"_s;
+}
+QString endedWhileMoving(const QString& file) {
+    return u"endedWhileMoving."_s + file;
 }
 QString safety() {
     return u"safety"_s;

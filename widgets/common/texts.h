@@ -55,6 +55,7 @@ inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< t
 inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
 inline const QString kUnderstood = QStringLiteral("understood");
+inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors that a session left moving
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
 inline const QString kShowRecord = QStringLiteral("showRecord");
 inline const QString kDiscardWork = QStringLiteral("discardWork");
@@ -93,6 +94,8 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);
 [[nodiscard]] Message powerLost(ModuleIndex module);
+/// PIC-SERVO: too much current.
+[[nodiscard]] Message currentLimited(ModuleIndex module);
 /// A PIC-STEP switched its motor off; `activity` says why.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
@@ -120,12 +123,17 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// `stopped`: motors moved, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
 [[nodiscard]] Message machineSlept(double seconds);
-/// The session before ended without a stop.
-[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules);
+/// A session before ended without a stop; `file` is what it has left.
+[[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
+                                       const QString& file);
 /// `file`: where they belong.
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
+/// There were modules, and each is known to have stopped.
+[[nodiscard]] bool allStopped(const bus::StopFinished& finished);
+/// Goes behind the headline of the message that told of the stop: "It has stopped."
+[[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
 /// "reaches 5 of 5"
 [[nodiscard]] QString stopReach(int reachable, int modules);
 [[nodiscard]] QString closing(int movingMotors);
@@ -214,8 +222,11 @@ namespace key {
 [[nodiscard]] QString garbled(ModuleIndex module);
 [[nodiscard]] QString tripped(ModuleIndex module);
 [[nodiscard]] QString power(ModuleIndex module);
+[[nodiscard]] QString current(ModuleIndex module);
 [[nodiscard]] QString restarted(ModuleIndex module);
 [[nodiscard]] QString stop();
+[[nodiscard]] QString gone();
+[[nodiscard]] QString endedWhileMoving(const QString& file);
 [[nodiscard]] QString safety();
 [[nodiscard]] QString machineFile();
 [[nodiscard]] QString unsavedWork();

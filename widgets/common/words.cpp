@@ -76,8 +76,12 @@ QString activity(Activity activity) {
             return Texts::tr("Power was lost");
         case Activity::PwmMode:
             return Texts::tr("PWM mode");
+        case Activity::Turned:
+            return Texts::tr("Off, but turning");
         case Activity::Holding:
             return Texts::tr("Holding");
+        case Activity::Limited:
+            return Texts::tr("Overcurrent");
         case Activity::Accelerating:
             return Texts::tr("Accelerating");
         case Activity::AtSpeed:
@@ -121,8 +125,16 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The module switched its motor off when motor power went away. It stays off.");
         case Activity::PwmMode:
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
+        case Activity::Turned:
+            return Texts::tr(
+                "The shaft moves although the motor is off: a load turns it, or it is still running down. No "
+                "stop holds it; use a brake, or enable the servo.");
         case Activity::Holding:
             return Texts::tr("The motor is held where it is.");
+        case Activity::Limited:
+            return Texts::tr(
+                "The motor stands, but its current was limited: it may not hold its load. This stays until "
+                "the sticky bits are cleared.");
         case Activity::Accelerating:
             return Texts::tr("The motor is changing its speed.");
         case Activity::AtSpeed:

@@ -8,10 +8,10 @@
 #include <QMenu>
 
 #include "model/machinefile/machinefile.h"
+#include "widgets/common/askdialog.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/machine/unsaveddialog.h"
 
 namespace nmc {
 
@@ -119,25 +119,30 @@ void MachineMenu::closeDifferences() {
 }
 
 void MachineMenu::askBeforeClose(const Go& close) {
-    if (m_window->findChild<UnsavedDialog*>() != nullptr)
-        return;
-    auto* dialog = new UnsavedDialog(UnsavedDialog::Before::Closing, m_file.title(), m_window);
-    connect(dialog, &UnsavedDialog::saveChosen, this, [this, close] { save(close); });
-    connect(dialog, &UnsavedDialog::goOnChosen, this, close);
-    dialog->open();
+    ask(tr("&Save and close"), tr("&Close: the next start offers them again"), close);
 }
 
 void MachineMenu::askFirst(const Go& go) {
-    if (!m_file.modified) {
+    if (m_file.modified)
+        ask(tr("&Save them"), tr("&Drop them: the changes are lost"), go);
+    else
         go();
-        return;
-    }
-    if (m_window->findChild<UnsavedDialog*>() != nullptr)
-        return;
-    auto* dialog = new UnsavedDialog(UnsavedDialog::Before::Replacing, m_file.title(), m_window);
-    connect(dialog, &UnsavedDialog::saveChosen, this, [this, go] { save(go); });
-    connect(dialog, &UnsavedDialog::goOnChosen, this, go);
-    dialog->open();
+}
+
+void MachineMenu::ask(const QString& saveText, const QString& goOnText, const Go& go) {
+    // Saved meanwhile, or another machine: there is nothing left to ask.
+    const auto text = [this, path = m_file.path] {
+        return m_file.modified && m_file.path == path ? texts::notSaved(m_file.title()) : QString();
+    };
+    AskDialog::ask(
+        {.name = u"unsavedDialog"_s,
+         .title = tr("Unsaved changes"),
+         .text = text,
+         .stay = tr("S&tay"),
+         .stayName = u"stayUnsavedButton"_s,
+         .textName = u"unsavedText"_s},
+        {{saveText, u"saveFirstButton"_s, [this, go] { save(go); }}, {goOnText, u"goOnUnsavedButton"_s, go}},
+        m_window);
 }
 
 void MachineMenu::save(const Go& then) {

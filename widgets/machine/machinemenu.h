@@ -65,6 +65,7 @@ private:
     void fillRecent();
     /// Calls `go` at once when nothing is unsaved.
     void askFirst(const Go& go);
+    void ask(const QString& saveText, const QString& goOnText, const Go& go);
     void save(const Go& then);
     void chooseToOpen();
     void chooseToSave(const Go& then);

@@ -120,6 +120,10 @@ void ConnectionBar::choosePort(const QString& port, quint32 baud) {
         m_baud->setCurrentIndex(index);
 }
 
+const QWidget& ConnectionBar::stopButton() const {
+    return *m_stop;
+}
+
 QString ConnectionBar::port() const {
     return m_port->currentData().toString();
 }
@@ -146,7 +150,9 @@ void ConnectionBar::showLink(const LinkState& state) {
     const auto modules = static_cast<int>(state.modules.size());
     const auto reachable = static_cast<int>(std::count_if(state.modules.cbegin(), state.modules.cend(),
                                                           [](const ModuleState& m) { return !m.silent; }));
-    const QString reach = modules == 0 ? tr("goes to all modules") : texts::stopReach(reachable, modules);
+    // Of a chain that is not asked nobody knows whom it reaches.
+    const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
+    const QString reach = asked ? texts::stopReach(reachable, modules) : tr("goes to all modules");
     m_stop->showReach(open ? reach : QString());
     // Whatever the last stop said is old news once something moves again or the link is another.
     const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),

@@ -46,6 +46,7 @@ public:
     void showLink(const LinkState& state);
     /// Stands beside STOP ALL until the next change of the link.
     void showStopResult(const QString& text);
+    [[nodiscard]] const QWidget& stopButton() const;
 
     [[nodiscard]] QString port() const;
     [[nodiscard]] quint32 baud() const;

@@ -2,7 +2,6 @@
 #include "widgets/mainwindow/mainwindow.h"
 
 #include <QClipboard>
-#include <QCloseEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
@@ -10,16 +9,19 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
+#include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
-#include "widgets/mainwindow/closedialog.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
+#include "widgets/mainwindow/otherwindows.h"
+#include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
@@ -33,12 +35,6 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 using namespace settingskeys;
-
-namespace {
-/// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
-constexpr double kOldAfter = 0.5;  // s
-
-}  // namespace
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
@@ -71,6 +67,8 @@ void MainWindow::buildTop() {
     // One widget above everything: STOP ALL is never covered, hidden or moved by a layout.
     auto* top = new QWidget(this);
     auto* menuBar = new QMenuBar(top);
+    // One that the desktop shows for us keeps Esc to itself.
+    menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     fillMenus(*menuBar, *this, m_docks);
     m_bar = new ConnectionBar(top);
@@ -121,7 +119,11 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
     connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
+    connect(m_machineMenu, &MachineMenu::shown, this, [this] { AskDialog::reviewAll(*this); });
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
+    connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
+            &MainWindow::requestStop);
+    connect(new OtherWindows(this), &OtherWindows::opened, m_panel, &ModulePanel::endHold);
 
     connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
         showSelected();
@@ -154,21 +156,37 @@ void MainWindow::showLink(const LinkState& state) {
     const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
     const bool another =
         state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
-    m_link = state;
+    const std::optional<TimePoint> now = m_link.now;
+    m_link = asShown(state);
+    m_link.now = now;
+    if (state.phase == LinkPhase::Disconnected)
+        m_disconnectAfterStop = false;
     if (connecting) {
         m_panel->resetSpeeds();
         m_procedures.clear();
-        m_now.reset();
+        m_link.now.reset();
     }
     if (another)
         showSession();
-    m_bar->showLink(state);
-    m_linkBar->showLink(state);
-    m_chain->showLink(state, m_machine);
-    m_simulator->showLink(state);
-    m_monitor->showLink(state);
+    m_bar->showLink(m_link);
+    m_linkBar->showLink(m_link);
+    m_simulator->showLink(m_link);
+    m_monitor->showLink(m_link);
+    showModules();
+}
+
+void MainWindow::showModules() {
+    m_live = liveModules();
+    m_chain->showLink(m_link, m_machine);
     m_chainMenu->refresh();
     showSelected();
+}
+
+std::vector<bool> MainWindow::liveModules() const {
+    std::vector<bool> live;
+    for (const ModuleState& module : m_link.modules)
+        live.push_back(isLive(m_link, module));
+    return live;
 }
 
 void MainWindow::showSession() {
@@ -213,10 +231,9 @@ QString MainWindow::nothingText() const {
 std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
     if (!module.latest.has_value())
         return std::nullopt;
-    const double age = m_now.has_value() ? toSeconds(*m_now - module.latestTime) : 0.0;
-    if (module.silent || m_link.phase != LinkPhase::Connected || age > kOldAfter)
-        return age;
-    return std::nullopt;
+    if (isLive(m_link, module))
+        return std::nullopt;
+    return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
 }
 
 void MainWindow::showSelected() {
@@ -233,6 +250,7 @@ void MainWindow::showSelected() {
     }
     m_simulator->showSelected(selectedModule());
     showScopeModules();
+    AskDialog::reviewAll(*this);
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
@@ -282,6 +300,11 @@ void MainWindow::showMessage(const Message& message) {
     m_banner->showMessage(message);
 }
 
+void MainWindow::amendMessage(const Message& message) {
+    m_messages->amendMessage(message);
+    m_banner->amendMessage(message);
+}
+
 void MainWindow::endMessage(const QString& key) {
     m_messages->endMessage(key);
     m_banner->endMessage(key);
@@ -321,81 +344,24 @@ void MainWindow::showStopResult(const bus::StopFinished& finished) {
                                      [](const ModuleState& module) { return module.driveOn(); });
     const Message result = texts::stopResult(finished, holding);
     m_bar->showStopResult(result.headline);
-    if (finished.unreached.empty())
+    const bool all = texts::allStopped(finished);
+    if (all)
         endMessage(texts::key::stop());
     showMessage(texts::withRecord(result));
-    if (m_disconnectAfterStop) {
-        m_disconnectAfterStop = false;
-        if (finished.unreached.empty())
-            emit disconnectRequested();
-    }
+    if (std::exchange(m_disconnectAfterStop, false) && all)
+        emit disconnectRequested();
 }
 
 void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {
     m_simulator->showAnswer(line, json);
 }
 
+void MainWindow::endHold() {
+    m_panel->endHold();
+}
+
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
-}
-
-int MainWindow::movingMotors() const {
-    if (m_link.phase == LinkPhase::Disconnected)
-        return 0;
-    return static_cast<int>(std::count_if(m_link.modules.cbegin(), m_link.modules.cend(),
-                                          [](const ModuleState& m) { return m.moving(); }));
-}
-
-void MainWindow::askBeforeDisconnect() {
-    const int moving = movingMotors();
-    if (moving == 0) {
-        emit disconnectRequested();
-        return;
-    }
-    auto* dialog = new CloseDialog(moving, tr("&Stop and disconnect"), this);
-    connect(dialog, &QDialog::accepted, this, [this] {
-        m_disconnectAfterStop = true;
-        emit stopAllRequested();
-    });
-    dialog->open();
-}
-
-void MainWindow::askBeforeRestart() {
-    if (m_link.phase == LinkPhase::Disconnected || findChild<RestartDialog*>() != nullptr)
-        return;
-    auto* dialog = new RestartDialog(movingMotors(), this);
-    connect(dialog, &QDialog::accepted, this, &MainWindow::restartNetworkRequested);
-    dialog->open();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    const int moving = movingMotors();
-    if (!m_mayClose && moving == 0 && m_machineMenu->file().modified) {
-        event->ignore();
-        m_machineMenu->askBeforeClose([this] { finishClose(); });
-        return;
-    }
-    if (m_mayClose || moving == 0) {
-        m_panel->endHold();
-        saveLayout();
-        event->accept();
-        return;
-    }
-    event->ignore();
-    if (findChild<CloseDialog*>() != nullptr)
-        return;
-    auto* dialog = new CloseDialog(moving, tr("&Stop and close"), this);
-    connect(dialog, &QDialog::accepted, this, [this] {
-        m_bar->showStopResult(texts::stoppingBeforeClose());
-        emit stopAllRequested();
-        emit closeConfirmed();
-    });
-    dialog->open();
-}
-
-void MainWindow::finishClose() {
-    m_mayClose = true;
-    close();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

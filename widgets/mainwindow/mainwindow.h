@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -71,6 +72,8 @@ public:
     void showStepRun(const KeptRun& run);
     /// A new cause, or the same again: repeats are counted.
     void showMessage(const Message& message);
+    /// More is known of a cause that is told already: no repeat, and nothing where it is over or hidden.
+    void amendMessage(const Message& message);
     /// The cause is gone.
     void endMessage(const QString& key);
     void showStopResult(const bus::StopFinished& finished);
@@ -80,6 +83,8 @@ public:
     void beginPackets(const PacketSession& session);
     /// What was recorded since the last call, once a frame while packetRecordingWanted().
     void showPackets(std::vector<bus::ExchangeRecord> records);
+    /// The bus has ended what is held: the button comes up, and must be pressed anew.
+    void endHold();
     /// How often a held button says so; 100 ms.
     void setHoldInterval(int milliseconds);
 
@@ -108,7 +113,7 @@ signals:
     void restartNetworkRequested();
     void stopAllRequested();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// On press and every 100 ms while held.
+    /// On press and every 100 ms while held; each press has a number of its own.
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
     /// The user changed what the panel knows of an axis; nothing is sent by that.
@@ -149,10 +154,15 @@ private:
     void saveLayout();
     void showSafetyOnce();
     void showSession();
+    void showModules();
     void showSelected();
+    [[nodiscard]] std::vector<bool> liveModules() const;
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
+    /// Of a question that stands until the port is closed, or is another: what it says now.
+    [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
+    void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     void takeMessageAction(const QString& key, const QString& actionId);
     [[nodiscard]] int movingMotors() const;
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
@@ -160,10 +170,10 @@ private:
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
-    LinkState m_link;
+    LinkState m_link;          ///< as it may be shown
+    std::vector<bool> m_live;  ///< of its modules, as they are shown
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
-    std::optional<TimePoint> m_now;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;
@@ -181,6 +191,7 @@ private:
     QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
     bool m_mayClose = false;
+    bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
     bool m_disconnectAfterStop = false;
 };
 

@@ -29,9 +29,11 @@ const std::vector<ScopeModule>& MainWindow::scopeModules() const {
 }
 
 void MainWindow::showHistory(const History& history, TimePoint now) {
-    m_now = now;
+    m_link.now = now;
     m_scope->showHistory(history, now);
-    if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
+    if (liveModules() != m_live)
+        showModules();
+    else if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
         showSelected();
 }
 

@@ -68,6 +68,14 @@ void Banner::showMessage(const Message& message) {
     present();
 }
 
+void Banner::amendMessage(const Message& message) {
+    for (Message& active : m_active)
+        if (active.key == message.key) {
+            active = message;
+            return present();
+        }
+}
+
 void Banner::endMessage(const QString& key) {
     const auto removed = m_active.removeIf([&key](const Message& m) { return m.key == key; });
     if (removed > 0)

@@ -22,6 +22,8 @@ public:
     explicit Banner(QWidget* parent = nullptr);
 
     void showMessage(const Message& message);
+    /// Other words for what it has already.
+    void amendMessage(const Message& message);
     void endMessage(const QString& key);
 
 signals:

@@ -63,6 +63,11 @@ void MessageList::showMessage(const Message& message, const QDateTime& time) {
         delete m_rows.takeLast();
 }
 
+void MessageList::amendMessage(const Message& message) {
+    if (MessageRow* row = active(message.key))
+        row->amend(message);
+}
+
 void MessageList::endMessage(const QString& key, const QDateTime& time) {
     if (MessageRow* row = active(key))
         row->end(time);

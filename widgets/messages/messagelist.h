@@ -22,6 +22,8 @@ public:
     explicit MessageList(QWidget* parent = nullptr);
 
     void showMessage(const Message& message, const QDateTime& time = QDateTime::currentDateTime());
+    /// Other words for what is told already; not counted.
+    void amendMessage(const Message& message);
     /// Says that it is over. A message that comes again later starts a row of its own.
     void endMessage(const QString& key, const QDateTime& time = QDateTime::currentDateTime());
 

@@ -56,6 +56,11 @@ void MessageRow::repeat(const Message& message, const QDateTime& time) {
     present();
 }
 
+void MessageRow::amend(const Message& message) {
+    m_message = message;
+    present();
+}
+
 void MessageRow::end(const QDateTime& time) {
     m_over = time;
     present();

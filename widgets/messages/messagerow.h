@@ -22,6 +22,8 @@ public:
 
     /// The same cause again: its words may be new, the count goes up.
     void repeat(const Message& message, const QDateTime& time);
+    /// The same time with other words.
+    void amend(const Message& message);
     void end(const QDateTime& time);
 
     [[nodiscard]] const Message& message() const { return m_message; }

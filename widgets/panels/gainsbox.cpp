@@ -311,19 +311,24 @@ void GainsBox::apply() {
 
 /// The motor is under control of these gains at this moment: a large step may make it jump or swing.
 void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
-    auto* dialog = new AskDialog(
-        {u"largeStepDialog"_s, tr("Gains while the servo is on"),
-         tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
-             .arg(steps.join(u", "_s)),
-         tr("&Apply these gains"), u"applyLargeStepButton"_s, tr("&Cancel"), u"cancelLargeStepButton"_s},
-        window());
-    dialog->findChild<QPushButton*>(u"cancelLargeStepButton"_s)->setDefault(true);
-    // What was asked about, to the module it was asked for.
-    connect(dialog, &QDialog::accepted, this, [this, gains, module = m_module] {
-        if (module == m_module && !m_refused)
-            emit applyRequested(gains);
-    });
-    dialog->open();
+    // What was asked about, to the module it was asked for, on top of the gains that it was compared with.
+    const auto text = [this, gains, steps, module = m_module, before = m_sent] {
+        const bool same = module == m_module && before == m_sent && entered() == gains;
+        const bool inSight = parentWidget()->isVisible();  // the module, on whichever page
+        return same && inSight && m_live && !m_refused
+                   ? tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
+                         .arg(steps.join(u", "_s))
+                   : QString();
+    };
+    AskDialog::ask({.name = u"largeStepDialog"_s,
+                    .title = tr("Gains while the servo is on"),
+                    .text = text,
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelLargeStepButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("&Apply these gains"), u"applyLargeStepButton"_s,
+                     [this, gains] { emit applyRequested(gains); }}},
+                   window());
 }
 
 // ---- how it looks ----

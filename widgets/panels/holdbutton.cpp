@@ -26,6 +26,8 @@ HoldButton::HoldButton(QWidget* parent) : QPushButton(parent) {
 void HoldButton::begin() {
     if (isHeld() || !isEnabled())
         return;
+    static quint32 presses = 0;
+    m_press = ++presses;
     m_timer.start();
     emit held();
 }

@@ -19,7 +19,9 @@ public:
     /// How often held() comes while it is held; 100 ms.
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
     [[nodiscard]] bool isHeld() const { return m_timer.isActive(); }
-    /// Ends the motion from outside: another module, another speed, a port error.
+    /// Which press of all hold buttons this is, or was last; for bus::HoldToMove.
+    [[nodiscard]] quint32 press() const { return m_press; }
+    /// Ends the motion from outside: another module, another speed, a port error, or the bus has ended it.
     void endHold();
 
 signals:
@@ -38,6 +40,7 @@ private:
     void begin();
 
     QTimer m_timer;
+    quint32 m_press = 0;
 };
 
 }  // namespace nmc

@@ -62,8 +62,8 @@ void JogBox::build() {
             m_typed[m_module->info.index.value()] = *velocity;
         refresh();
     });
-    connect(m_forward, &HoldButton::held, this, [this] { hold(false); });
-    connect(m_reverse, &HoldButton::held, this, [this] { hold(true); });
+    connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
+    connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse})
         connect(button, &HoldButton::holdEnded, this, &JogBox::holdReleased);
 }
@@ -125,12 +125,16 @@ void JogBox::refresh() {
     m_hint->setVisible(!hint.isEmpty());
 }
 
-void JogBox::hold(bool reverse) {
+void JogBox::hold(const HoldButton& button, bool reverse) {
     const auto velocity = m_velocity->native();
     if (!velocity || !m_acceleration || !m_module)
         return;
-    emit holdRequested(
-        {m_module->info.index, CountsPerTick(servodefaults::toFixed(*velocity)), *m_acceleration, reverse});
+    emit holdRequested({m_module->info.index,
+                        CountsPerTick(servodefaults::toFixed(*velocity)),
+                        *m_acceleration,
+                        reverse,
+                        {},
+                        button.press()});
 }
 
 }  // namespace nmc

@@ -36,7 +36,7 @@ signals:
 
 private:
     void build();
-    void hold(bool reverse);
+    void hold(const HoldButton& button, bool reverse);
     void showVelocity(const MotionSettings& motion);
     void refresh();
 

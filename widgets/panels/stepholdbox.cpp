@@ -68,8 +68,8 @@ StepHoldBox::StepHoldBox(QWidget* parent)
             m_speeds[m_state->info.index.value()] = *speed;
         refresh();
     });
-    connect(m_forward, &HoldButton::held, this, [this] { hold(false); });
-    connect(m_reverse, &HoldButton::held, this, [this] { hold(true); });
+    connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
+    connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse})
         connect(button, &HoldButton::holdEnded, this, &StepHoldBox::holdReleased);
     refresh();
@@ -162,7 +162,7 @@ void StepHoldBox::refresh() {
     look::setText(m_outcome, outcome);
 }
 
-void StepHoldBox::hold(bool reverse) {
+void StepHoldBox::hold(const HoldButton& button, bool reverse) {
     const auto wanted = motion(reverse);
     if (!wanted)
         return;
@@ -170,6 +170,7 @@ void StepHoldBox::hold(bool reverse) {
     hold.module = m_state->info.index;
     hold.reverse = reverse;
     hold.pace = bus::StepPace{wanted->speed, wanted->accelerationTime};
+    hold.press = button.press();
     emit holdRequested(hold);
 }
 

@@ -36,7 +36,7 @@ signals:
 
 private:
     void showSpeed();
-    void hold(bool reverse);
+    void hold(const HoldButton& button, bool reverse);
     void refresh();
     [[nodiscard]] std::optional<stepmotion::VelocityProfile> motion(bool reverse) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;

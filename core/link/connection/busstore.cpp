@@ -144,8 +144,15 @@ void BusStore::executed(const bus::CommandExecuted& command) {
 
 void BusStore::note(const bus::OperationFinished& finished) {
     // It may have been carried out or not.
-    if (finished.outcome == bus::Outcome::NoAnswer && known(finished.module))
-        m_records[finished.module.value()].feed.doubt();
+    if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
+        return;
+    m_records[finished.module.value()].feed.doubt();
+    doubtMotions({finished.module});
+}
+
+void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
+    if (known(confirmed.module))
+        m_link.modules[confirmed.module.value()].confirmedAtRest();
 }
 
 void BusStore::note(const bus::HealthChanged& changed) {
@@ -170,11 +177,28 @@ void BusStore::take(const bus::Sample& sample) {
     Record& record = m_records[sample.module.value()];
     ++record.samples;
     const bool wasOff = module.switchedItselfOff;
+    const bool wasLimited = module.currentWasLimited();
     module.apply(sample);
     if (const auto kept = record.feed.take(sample))
         m_history.append(sample.module, *kept);
     if (module.switchedItselfOff && !wasOff)
         emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
+    if (module.currentWasLimited() != wasLimited)
+        emit happened(CurrentLimited{sample.module, !wasLimited});
+}
+
+void BusStore::doubtMotions(const std::vector<ModuleIndex>& modules) {
+    for (const ModuleIndex module : modules)
+        if (known(module))
+            m_link.modules[module.value()].doubtMotion();
+}
+
+void BusStore::note(const bus::StopFinished& stopped) {
+    for (const ModuleIndex module : stopped.stopped)
+        if (known(module))
+            m_link.modules[module.value()].confirmedAtRest();
+    doubtMotions(stopped.unreached);
+    doubtMotions(stopped.unconfirmed);
 }
 
 void BusStore::noteGains(const bus::CommandExecuted& executed) {
@@ -230,9 +254,10 @@ void BusStore::note(const bus::ModuleSilence& silence) {
     m_link.modules[silence.module.value()].silent = silence.silent;
     Record& record = m_records[silence.module.value()];
     record.feed.breakHere();
-    if (silence.silent)
+    if (silence.silent) {
         record.feed.doubt();
-    else if (m_link.phase == LinkPhase::Lost)
+        doubtMotions({silence.module});
+    } else if (m_link.phase == LinkPhase::Lost)
         m_link.phase = LinkPhase::Connected;
 }
 

@@ -21,13 +21,19 @@ struct ServoWentOff {
     std::int32_t position = 0;
 };
 
+/// A servo began to limit the current of its motor, or has been told to forget that it did.
+struct CurrentLimited {
+    ModuleIndex module;
+    bool limited = true;
+};
+
 /// What the user should hear of; samples and progress are state, not news.
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
-                 bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, SimulatorAnswered,
-                 PanelFroze, MachineSlept>;
+                 bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, CurrentLimited,
+                 SimulatorAnswered, PanelFroze, MachineSlept>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -79,8 +85,12 @@ private:
     void note(const bus::ModuleRestarted& restarted);
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
-    void note(const AnyOf<bus::StopFinished, bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect,
-                          bus::GroupFinished, bus::RateChangeFailed, bus::OwedStopConfirmed> auto&) {}
+    void note(const bus::StopFinished& stopped);
+    void note(const bus::OwedStopConfirmed& confirmed);
+    void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::GroupFinished,
+                          bus::RateChangeFailed> auto&) {}
+    /// What these were told has not been heard of: what moves them is for their positions to say.
+    void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);
     void pullRates(double seconds);
     void forgetChain();

@@ -15,7 +15,9 @@ enum class Activity : std::uint8_t {
     Tripped,       ///< it switched itself off: position error while it was on
     PowerLost,     ///< it switched itself off: motor power went away, and stays off though power is back
     PwmMode,       ///< servo off, a PWM value drives the motor
+    Turned,        ///< off, but its shaft moves: a load turns it, or it is still running down
     Holding,       ///< servo or amplifier on, at rest
+    Limited,       ///< as Holding, but its current has been limited since that was cleared last
     Accelerating,  ///< includes changing from one velocity to another
     AtSpeed,       ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
     Decelerating,

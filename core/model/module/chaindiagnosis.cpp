@@ -25,7 +25,7 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
     place.found = module.info.identity;
     if (module.hasRestarted)
         place.verdict = Verdict::Restarted;
-    else if (module.silent)
+    else if (!isLive(link, module))
         place.verdict = Verdict::Silent;
     else if (!place.expected)
         place.verdict = Verdict::New;

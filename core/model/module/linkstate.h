@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,15 @@ struct LinkState {
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
     std::uint8_t found = 0;            ///< modules found so far while connecting
     std::vector<ModuleState> modules;  ///< in the order of addressing: farthest from the host first
+    /// When this is looked at; empty: nothing is old.
+    std::optional<TimePoint> now{};
 };
+
+/// The same as it may be shown: a module that is not asked any more, since the link is lost or the chain is
+/// looked for anew, does not answer, whatever it said last. What shows modules shows these.
+[[nodiscard]] LinkState asShown(LinkState link);
+/// Whether what this module said last may be shown as what is so now. The one rule for everything that does.
+[[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);
 
 /// What the status bar pulls once a second.
 struct LinkFigures {

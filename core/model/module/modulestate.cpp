@@ -26,13 +26,17 @@ void merge(StatusReport& into, const StatusReport& from) {
 
 }  // namespace
 
-/// Whether a servo moves that was set in motion by somebody else: a velocity below one count a tick reads 0,
-/// so the position has to tell.
-void ModuleState::watchDrift(const bus::Sample& sample) {
+/// Whether a motor moves that was set in motion by somebody else, or is off: a velocity below one count a
+/// tick reads 0, so the position has to tell.
+void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
     constexpr Duration kLately = std::chrono::seconds(1);
     if (!servoOn())
         m_motionUnknown = false;
-    if (!m_motionUnknown || !sample.report.position)
+    if (wasOn && !servoOn()) {
+        m_restedAt.reset();
+        m_drifts = false;
+    }
+    if (!sample.report.position)
         return;
     if (!m_restedAt || !samePlace(*m_restedAt->report.position, *sample.report.position)) {
         m_drifts = m_restedAt.has_value();
@@ -56,7 +60,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     }
     if (!isServo() || !sample.report.aux)
         return;
-    watchDrift(sample);
+    watchDrift(sample, wasOn);
     if (servoOn()) {
         switchedItselfOff = powerLostWhileOn = false;
         m_looksWhileOff = 0;
@@ -130,6 +134,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         io = *control;
     } else if (std::holds_alternative<ResetPosition>(*command)) {
         m_goal.reset();
+        m_restedAt.reset();
+        m_drifts = false;
     }
 }
 
@@ -150,6 +156,19 @@ void ModuleState::restarted() {
 void ModuleState::attached() {
     m_motionUnknown = true;
     stepper.attached();
+}
+
+void ModuleState::doubtMotion() {
+    m_drifts = m_drifts || moving();
+    m_motionUnknown = isServo();
+}
+
+void ModuleState::confirmedAtRest() {
+    motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
+    goalVelocity = m_loadedVelocity = 0.0;
+    m_motionUnknown = m_drifts = loadWaiting = false;
+    m_restedAt.reset();
+    m_goal.reset();
 }
 
 void ModuleState::applyLoaded(TimePoint time) {
@@ -192,6 +211,10 @@ bool ModuleState::servoOn() const {
     return isServo() && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
 }
 
+bool ModuleState::currentWasLimited() const {
+    return isServo() && latest && latest->servoStatus().overcurrent();
+}
+
 bool ModuleState::driveOn() const {
     return isStepper() ? stepper.amplifierOn() : servoOn();
 }
@@ -205,9 +228,9 @@ bool ModuleState::moving() const {
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
-    if (m_motionUnknown && m_drifts)
+    if (!latest->servoStatus().moveDone())
         return true;
-    return !latest->servoStatus().moveDone() || (motion == MotionMode::Velocity && goalVelocity != 0.0);
+    return m_motionUnknown ? m_drifts : motion == MotionMode::Velocity && goalVelocity != 0.0;
 }
 
 Activity ModuleState::activity() const {
@@ -229,20 +252,19 @@ Activity ModuleState::activityWhileOff() const {
         return Activity::Tripped;
     if (!latest->servoStatus().powerOn())
         return Activity::NoPower;
-    return motion == MotionMode::Pwm ? Activity::PwmMode : Activity::ServoOff;
+    if (motion == MotionMode::Pwm)
+        return Activity::PwmMode;
+    return m_drifts ? Activity::Turned : Activity::ServoOff;
 }
 
 Activity ModuleState::activityWhileOn() const {
-    const bool moveDone = latest->servoStatus().moveDone();
-    if (m_motionUnknown && m_drifts && moveDone)
-        return Activity::AtSpeed;
-    if (motion == MotionMode::Velocity) {
-        if (moveDone)
-            return goalVelocity == 0.0 ? Activity::Holding : Activity::AtSpeed;
-        return goalVelocity == 0.0 ? Activity::Decelerating : Activity::Accelerating;
+    if (latest->servoStatus().moveDone()) {
+        if (moving())
+            return Activity::AtSpeed;
+        return currentWasLimited() ? Activity::Limited : Activity::Holding;
     }
-    if (moveDone)
-        return Activity::Holding;
+    if (motion == MotionMode::Velocity && !m_motionUnknown)
+        return goalVelocity == 0.0 ? Activity::Decelerating : Activity::Accelerating;
     const servo::AuxByte aux{*latest->aux};
     if (!aux.accelDone())
         return Activity::Accelerating;

@@ -59,6 +59,10 @@ struct ModuleState {
     void restarted();
     /// It was found as another host left it: what moves it is not known until it is stopped, moved or off.
     void attached();
+    /// It may have been told what nobody has heard an answer to: as above, whatever was believed before.
+    void doubtMotion();
+    /// The bus has seen it at rest, twice, after a stop.
+    void confirmedAtRest();
 
     /// Of a version that is known here; others are only looked at.
     [[nodiscard]] bool isServo() const {
@@ -68,6 +72,8 @@ struct ModuleState {
         return info.identity.type == ModuleType::Step && hasDataSheet(info.identity);
     }
     [[nodiscard]] bool servoOn() const;
+    /// PIC-SERVO: it has limited the motor's current since that was cleared last.
+    [[nodiscard]] bool currentWasLimited() const;
     /// Where the last trapezoidal move was to go, and the servo holds or will.
     [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
     /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
@@ -79,7 +85,7 @@ struct ModuleState {
 private:
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
-    void watchDrift(const bus::Sample& sample);
+    void watchDrift(const bus::Sample& sample, bool wasOn);
     void watchHome(const bus::Sample& sample);
     void wentOff();
     [[nodiscard]] Activity activityWhileOff() const;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/linkstate.h"
+
+#include <algorithm>
+
+namespace nmc {
+
+LinkState asShown(LinkState link) {
+    if (link.phase != LinkPhase::Connected)
+        for (ModuleState& module : link.modules)
+            module.silent = true;
+    return link;
+}
+
+bool isLive(const LinkState& link, const ModuleState& module) {
+    /// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
+    constexpr double kOldAfter = 0.5;  // s
+    /// Of a module that is asked more rarely.
+    constexpr double kPeriods = 3;
+    if (link.phase != LinkPhase::Connected || module.silent)
+        return false;
+    if (!link.now || !module.latest)
+        return true;
+    const double rate = module.repliesPerSecond;
+    const double oldAfter = rate > 0.0 ? std::max(kOldAfter, kPeriods / rate) : kOldAfter;
+    return toSeconds(*link.now - module.latestTime) <= oldAfter;
+}
+
+}  // namespace nmc

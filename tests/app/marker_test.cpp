@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a program that was killed leaves behind, and what the next one says of it; with real processes.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QFile>
+#include <QProcess>
+#include <QProcessEnvironment>
+
+#include "protocol/frame.h"
+#include "tests/app/panel.h"
+#include "tests/support/port.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+const QString kEnded = QStringLiteral("The last session ended while motor 1 was moving.");
+
+/// As another program would: address 1, gains, servo on, and off at 4 counts/tick.
+void setGoing(const NmcsimProcess& sim) {
+    testing_support::Port port(sim.terminal().toStdString());
+    port.setRate(B19200);
+    const auto answers = [&port](const std::vector<std::uint8_t>& bytes, int ms) {
+        port.write(bytes);
+        std::vector<std::uint8_t> answer = port.read(2, ms);
+        while (answer.size() == 1)
+            answer.push_back(port.read(1, ms).at(0));
+        return answer.size() == 2;
+    };
+    // What was written before the simulator knew the rate is noise to it; nulls end it.
+    for (bool heard = false; !heard; heard = answers({0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21}, 500))
+        port.write(std::vector<std::uint8_t>(16, 0));
+    const auto command = [&answers](const ServoCommand& what) {
+        const PacketBytes bytes = toPacket({BusAddress(1), encode(what)});
+        ASSERT_TRUE(answers({bytes.begin(), bytes.end()}, 20'000));
+    };
+    command(servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}});
+    command(servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(4 << 16);
+    load.acceleration = CountsPerTickSquared(1'311);
+    load.profile = servo::ProfileMode::Velocity;
+    load.startNow = true;
+    command(load);
+}
+
+/// nmcpanel in a process and a home of its own, connected to a chain whose motor moves.
+class PanelProcess {
+public:
+    PanelProcess(const QString& home, const QString& port)
+        : m_data(home + QStringLiteral("/nmcpanel/NMC Panel")) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        for (const char* place : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+            environment.insert(QLatin1String(place), home);
+        m_process.setProcessEnvironment(environment);
+        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        m_process.start(QStringLiteral(NMCPANEL_PATH), {QStringLiteral("--port"), port});
+    }
+    ~PanelProcess() { kill(); }
+
+    [[nodiscard]] const QString& data() const { return m_data; }
+    [[nodiscard]] QStringList markers() const {
+        return QDir(m_data).entryList({QStringLiteral("moving-%1-*.json").arg(m_process.processId())});
+    }
+    [[nodiscard]] bool marks() {
+        return QTest::qWaitFor([this] { return markers().size() == 1; }, 20'000);
+    }
+    void kill() {
+        m_process.kill();  // SIGKILL
+        m_process.waitForFinished();
+    }
+    [[nodiscard]] bool end() {
+        m_process.terminate();
+        return m_process.waitForFinished();
+    }
+
+private:
+    QString m_data;
+    QProcess m_process;
+};
+
+class H02_Killed : public testing::Test {
+protected:
+    [[nodiscard]] static bool stays(IntentPanel& panel) { return panel.standing(kEnded) != nullptr; }
+    QTemporaryDir home;
+};
+
+TEST_F(H02_Killed, IsSaidAtTheNextStartUntilTheMotorWasSeenAtRest) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    ASSERT_NO_FATAL_FAILURE(setGoing(sim));
+    PanelProcess killed(home.path(), sim.terminal());
+    ASSERT_TRUE(killed.marks());
+    killed.kill();
+    {
+        IntentPanel idle({}, {}, killed.data());
+        idle.start();
+        ASSERT_TRUE(stays(idle));
+        EXPECT_TRUE(idle.standing(kEnded)->message().body.contains(sim.terminal()));
+    }
+    IntentPanel next({}, {}, killed.data());
+    next.start();
+    ASSERT_TRUE(stays(next)) << "to have been told once is not enough";
+    NmcsimProcess other(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(next.connectTo(other.terminal()));
+    ASSERT_TRUE(next.answersFor(2.0));
+    EXPECT_TRUE(stays(next)) << "that is another port";
+    emit next.window().connectRequested(sim.terminal(), 115'200);
+    ASSERT_TRUE(next.waitFor([&] {
+        return next.connected() && next.composition().store().link().port == sim.terminal().toStdString();
+    }));
+    emit next.window().stopAllRequested();
+    EXPECT_TRUE(next.waitFor([&] { return !stays(next); }));
+    EXPECT_FALSE(moves(sim));
+    IntentPanel last({}, {}, killed.data());
+    last.start();
+    EXPECT_FALSE(stays(last));
+}
+
+TEST_F(H02_Killed, LeavesTheOtherPanelsMarkAlone) {
+    NmcsimProcess one(QStringLiteral("servo"));
+    NmcsimProcess two(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(setGoing(one));
+    ASSERT_NO_FATAL_FAILURE(setGoing(two));
+    PanelProcess killed(home.path(), one.terminal());
+    PanelProcess lives(home.path(), two.terminal());
+    ASSERT_TRUE(killed.marks());
+    ASSERT_TRUE(lives.marks());
+    killed.kill();
+    IntentPanel next({}, {}, killed.data());
+    next.start();
+    ASSERT_EQ(next.count(kEnded), 1);
+    EXPECT_TRUE(next.standing(kEnded)->message().body.contains(one.terminal()));
+    EXPECT_EQ(lives.markers().size(), 1);
+    EXPECT_TRUE(lives.end());
+    EXPECT_TRUE(lives.markers().isEmpty()) << "it stopped its motor, and said goodbye";
+    EXPECT_TRUE(stays(next));
+}
+
+TEST_F(H02_Killed, IsOverWhenTheUserHasLooked) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(setGoing(sim));
+    PanelProcess killed(home.path(), sim.terminal());
+    ASSERT_TRUE(killed.marks());
+    killed.kill();
+    for (const bool first : {true, false}) {
+        IntentPanel next({}, {}, killed.data());
+        next.start();
+        ASSERT_EQ(stays(next), first);
+        if (!first)
+            break;
+        auto* looked = next.window().findChild<QAbstractButton*>(QStringLiteral("bannerAction_lookedAt"));
+        ASSERT_NE(looked, nullptr);
+        QTest::mouseClick(looked, Qt::LeftButton);
+        EXPECT_FALSE(stays(next));
+    }
+}
+
+TEST_F(H02_Killed, AMarkThatWasTamperedWithIsNoDanger) {
+    const auto leave = [this](const QString& name, const QByteArray& content) {
+        QFile file(home.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    };
+    leave(QStringLiteral("moving-1-2-3.json"), R"({"port":"x","modules":[0,33,-1,"x",null]})");
+    leave(QStringLiteral("moving-1-2-4.json"), R"({"port":7,"modules":{}})");
+    leave(QStringLiteral("moving-1-2-5.json"), QByteArray(1 << 20, '['));
+    leave(QStringLiteral("moving-99999999999999999999-2-5.json"), "");
+    leave(QStringLiteral("moving-x.json"), R"({"port":"x","modules":[1]})");
+    IntentPanel panel({}, {}, home.path());
+    panel.start();
+    EXPECT_EQ(panel.count(QStringLiteral("last session")), 0);
+}
+
+TEST(MotionMark, IsThereBeforeTheCommandHasLeftAndGoneWhenTheMotorStands) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    EXPECT_EQ(panel.markers().size(), 1);
+    panel.ask(intent::StopAbruptly{});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
+    // Before the bus thread, or anybody, can have done anything about it.
+    panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+    ASSERT_EQ(panel.markers().size(), 1);
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.markers().size(), 1);
+    emit panel.window().stopAllRequested();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
+}
+
+TEST(PortGone, WithAMotorMovingIsNotOverBecauseSomebodyTriedAgain) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    const QString gone = QStringLiteral("1 motor was moving");
+    sim.quit();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(gone) != nullptr; }));
+    for (int i = 0; i < 2; ++i) {
+        const qsizetype before = panel.headlines().size();
+        QTest::mouseClick(panel.window().findChild<QAbstractButton*>(QStringLiteral("bannerAction_retry")),
+                          Qt::LeftButton);
+        ASSERT_TRUE(panel.waitFor([&] {
+            return !panel.composition().worker().isOpen() && (i > 0 || panel.headlines().size() > before);
+        }));
+        EXPECT_NE(panel.standing(gone), nullptr);
+        EXPECT_EQ(panel.markers().size(), 1) << "what moved is not forgotten either";
+    }
+}
+
+}  // namespace
+}  // namespace nmc

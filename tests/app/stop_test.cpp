@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// STOP ALL and Esc through the whole program, whatever stands or is open: the motor of the simulator stops.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QMouseEvent>
+#include <functional>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+struct Open {
+    const char* name;
+    std::function<void(MainWindow&)> open;
+};
+void PrintTo(const Open& open, std::ostream* out) {
+    *out << open.name;
+}
+
+class StopWhile : public testing::TestWithParam<Open> {
+protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+        GetParam().open(panel.window());
+    }
+    bool stops() {
+        return panel.waitFor([this] { return !moves(sim); });
+    }
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+    IntentPanel panel;
+};
+
+TEST_P(StopWhile, ItIsOpenAPressOnStopAllStopsTheMotor) {
+    auto* stop = panel.window().findChild<QWidget*>(QStringLiteral("stopAllButton"));
+    const QPoint global = stop->mapToGlobal(stop->rect().center());
+    if (QWidget* popup = QApplication::activePopupWidget()) {
+        // It has the pointer to itself, wherever that is.
+        const QPoint local = popup->mapFromGlobal(global);
+        QMouseEvent press(QEvent::MouseButtonPress, local, local, global, Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(popup->windowHandle(), &press);
+    } else {
+        QTest::mousePress(panel.window().windowHandle(), Qt::LeftButton, {},
+                          panel.window().mapFromGlobal(global));
+    }
+    EXPECT_TRUE(stops());
+}
+
+TEST_P(StopWhile, ItIsOpenEscStopsTheMotor) {
+    QWidget* popup = QApplication::activePopupWidget();
+    QTest::keyPress(popup != nullptr ? popup->windowHandle() : QGuiApplication::focusWindow(),
+                    Qt::Key_Escape);
+    EXPECT_TRUE(stops());
+}
+
+void trigger(MainWindow& window, const char* action) {
+    window.findChild<QAction*>(QLatin1String(action))->trigger();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    U10, StopWhile,
+    testing::Values(
+        Open{"TheRestartIsAskedAbout", [](MainWindow& w) { trigger(w, "restartNetworkAction"); }},
+        Open{"ClosingIsAskedAbout", [](MainWindow& w) { w.close(); }},
+        Open{"AFileIsChosen", [](MainWindow& w) { trigger(w, "openMachineAction"); }},
+        Open{"AMenuIsOpen",
+             [](MainWindow& w) {
+                 w.findChild<QMenu*>(QStringLiteral("viewMenu"))->popup(w.mapToGlobal(QPoint(20, 40)));
+             }},
+        Open{"AListIsOpen",
+             [](MainWindow& w) { w.findChild<QComboBox*>(QStringLiteral("scopeWindowBox"))->showPopup(); }}),
+    [](const auto& open) { return std::string(open.param.name); });
+
+}  // namespace
+}  // namespace nmc

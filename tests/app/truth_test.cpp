@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window says of a motor, against what the simulated motor does.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class Truth : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim)); }
+    QString label(const char* name) { return panel.window().findChild<QLabel*>(QLatin1String(name))->text(); }
+    bool saysSoon(const char* state) {
+        return panel.waitFor([&] { return label("stateLabel") == QLatin1String(state); });
+    }
+
+    NmcsimProcess sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
+    IntentPanel panel;
+};
+
+TEST_F(Truth, AMotorThatWasStoppedWhileItWasSilentIsNotAtSpeedWhenItIsBack) {
+    (void)sim.control(QStringLiteral("fault module 1 silent"));
+    ASSERT_TRUE(saysSoon("No answer"));
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("use the hardware stop")) > 0; }));
+    (void)sim.control(QStringLiteral("fault clear"));
+    EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
+    EXPECT_FALSE(panel.module().moving());
+}
+
+TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {
+    panel.ask(intent::StopAbruptly{});
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    (void)sim.control(QStringLiteral("set 1 load 0.02"));
+    panel.ask(intent::MotorOff{});
+    ASSERT_TRUE(saysSoon("Off, but turning")) << label("stateLabel").toStdString();
+    EXPECT_FALSE(label("stateMeaning").contains(QLatin1String("Nothing is wrong")));
+    (void)sim.control(QStringLiteral("set 1 load 0"));
+    EXPECT_TRUE(saysSoon("Servo off"));
+}
+
+TEST_F(Truth, OvercurrentIsSaid) {
+    panel.ask(intent::StopAbruptly{});
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    // A limit that any reading is above: odd, so over when A/D > CL.
+    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 1, 8'000, 1, std::uint8_t{0}}});
+    (void)sim.control(QStringLiteral("set 1 analog 200"));
+    ASSERT_TRUE(saysSoon("Overcurrent")) << label("stateLabel").toStdString();
+    EXPECT_EQ(panel.count(QStringLiteral("overcurrent")), 1);
+    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+    panel.ask(intent::ClearStickyBits{});
+    EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
+}
+
+}  // namespace
+}  // namespace nmc

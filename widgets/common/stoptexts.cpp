@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of stops: what was told to stop, and what is known to have stopped.
+#include "widgets/common/textparts.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Who is not known to have stopped, and why; empty: everybody is.
+QStringList missing(const bus::StopFinished& finished) {
+    QStringList parts;
+    const auto add = [&parts](const std::vector<ModuleIndex>& modules, const QString& one,
+                              const QString& several) {
+        if (!modules.empty())
+            parts << (modules.size() == 1 ? one : several).arg(listOfModules(modules));
+    };
+    add(finished.unreached, Texts::tr("Module %1 does not answer"), Texts::tr("Modules %1 do not answer"));
+    add(finished.unconfirmed, Texts::tr("Module %1 was told to stop but was not seen at rest"),
+        Texts::tr("Modules %1 were told to stop but were not seen at rest"));
+    return parts;
+}
+
+}  // namespace
+
+bool allStopped(const bus::StopFinished& finished) {
+    return !finished.stopped.empty() && finished.unreached.empty() && finished.unconfirmed.empty();
+}
+
+Message stopResult(const bus::StopFinished& finished, bool holding) {
+    const QString stopped = QString::number(finished.stopped.size());
+    const QString all =
+        QString::number(finished.stopped.size() + finished.unreached.size() + finished.unconfirmed.size());
+    if (allStopped(finished)) {
+        const auto ms = std::llround(toSeconds(finished.took) * 1000);
+        const QString text = holding ? Texts::tr("%1 of %2 stopped, %3 ms. Still holding.")
+                                     : Texts::tr("%1 of %2 stopped, %3 ms. Every motor is off.");
+        // A key of its own: a stop that went well does not count as a repeat of one that did not.
+        return {.key = u"stopped"_s, .headline = text.arg(stopped, all, QString::number(ms))};
+    }
+    QStringList parts = missing(finished);
+    if (parts.isEmpty())
+        parts << Texts::tr("No module is known");
+    parts.last() += Texts::tr(": use the hardware stop.");
+    const QString first = finished.stopped.empty() ? Texts::tr("No stop could be confirmed.")
+                                                   : Texts::tr("%1 of %2 stopped.").arg(stopped, all);
+    return {.key = key::stop(), .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
+}
+
+QString stopReach(int reachable, int modules) {
+    return Texts::tr("reaches %1 of %2").arg(reachable).arg(modules);
+}
+
+QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
+    // The message about a group is about several.
+    return confirmed.cause == bus::StopCause::GroupHalfStarted
+               ? Texts::tr("Module %1 has stopped.").arg(moduleNumber(confirmed.module))
+               : Texts::tr("It has stopped.");
+}
+
+Message holdExpired(ModuleIndex module) {
+    return {.key = ofModule(u"hold"_s, module),
+            .severity = Severity::Attention,
+            .headline =
+                Texts::tr("Module %1 was told to stop: the button was held, but the panel was too slow to "
+                          "say so.")
+                    .arg(moduleNumber(module)),
+            .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
+}
+
+Message motionSuspect(const bus::MotionSuspect& suspect) {
+    const QString number = moduleNumber(suspect.module);
+    const QString position = grouped(suspect.position);
+    Message m{.key = ofModule(u"suspect"_s, suspect.module), .severity = Severity::Fault};
+    switch (suspect.reason) {
+        case bus::MotionSuspect::Reason::WrongWay:
+            m.headline = Texts::tr("Module %1 was told to switch off: it moved the wrong way, to %2 counts.")
+                             .arg(number, position);
+            m.body = Texts::tr(
+                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before "
+                "the next move.");
+            break;
+        case bus::MotionSuspect::Reason::Overshot:
+            m.headline = Texts::tr("Module %1 was told to stop: it went past its goal, to %2 counts.")
+                             .arg(number, position);
+            m.body = Texts::tr(
+                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the "
+                "position before the next move.");
+            break;
+        case bus::MotionSuspect::Reason::Frozen:
+            m.headline = Texts::tr(
+                             "Module %1 was told to stop: it says that it moves, but reports %2 counts again "
+                             "and again.")
+                             .arg(number, position);
+            m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
+            break;
+    }
+    return m;
+}
+
+}  // namespace nmc::texts

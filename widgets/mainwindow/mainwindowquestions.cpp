@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window asks before motors are stopped or positions are lost, and what becomes of the answer.
+#include <QCloseEvent>
+#include <algorithm>
+
+#include "widgets/common/askdialog.h"
+#include "widgets/machine/machinemenu.h"
+#include "widgets/mainwindow/connectionbar.h"
+#include "widgets/mainwindow/mainwindow.h"
+#include "widgets/panels/modulepanel.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+int MainWindow::movingMotors() const {
+    if (m_link.phase == LinkPhase::Disconnected)
+        return 0;
+    return static_cast<int>(std::count_if(m_link.modules.cbegin(), m_link.modules.cend(),
+                                          [](const ModuleState& m) { return m.moving(); }));
+}
+
+std::function<QString()> MainWindow::whileOpen(QString (*text)(int movingMotors)) const {
+    return [this, text, port = m_link.port] {
+        const bool same = m_link.phase != LinkPhase::Disconnected && m_link.port == port;
+        return same ? text(movingMotors()) : QString();
+    };
+}
+
+void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
+                                   const std::function<void()>& go) {
+    AskDialog::ask({.name = name,
+                    .title = tr("Motors are moving"),
+                    .text = whileOpen(texts::closing),
+                    .stay = tr("St&ay"),
+                    .stayName = u"stayButton"_s},
+                   {{stopText, u"stopAndCloseButton"_s,
+                     [this, go] {
+                         emit stopAllRequested();
+                         go();
+                     }}},
+                   this);
+}
+
+void MainWindow::askBeforeDisconnect() {
+    if (movingMotors() == 0)
+        emit disconnectRequested();
+    else
+        askBeforeStopping(u"disconnectDialog"_s, tr("&Stop and disconnect"),
+                          [this] { m_disconnectAfterStop = true; });
+}
+
+void MainWindow::askBeforeRestart() {
+    if (m_link.phase == LinkPhase::Disconnected)
+        return;
+    AskDialog::ask({.name = u"restartDialog"_s,
+                    .title = tr("Restart the network"),
+                    .text = whileOpen(texts::beforeRestart),
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelRestartButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("&Restart the network: positions and gains are lost"), u"restartButton"_s,
+                     [this] { emit restartNetworkRequested(); }}},
+                   this);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const bool moving = !m_mayClose && movingMotors() > 0;
+    const bool unsaved = !m_mayClose && !m_workMayWait && m_machineMenu->file().modified;
+    if (!moving && !unsaved) {
+        m_panel->endHold();
+        saveLayout();
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (moving)
+        askBeforeStopping(u"closeDialog"_s, tr("&Stop and close"), [this] {
+            m_bar->showStopResult(texts::stoppingBeforeClose());
+            emit closeConfirmed();
+        });
+    else
+        m_machineMenu->askBeforeClose([this] {
+            // Motors may have been set going since it was asked.
+            m_workMayWait = true;
+            close();
+            m_workMayWait = false;
+        });
+}
+
+void MainWindow::finishClose() {
+    m_mayClose = true;
+    close();
+}
+
+}  // namespace nmc

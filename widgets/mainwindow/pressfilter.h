@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace nmc {
+
+/// Watches the whole application for presses at the stop button's place that something else would swallow:
+/// an open menu, the list of a combo box, a finger beside another finger. Such a press closes the popups, and
+/// does nothing else. What lies over the button keeps its own.
+class PressFilter : public QObject {
+    Q_OBJECT
+
+public:
+    /// `button` must outlive it.
+    PressFilter(const QWidget& button, QObject* parent);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void pressed();
+
+private:
+    [[nodiscard]] bool comesByItself(const QObject* watched) const;
+    [[nodiscard]] bool isOnButton(const QPoint& global) const;
+
+    const QWidget& m_button;
+};
+
+}  // namespace nmc
