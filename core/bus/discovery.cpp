@@ -14,17 +14,13 @@ namespace {
 
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
-/// How often an address is given before its module is taken for the end of the chain.
+/// So many addresses in a row that nobody takes are the end of the chain.
 constexpr unsigned kSetAttempts = 2;
 
 /// Where a chain may have been left; last the rate at which it then wakes up.
 constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPowerUpBaud};
 static_assert(kRestartRates.size() == kBaudRows.size());
 static_assert(ChainLook::kRates.size() == kBaudRows.size());
-
-[[nodiscard]] BusAddress addressOf(std::size_t index) {
-    return BusAddress(static_cast<std::uint8_t>(index + 1));
-}
 
 [[nodiscard]] ModuleIndex indexOf(std::size_t index) {
     return ModuleIndex(static_cast<std::uint8_t>(index));
@@ -49,11 +45,9 @@ Discovery::Next Discovery::next() {
         case Phase::Set:
             return setAddress();
         case Phase::Probe:
-            // Of another length than the answer to Set Address, which may still be on its way.
-            return Ask{
-                {addressOf(m_modules.size()), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}},
-                static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
-                Quarantine::Brief};
+            return probe(BusAddress(m_number), m_unheardInRow + 1 < kSetAttempts ? 1 : 0);
+        case Phase::Recheck:
+            return probe(m_unheard.back(), 0);
         case Phase::Identify:
             return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
         case Phase::ChangeRate:
@@ -106,6 +100,8 @@ void Discovery::onReply(const ReplyEnd& end) {
             return onAddress(end);
         case Phase::Probe:
             return onProbe(end);
+        case Phase::Recheck:
+            return onRecheck(end);
         case Phase::Identify:
             return onIdentity(end);
         case Phase::ChangeRate:
@@ -179,10 +175,18 @@ Discovery::Next Discovery::changeRate() {
     return m_failure;
 }
 
-Discovery::Ask Discovery::setAddress() const {
-    return {{kUnaddressed, SetAddress{addressOf(m_modules.size()), kEverybody, false}.encode(), {}},
+/// Always the next number: where the one before was heard and its answers were lost, the next module would
+/// take it, too.
+Discovery::Ask Discovery::setAddress() {
+    return {{kUnaddressed, SetAddress{BusAddress(++m_number), kEverybody, false}.encode(), {}},
             0,
-            Quarantine::Brief};
+            Quarantine::Brief,
+            1};
+}
+
+/// Of another length than the answer to Set Address, which may still be on its way.
+Discovery::Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
+    return {{address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats, Quarantine::Brief};
 }
 
 Discovery::Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
@@ -197,38 +201,41 @@ void Discovery::onLook(const ReplyEnd& end) {
 }
 
 void Discovery::onAddress(const ReplyEnd& end) {
-    ++m_setAttempts;
-    switch (end.result) {
-        case ReplyResult::Accepted:
-            return found();
-        case ReplyResult::Refused:
-            return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
-        case ReplyResult::Partial:
-        case ReplyResult::BadChecksum:
-        case ReplyResult::Surplus:
-        case ReplyResult::Rejected:
-            m_heardNoise = true;
-            [[fallthrough]];
-        case ReplyResult::Silent:
-            // Carried out with its answer lost, or not: ask at the new address before anything else (link.md
-            // 2.3). Another Set Address to 0 would give the next module the same address.
-            return enter(Phase::Probe);
-    }
+    if (end.result == ReplyResult::Accepted)
+        return found(BusAddress(m_number));
+    m_heardNoise = m_heardNoise || !end.bytes.empty();
+    // Carried out with its answer lost, or not: ask at the new address before anything else (link.md 2.3).
+    enter(Phase::Probe);
 }
 
 void Discovery::onProbe(const ReplyEnd& end) {
     switch (end.result) {
         case ReplyResult::Accepted:
         case ReplyResult::Refused:
-            return found();
+            return found(BusAddress(m_number));
+        case ReplyResult::Surplus:
+            return fail(ConnectFailure::Collision, {indexOf(m_modules.size())});
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
-        case ReplyResult::Surplus:
         case ReplyResult::Rejected:
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Silent:
-            return m_setAttempts < kSetAttempts ? enter(Phase::Set) : endOfChain();
+            m_unheard.emplace_back(m_number);
+            return ++m_unheardInRow < kSetAttempts ? enter(Phase::Set) : endOfAddressing();
     }
+}
+
+/// A module may have taken a number and not been heard of since.
+void Discovery::onRecheck(const ReplyEnd& end) {
+    const BusAddress address = m_unheard.back();
+    m_unheard.pop_back();
+    if (!end.bytes.empty()) {
+        const auto after = std::find_if(m_modules.begin(), m_modules.end(),
+                                        [&](const ModuleInfo& m) { return address < m.address; });
+        m_modules.insert(after, {{}, address, {}, GroupPlace{}});
+    }
+    if (m_unheard.empty())
+        endOfChain();
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {
@@ -240,17 +247,25 @@ void Discovery::onIdentity(const ReplyEnd& end) {
     nextModule(Phase::ChangeRate);
 }
 
-void Discovery::found() {
-    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}, GroupPlace{}});
-    m_setAttempts = 0;
+void Discovery::found(BusAddress address) {
+    m_modules.push_back({indexOf(m_modules.size()), address, {}, GroupPlace{}});
+    m_unheardInRow = 0;
     enter(Phase::Set, ConnectStage::Addressing);
     if (m_modules.size() == kMaxModules)
-        endOfChain();
+        endOfAddressing();
+}
+
+void Discovery::endOfAddressing() {
+    if (m_unheard.empty())
+        return endOfChain();
+    enter(Phase::Recheck);
 }
 
 void Discovery::endOfChain() {
     if (m_modules.empty())
         return fail(m_heardNoise ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers);
+    for (std::size_t i = 0; i < m_modules.size(); ++i)
+        m_modules[i].index = indexOf(i);
     m_at = 0;
     enter(Phase::Identify, ConnectStage::Identifying);
 }

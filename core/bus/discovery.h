@@ -42,6 +42,7 @@ public:
         Request request;
         std::uint8_t silentRepeats = 0;
         Quarantine quarantine = Quarantine::Full;  ///< after silence
+        std::uint8_t refusedAttempts = 3;          ///< in total
     };
     using Next = std::variant<Line::Script, Ask, ChainFound, ConnectFailed>;
 
@@ -67,6 +68,7 @@ private:
         Restart,
         Set,
         Probe,
+        Recheck,  ///< numbers that were sent and that nobody has answered at
         Identify,
         ChangeRate,
         Define,
@@ -79,13 +81,16 @@ private:
     [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
     [[nodiscard]] Next changeRate();
-    [[nodiscard]] Ask setAddress() const;
+    [[nodiscard]] Ask setAddress();
+    [[nodiscard]] Ask probe(BusAddress address, std::uint8_t repeats) const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);
     void onAddress(const ReplyEnd& end);
     void onProbe(const ReplyEnd& end);
-    void found();
+    void onRecheck(const ReplyEnd& end);
+    void found(BusAddress address);
+    void endOfAddressing();
     void endOfChain();
     void nextModule(Phase after);
     void enterModules(Phase phase);
@@ -103,8 +108,10 @@ private:
     bool m_attached = false;
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
-    std::size_t m_at = 0;        ///< module that is being asked
-    unsigned m_setAttempts = 0;  ///< at the present address
+    std::size_t m_at = 0;         ///< module that is being asked
+    std::uint8_t m_number = 0;    ///< the address that was sent last; none is ever sent twice
+    unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
+    std::vector<BusAddress> m_unheard;
     bool m_heardNoise = false;
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};

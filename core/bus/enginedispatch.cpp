@@ -141,6 +141,7 @@ void Engine::Private::dispatchDiscovery(TimePoint now) {
         work.lane = Lane::Discovery;
         work.request = ask->request;
         work.silentRepeats = ask->silentRepeats;
+        work.refusedAttempts = ask->refusedAttempts;
         work.quarantine = ask->quarantine;
         begin(std::move(work), now);
     } else if (auto* found = std::get_if<ChainFound>(&next)) {
