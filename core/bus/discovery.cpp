@@ -22,6 +22,15 @@ constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPo
 static_assert(kRestartRates.size() == kBaudRows.size());
 static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
+[[nodiscard]] Ask question(const Request& request, std::uint8_t silentRepeats, Quarantine quarantine) {
+    Ask ask;
+    ask.purpose = Purpose::Connect;
+    ask.request = request;
+    ask.silentRepeats = silentRepeats;
+    ask.quarantine = quarantine;
+    return ask;
+}
+
 [[nodiscard]] ModuleIndex indexOf(std::size_t index) {
     return ModuleIndex(static_cast<std::uint8_t>(index));
 }
@@ -39,7 +48,6 @@ Discovery::Next Discovery::next() {
         case Phase::Look:
             return look();
         case Phase::Restart:
-            m_reset = true;
             enter(Phase::Set, ConnectStage::Addressing);
             return restartScript();
         case Phase::Set:
@@ -69,7 +77,7 @@ Discovery::Next Discovery::look() {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (const auto* request = std::get_if<Request>(&next))
-        return Ask{*request, 0, Quarantine::None};
+        return question(*request, 0, Quarantine::None);
     return lookedUp();
 }
 
@@ -162,7 +170,7 @@ Discovery::Next Discovery::changeRate() {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (const auto* ask = std::get_if<RateChange::Ask>(&next))
-        return Ask{ask->request, ask->silentRepeats};
+        return question(ask->request, ask->silentRepeats, Quarantine::Full);
     const auto& ended = std::get<RateChange::Ended>(next);
     if (ended.reached) {
         enterModules(Phase::Define);
@@ -177,20 +185,22 @@ Discovery::Next Discovery::changeRate() {
 
 /// Always the next number: where the one before was heard and its answers were lost, the next module would
 /// take it, too.
-Discovery::Ask Discovery::setAddress() {
-    return {{kUnaddressed, SetAddress{BusAddress(++m_number), kEverybody, false}.encode(), {}},
-            0,
-            Quarantine::Brief,
-            1};
+Ask Discovery::setAddress() {
+    const SetAddress set{BusAddress(++m_number), kEverybody, false};
+    Ask ask = question({kUnaddressed, set.encode(), {}}, 0, Quarantine::Brief);
+    ask.refusedAttempts = 1;
+    return ask;
 }
 
 /// Of another length than the answer to Set Address, which may still be on its way.
-Discovery::Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
-    return {{address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats, Quarantine::Brief};
+Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
+    return question({address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats,
+                    Quarantine::Brief);
 }
 
-Discovery::Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
-    return {{m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats};
+Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
+    return question({m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats,
+                    Quarantine::Full);
 }
 
 void Discovery::onLook(const ReplyEnd& end) {

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "bus/chainlook.h"
-#include "bus/engine.h"
+#include "bus/engineconfig.h"
 #include "bus/exchange.h"
 #include "bus/line.h"
 #include "bus/ratechange.h"
+#include "bus/task.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -32,18 +33,6 @@ public:
     enum class Start : std::uint8_t { Look, Restart };
     Discovery(const EngineConfig& config, Start start);
 
-    /// How long late answers are waited for when nobody answered.
-    enum class Quarantine : std::uint8_t {
-        None,   ///< silence is what is expected
-        Brief,  ///< a late answer does no harm
-        Full
-    };
-    struct Ask {
-        Request request;
-        std::uint8_t silentRepeats = 0;
-        Quarantine quarantine = Quarantine::Full;  ///< after silence
-        std::uint8_t refusedAttempts = 3;          ///< in total
-    };
     using Next = std::variant<Line::Script, Ask, ChainFound, ConnectFailed>;
 
     [[nodiscard]] Next next();
@@ -52,8 +41,7 @@ public:
 
     /// Once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
-    /// All modules have been reset, so no motor runs any more.
-    [[nodiscard]] bool restarted() const { return m_reset; }
+    /// Those that were seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {
         ModuleIndex module;
@@ -104,7 +92,6 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
-    bool m_reset = false;
     bool m_attached = false;
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;

@@ -95,7 +95,7 @@ TEST(Discovery, RestartsAChainLeftAtAnotherRate) {
         config.baud = baud;
         VirtualBus bus(servos(3), config);
         ASSERT_TRUE(bus.connect());
-        bus.engine = Engine(EngineConfig{});
+        bus.newHost();
         ASSERT_TRUE(bus.restart());
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
         EXPECT_EQ(bus.last<ChainFound>()->baud, 19'200U);
