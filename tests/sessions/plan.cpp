@@ -71,7 +71,7 @@ public:
         plan.world = world(seed);
         plan.prologue = prologue();
         plan.formerBaud = kRates[below(kRates.size())];
-        const std::size_t acts = below(6);
+        const std::size_t acts = below(8);
         for (std::size_t i = 0; i < acts; ++i)
             plan.acts.push_back(act(plan.world.chain.size()));
         plan.bytes = few(2'000);

@@ -55,7 +55,8 @@ Rig::Rig(const World& w)
       bus(w.chain, configOf(w), optionsOf(w)),
       everOn(w.chain.size()),
       m_oath(*this),
-      m_deafUntil(w.chain.size()) {
+      m_deafUntil(w.chain.size()),
+      m_driven(w.chain.size()) {
     bus.adapterDelay = w.latency;
     bus.onCommand = [this](std::vector<std::uint8_t>& bytes) {
         note(bytes);
@@ -184,6 +185,11 @@ void Rig::clearFaults() {
     faultsUntil = std::min(faultsUntil, bus.now);
     for (TimePoint& until : m_deafUntil)
         until = std::min(until, bus.now);
+}
+
+void Rig::load(std::uint8_t place, double newtonMetres) {
+    m_driven[place] = true;
+    bus.chain.set(ModuleIndex(place), sim::Input::Load, newtonMetres, bus.now);
 }
 
 // ---- Time ----

@@ -61,6 +61,8 @@ public:
     /// A line of simulator.md that ends with " for=..." by itself. `deafens`: commands may not arrive.
     void fault(const std::string& line, Duration time, bool deafens, std::optional<std::uint8_t> place = {});
     void clearFaults();
+    /// Something else turns the shaft from now on, whatever its motor is told.
+    void load(std::uint8_t place, double newtonMetres);
 
     void run(Duration time);
     template <typename Condition>
@@ -92,6 +94,7 @@ public:
     /// A command to its address at that rate arrives and is understood.
     [[nodiscard]] bool hears(std::uint8_t place, std::uint8_t address, std::uint32_t baud);
     [[nodiscard]] std::uint64_t replies(std::uint8_t place) const;
+    [[nodiscard]] bool isDriven(std::uint8_t place) const { return m_driven[place]; }
 
     [[nodiscard]] bool searching() const { return m_searching; }
     [[nodiscard]] bool rateChanging() const { return m_rateChanges > m_rateEnds; }
@@ -140,6 +143,7 @@ private:
     std::vector<bus::OperationId> m_operations;
     std::vector<bus::OperationId> m_groupOperations;
     std::vector<TimePoint> m_deafUntil;  ///< by place
+    std::vector<bool> m_driven;          ///< by place, from outside
     std::size_t m_seen = 0;
     bool m_powerCycled = false;
 };

@@ -149,7 +149,8 @@ void StopOath::checkStopped(const bus::StopFinished& event, const std::optional<
             continue;
         const bool said = std::ranges::count(event.stopped, ModuleIndex(static_cast<std::uint8_t>(i))) > 0;
         if (!said) {
-            if (run && run->calm && m_rig->hears(place, modules[i].address, m_rig->known->baud))
+            if (run && run->calm && !m_rig->isDriven(place) &&
+                m_rig->hears(place, modules[i].address, m_rig->known->baud))
                 m_rig->complain("heard: " + named(i, place) + " hears and answers, and is not confirmed");
             continue;
         }
@@ -223,7 +224,7 @@ void StopOath::checkTold(const Run& run) {
 void StopOath::checkRest(const Run& run) {
     for (std::size_t i = 0; i < run.modules.size(); ++i) {
         const Module& module = run.modules[i];
-        if (module.hears && !m_rig->atRest(module.place))
+        if (module.hears && !m_rig->isDriven(module.place) && !m_rig->atRest(module.place))
             m_rig->complain("rest: " + named(i, module.place) + " hears, and still moves");
     }
 }
