@@ -159,15 +159,16 @@ TEST_P(AddressesGiven, AreNeverGivenTwice) {
 }
 
 /// One loss is no reason to give up, or to leave the rest of the chain without addresses.
-TEST_P(AddressesGiven, FindTheWholeChainAfterASingleLoss) {
-    if (GetParam().loss != Loss::Command && GetParam().loss != Loss::Answer)
-        return;
-    for (std::size_t place = 0; place < 4; ++place) {
-        SCOPED_TRACE(place);
-        Search search(GetParam(), 4, place);
-        ASSERT_TRUE(search.rig.known.has_value());
-        EXPECT_EQ(search.rig.known->modules.size(), 4U);
-    }
+TEST(AddressesGivenWithOneLoss, ReachTheWholeChain) {
+    for (const Loss loss : {Loss::Command, Loss::Answer})
+        for (const bool restart : {false, true})
+            for (std::size_t place = 0; place < 4; ++place) {
+                const Case c{loss, restart, false};
+                SCOPED_TRACE(testing::PrintToString(c) + ", " + std::to_string(place));
+                Search search(c, 4, place);
+                ASSERT_TRUE(search.rig.known.has_value());
+                EXPECT_EQ(search.rig.known->modules.size(), 4U);
+            }
 }
 
 INSTANTIATE_TEST_SUITE_P(Losses, AddressesGiven, testing::ValuesIn(cases()),

@@ -17,9 +17,7 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::IsEmpty;
 
-/// A silent module is asked at least once a second (faults.md F-10): behind that, and the time it takes to
-/// stop, nothing is an excuse.
-constexpr Duration kSoon = 1'500ms;
+constexpr Duration kSoon = OwedOath::kSoon;
 constexpr std::uint8_t kGroup = 0x81;
 
 enum class Deaf : std::uint8_t { Module, WholeBus };
@@ -70,7 +68,7 @@ public:
     void deafFromItsStopOn(Deaf deaf, Duration silence) {
         rig.onPacket = [this, deaf, silence](std::vector<std::uint8_t>& bytes) {
             for (const WireItem& item : itemsOf(bytes, rig.bus.now, 0))
-                if (!deafSince && item.isStop() && item.address() == 1)
+                if (!deafSince && item.isStop() && (item.address() == 1 || item.address() >= kGroup))
                     deafSince = rig.bus.now;
             if (!deafSince || deafUntil)
                 return;

@@ -55,6 +55,7 @@ Rig::Rig(const World& w)
       bus(w.chain, configOf(w), optionsOf(w)),
       everOn(w.chain.size()),
       m_oath(*this),
+      m_owed(*this),
       m_deafUntil(w.chain.size()),
       m_driven(w.chain.size()) {
     bus.adapterDelay = w.latency;
@@ -116,7 +117,7 @@ void Rig::submit(std::variant<GroupChange, GroupCommand> what) {
 
 void Rig::hold(const HoldToMove& hold, Duration time, bool lapses) {
     m_oath.forget();
-    m_hand = Hand{hold, bus.now, bus.now + time, lapses};
+    m_hand = Hand{hold, bus.now, bus.now + time, lapses, wire.size()};
     moveHand();
 }
 
@@ -126,9 +127,11 @@ void Rig::moveHand() {
     if (bus.now < m_hand->until) {
         bus.engine.hold(m_hand->hold, bus.now);
         m_hand->next = std::min(bus.now + kHandEvery, m_hand->until);
-    } else if (std::exchange(m_hand, std::nullopt)->lapses) {
-        return;
     } else {
+        const Hand ended = *std::exchange(m_hand, std::nullopt);
+        m_owed.onHoldEnded(ended.hold, ended.wireFrom);
+        if (ended.lapses)
+            return;
         bus.engine.release(bus.now);
     }
     settle();
@@ -138,6 +141,7 @@ void Rig::stopAll() {
     m_hand.reset();
     observe();
     m_oath.asked();
+    m_owed.forget();
     bus.engine.stopAll(bus.now);
     settle();
     observe();
@@ -152,6 +156,7 @@ void Rig::replaceEngine(std::uint32_t baud) {
     known.reset();
     m_hand.reset();
     m_oath.reset();
+    m_owed.forget();
     m_searching = false;
     m_operations.clear();
     m_groupOperations.clear();
@@ -163,6 +168,7 @@ void Rig::replaceEngine(std::uint32_t baud) {
 void Rig::powerCycle(std::uint8_t place) {
     m_powerCycled = true;
     m_oath.forget();
+    m_owed.forget();
     m_deafUntil[place] = std::max(m_deafUntil[place], bus.now + kRestarting);
     faultsUntil = std::max(faultsUntil, bus.now + kRestarting);
     bus.chain.powerCycle(ModuleIndex(place), bus.now);
@@ -280,6 +286,7 @@ void Rig::note(ByteSpan bytes) {
             item.places |= meant ? 1U << place : 0U;
         }
         m_oath.onSent(item);
+        m_owed.onSent(item);
         wire.push_back(std::move(item));
     }
 }
@@ -288,6 +295,7 @@ void Rig::observe() {
     for (; m_seen < bus.events.size(); ++m_seen)
         handle(bus.events[m_seen]);
     m_oath.onTime();
+    m_owed.onTime();
 }
 
 void Rig::handle(const Event& event) {
@@ -313,13 +321,8 @@ void Rig::handle(const Event& event) {
             m_oath.stopsByItself();
     } else if (const auto* finished = std::get_if<StopFinished>(&event)) {
         m_oath.onFinished(*finished);
-    } else if (const auto* owed = std::get_if<OwedStopConfirmed>(&event)) {
-        const std::uint8_t i = owed->module.value();
-        if (!known || i >= known->modules.size())
-            complain("owed: module " + std::to_string(i) + " is not of the chain");
-        else if (const auto place = known->modules[i].place; place < size() && !atRest(place) && !m_hand)
-            complain("owed: module " + std::to_string(i) + " is confirmed and moves");
     }
+    m_owed.onEvent(event);
 }
 
 void Rig::searchEnded() {

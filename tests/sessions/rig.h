@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/faults/faultybus.h"
+#include "tests/sessions/owedoath.h"
 #include "tests/sessions/stopoath.h"
 #include "tests/sessions/wire.h"
 
@@ -34,8 +35,8 @@ struct KnownChain {
 };
 
 /// Engine and simulator, whatever is done to them, and what can be seen of that from outside: the wire, the
-/// events, the motors. The oath (stopoath.h) is held against all of it, all the time; what it finds broken is
-/// in `complaints`.
+/// events, the motors. The oaths (stopoath.h, owedoath.h) are held against all of it, all the time; what is
+/// found broken is in `complaints`.
 class Rig {
 public:
     explicit Rig(const World& world);
@@ -121,6 +122,7 @@ private:
         TimePoint next;
         TimePoint until;
         bool lapses;
+        std::size_t wireFrom;
     };
 
     static sim::ChainOptions optionsOf(const World& world);
@@ -136,6 +138,7 @@ private:
     void note(ByteSpan bytes);
 
     StopOath m_oath;
+    OwedOath m_owed;
     std::optional<Hand> m_hand;
     bool m_searching = false;
     unsigned m_rateChanges = 0;
