@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint8_t kGroup = 0x81;
 constexpr Duration kLongSilence = 4s;  // a search that finds nobody takes about as long
-constexpr Duration kQuietLine = 2s;    // no byte for so long: the stop comes all the same
+constexpr Duration kForEver = 30s;
+constexpr Duration kQuietLine = 2s;  // no byte for so long: the stop comes all the same
 
 class Session {
 public:
@@ -33,6 +34,7 @@ public:
 
 private:
     void begin();
+    void connected(std::size_t moving) { static_cast<void>(setRunning(m_rig, moving)); }
     void follow();
     void perform(const Act& act);
     void strike(const Act& act);
@@ -53,19 +55,29 @@ void Session::begin() {
                 m_rig.connect();
             return;
         case Prologue::Running:
-            static_cast<void>(setRunning(m_rig, m_rig.size()));
-            return;
+            return connected(m_rig.size());
+        case Prologue::Holding:
+            return connected(0);
         case Prologue::LeftBehind:
             m_rig.replaceEngine(m_plan.formerBaud);
-            static_cast<void>(setRunning(m_rig, m_rig.size()));
+            connected(m_rig.size());
             m_rig.replaceEngine(m_plan.world.baud);
-            m_rig.connect();
-            return;
+            return m_rig.connect();
         case Prologue::Nobody:
-            static_cast<void>(setRunning(m_rig, m_rig.size()));
+            connected(m_rig.size());
             muteBoth(kLongSilence);
+            return m_rig.connect();
+        case Prologue::InVain:
+            connected(m_rig.size());
+            muteBoth(kForEver);
             m_rig.connect();
-            return;
+            static_cast<void>(m_rig.runUntil([&] { return !m_rig.searching(); }, StopOath::kSearchBound));
+            return m_rig.clearFaults();
+        case Prologue::Lost:
+            connected(m_rig.size());
+            muteBoth(kForEver);
+            static_cast<void>(m_rig.runUntil([&] { return m_rig.lost; }, kForEver));
+            return m_rig.clearFaults();
     }
 }
 

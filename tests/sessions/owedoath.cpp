@@ -47,7 +47,7 @@ constexpr unsigned kStartNow = 0x80;  // of Load Trajectory's control byte (DS-V
 }  // namespace
 
 /// Nothing is owed for a hold that the engine has not carried out.
-void OwedOath::onHoldEnded(const HoldToMove& hold, std::size_t wireFrom) {
+void OwedOath::onHoldEnded(const HoldToMove& hold, std::size_t wireFrom, TimePoint due) {
     const auto& wire = m_rig->wire;
     const std::size_t index = hold.module.value();
     if (!m_rig->known || index >= m_rig->known->modules.size())
@@ -55,25 +55,25 @@ void OwedOath::onHoldEnded(const HoldToMove& hold, std::size_t wireFrom) {
     const std::vector<std::uint8_t> packet = packetOf(hold, m_rig->known->modules[index].address);
     if (std::any_of(wire.begin() + static_cast<std::ptrdiff_t>(wireFrom), wire.end(),
                     [&](const WireItem& item) { return item.packet == packet; }))
-        owe(hold.module);
+        owe(hold.module, due);
 }
 
-void OwedOath::owe(ModuleIndex module) {
+void OwedOath::owe(ModuleIndex module, TimePoint due) {
     const std::size_t index = module.value();
     if (!m_rig->known || index >= m_rig->known->modules.size())
         return;
     const KnownChain::Module& m = m_rig->known->modules[index];
     if (m.place != KnownChain::kNowhere)
-        m_debts.push_back({index, m.place, m.address, m_rig->bus.now});
+        m_debts.push_back({index, m.place, m.address, due});
 }
 
 void OwedOath::onEvent(const Event& event) {
     if (const auto* suspect = std::get_if<MotionSuspect>(&event)) {
-        owe(suspect->module);
+        owe(suspect->module, m_rig->bus.now);
     } else if (const auto* group = std::get_if<GroupFinished>(&event)) {
         for (const GroupMember& member : group->members)
             if (group->stopped)
-                owe(member.module);
+                owe(member.module, m_rig->bus.now);
     } else if (const auto* confirmed = std::get_if<OwedStopConfirmed>(&event)) {
         checkConfirmed(*confirmed);
     }

@@ -22,8 +22,9 @@ public:
 
     explicit OwedOath(Rig& rig) : m_rig(&rig) {}
 
-    /// The button of a held motion is up, or its evidence has stopped coming. `wireFrom`: when it went down.
-    void onHoldEnded(const bus::HoldToMove& hold, std::size_t wireFrom);
+    /// The button of a held motion is up, or nobody will say any more that it is down; at `due` the engine
+    /// has to know. `wireFrom`: when it went down.
+    void onHoldEnded(const bus::HoldToMove& hold, std::size_t wireFrom, TimePoint due);
     void onEvent(const bus::Event& event);
     void onSent(const WireItem& item);
     void onTime();
@@ -38,7 +39,7 @@ private:
         TimePoint heardSince;
     };
 
-    void owe(ModuleIndex module);
+    void owe(ModuleIndex module, TimePoint due);
     void checkConfirmed(const bus::OwedStopConfirmed& event);
 
     Rig* m_rig;

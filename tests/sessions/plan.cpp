@@ -74,6 +74,8 @@ public:
         const std::size_t acts = below(8);
         for (std::size_t i = 0; i < acts; ++i)
             plan.acts.push_back(act(plan.world.chain.size()));
+        if (plan.prologue == Prologue::Holding && below(2) == 0)
+            plan.acts.push_back({ActKind::ChangeRate, {}, 0, static_cast<unsigned>(below(256)), {}, {}});
         plan.bytes = few(2'000);
         constexpr std::array kFollows{Follow::Nothing, Follow::Nothing, Follow::Nothing, Follow::StopAgain,
                                       Follow::Connect, Follow::Restart, Follow::Distrust};
@@ -106,9 +108,12 @@ private:
     std::uint8_t version() { return static_cast<std::uint8_t>(below(2) == 0 ? 4 : 1 + below(4)); }
 
     Prologue prologue() {
-        constexpr std::array kPrologues{Prologue::Fresh,   Prologue::Running,    Prologue::Running,
-                                        Prologue::Running, Prologue::Running,    Prologue::LeftBehind,
-                                        Prologue::Nobody,  Prologue::LeftBehind, Prologue::Running};
+        constexpr std::array kPrologues{
+            Prologue::Fresh,   Prologue::Running, Prologue::Running,    Prologue::Running,
+            Prologue::Running, Prologue::Running, Prologue::LeftBehind, Prologue::LeftBehind,
+            Prologue::Holding, Prologue::Holding, Prologue::Nobody,     Prologue::InVain,
+            Prologue::Lost,
+        };
         return kPrologues[below(kPrologues.size())];
     }
 
@@ -154,7 +159,8 @@ Plan makePlan(std::uint64_t seed) {
 }
 
 std::string toText(const Plan& plan) {
-    constexpr std::array kPrologues{"fresh", "running", "left behind", "nobody"};
+    constexpr std::array kPrologues{"fresh",  "running", "left behind", "holding",
+                                    "nobody", "in vain", "lost"};
     constexpr std::array kFollows{"nothing", "stop again", "connect", "restart", "distrust"};
     std::ostringstream text;
     text << "seed " << plan.seed << ": ";

@@ -16,7 +16,10 @@ enum class Prologue : std::uint8_t {
     Fresh,       ///< nothing has been asked for yet
     Running,     ///< connected, all motors on, most of them in motion
     LeftBehind,  ///< another program has left the chain like that, at a rate of its own
-    Nobody,      ///< like Running, and then nobody answers any more
+    Holding,     ///< like Running, but nothing moves
+    Nobody,      ///< like Running, and then nobody answers while the chain is looked for again
+    InVain,      ///< like Nobody, and the search has ended
+    Lost,        ///< like Running, and then nobody has answered for so long that the link is given up
 };
 
 enum class ActKind : std::uint8_t {

@@ -74,7 +74,7 @@ Rig::~Rig() {
 
 void Rig::begin(bool asRestart) {
     m_searching = true;  // one that is under way is replaced, and has no end of its own
-    restartAsked = restartAsked || asRestart;
+    restartAsked = asRestart;
     asRestart ? bus.engine.restart(bus.now) : bus.engine.connect(bus.now);
     settle();
 }
@@ -129,7 +129,8 @@ void Rig::moveHand() {
         m_hand->next = std::min(bus.now + kHandEvery, m_hand->until);
     } else {
         const Hand ended = *std::exchange(m_hand, std::nullopt);
-        m_owed.onHoldEnded(ended.hold, ended.wireFrom);
+        const Duration later = ended.lapses ? EngineConfig{}.holdTimeout : Duration{};
+        m_owed.onHoldEnded(ended.hold, ended.wireFrom, bus.now + later);
         if (ended.lapses)
             return;
         bus.engine.release(bus.now);
@@ -140,11 +141,29 @@ void Rig::moveHand() {
 void Rig::stopAll() {
     m_hand.reset();
     observe();
+    situations.insert(situation());
     m_oath.asked();
     m_owed.forget();
     bus.engine.stopAll(bus.now);
     settle();
     observe();
+}
+
+/// What the stop comes upon.
+std::string Rig::situation() const {
+    if (stopping())
+        return "a stop";
+    if (searching())
+        return known ? "a search for a chain that was known" : "a search for an unknown chain";
+    if (!known)
+        return "no chain";
+    if (rateChanging())
+        return "a change of rate";
+    if (lost)
+        return "a lost link";
+    if (bus.now < faultsUntil)
+        return "a bad line";
+    return m_foundNobody ? "a search in vain" : "a chain that is well";
 }
 
 void Rig::replaceEngine(std::uint32_t baud) {
@@ -302,7 +321,7 @@ void Rig::handle(const Event& event) {
     if (const auto* found = std::get_if<ChainFound>(&event)) {
         chainFound(*found);
     } else if (std::holds_alternative<ConnectFailed>(event)) {
-        searchEnded();
+        searchEnded(false);
     } else if (const auto* changed = std::get_if<RateChanged>(&event)) {
         ++m_rateEnds;
         if (known)
@@ -325,13 +344,14 @@ void Rig::handle(const Event& event) {
     m_owed.onEvent(event);
 }
 
-void Rig::searchEnded() {
+void Rig::searchEnded(bool found) {
+    m_foundNobody = !found;
     if (!std::exchange(m_searching, false))
         complain("finished: an end of a search that nobody asked for");
 }
 
 void Rig::chainFound(const ChainFound& found) {
-    searchEnded();
+    searchEnded(true);
     lost = false;
     KnownChain chain;
     chain.baud = found.baud;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -107,12 +108,13 @@ public:
     FaultyBus bus;
     std::optional<KnownChain> known;
     std::vector<WireItem> wire;
-    TimePoint lineFree{};     ///< when the last byte that was given to the port will have left
-    TimePoint faultsUntil{};  ///< nothing goes wrong on the line from then on
-    bool restartAsked = false;
-    bool lost = false;         ///< the engine says that the link is
-    std::vector<bool> everOn;  ///< by place, since it was given an address
+    TimePoint lineFree{};       ///< when the last byte that was given to the port will have left
+    TimePoint faultsUntil{};    ///< nothing goes wrong on the line from then on
+    bool restartAsked = false;  ///< by the search that is under way, or was the last
+    bool lost = false;          ///< the engine says that the link is
+    std::vector<bool> everOn;   ///< by place, since it was given an address
     std::vector<std::string> complaints;
+    std::set<std::string> situations;  ///< that stops of all have come upon
     /// May change what goes to the modules, after it has been noted.
     std::function<void(std::vector<std::uint8_t>&)> onPacket;
 
@@ -130,7 +132,8 @@ private:
     void observe();
     void handle(const bus::Event& event);
     void chainFound(const bus::ChainFound& found);
-    void searchEnded();
+    void searchEnded(bool found);
+    [[nodiscard]] std::string situation() const;
     void begin(bool asRestart);
     void settle() { bus.runFor(Duration{}); }
     [[nodiscard]] bool handIsDue() const { return m_hand && bus.now >= m_hand->next; }
@@ -141,6 +144,7 @@ private:
     OwedOath m_owed;
     std::optional<Hand> m_hand;
     bool m_searching = false;
+    bool m_foundNobody = false;
     unsigned m_rateChanges = 0;
     unsigned m_rateEnds = 0;
     std::vector<bus::OperationId> m_operations;

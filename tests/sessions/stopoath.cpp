@@ -51,6 +51,7 @@ void StopOath::asked() {
     run.began = run.asked = now;
     run.inFlight = std::max(now, m_rig->lineFree);
     run.wireFrom = m_rig->wire.size();
+    run.reset = restarting();
     run.calm = now >= m_rig->faultsUntil + kSettled;
     run.hostBaud = m_rig->bus.hostBaud;
     for (std::uint8_t place = 0; place < m_rig->size(); ++place)
@@ -70,6 +71,10 @@ void StopOath::asked() {
     }
     m_run = std::move(run);
     m_overdue = false;
+}
+
+bool StopOath::restarting() const {
+    return m_rig->restartAsked && m_rig->searching();
 }
 
 void StopOath::onChainFound() {
@@ -149,7 +154,7 @@ void StopOath::checkStopped(const bus::StopFinished& event, const std::optional<
             continue;
         const bool said = std::ranges::count(event.stopped, ModuleIndex(static_cast<std::uint8_t>(i))) > 0;
         if (!said) {
-            if (run && run->calm && !m_rig->isDriven(place) &&
+            if (run && run->calm && !run->reset && !restarting() && !m_rig->isDriven(place) &&
                 m_rig->hears(place, modules[i].address, m_rig->known->baud))
                 m_rig->complain("heard: " + named(i, place) + " hears and answers, and is not confirmed");
             continue;
@@ -258,7 +263,7 @@ void StopOath::onSent(const WireItem& item) {
             break;
         }
         case CommandCode::HardReset:
-            wrong = !(m_rig->restartAsked && m_rig->searching());
+            wrong = !restarting();
             break;
         case CommandCode::SetAddress:
             wrong = item.address() != 0 || !m_rig->searching();

@@ -23,7 +23,7 @@ class Rig;
 ///  answered  who is called stopped has answered twice since the stop was asked for (item 4)
 ///  told      each module that is on and hears is sent a stop at the rate at which the chain is known, at
 ///            once, and behind nulls where the link was not well (item 1)
-///  heard     on a line that is well, whoever hears is confirmed
+///  heard     on a line that is well, whoever hears and has not just been reset is confirmed
 ///  N1        nothing that moves, enables, tunes or renames goes out behind a stop (faults.md N1, N2)
 class StopOath {
 public:
@@ -65,6 +65,7 @@ private:
         bool chainKnown = false;
         bool well = false;       ///< as far as the engine could know
         bool calm = false;       ///< nothing has been wrong with the line for a while
+        bool reset = false;      ///< the network is being restarted: who answers has forgotten what it did
         bool judgeWire = false;  ///< the rate of the chain is certain, and no other stop is under way
         std::uint32_t baud = 0;
         std::uint32_t hostBaud = 0;
@@ -77,6 +78,7 @@ private:
         TimePoint until;
     };
 
+    [[nodiscard]] bool restarting() const;
     void checkEnd(const Run& run);
     void checkLists(const bus::StopFinished& event);
     void checkStopped(const bus::StopFinished& event, const std::optional<Run>& run);
