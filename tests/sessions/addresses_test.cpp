@@ -23,9 +23,9 @@ using testing::IsEmpty;
 enum class Loss : std::uint8_t {
     Command,
     Answer,
-    AnswerAndProbe,   ///< and the answer to the question at the new address
-    AnswerAndProbes,  ///< twice
-    CommandAndProbe,
+    AnswerAndProbe,        ///< and the answer to the question at the new address
+    AnswerAndProbes,       ///< twice
+    CommandThenAnswer,     ///< to the next number
     AllThatTheModuleSays,  ///< for a second, and whatever else is said
 };
 
@@ -35,8 +35,9 @@ struct Case {
     bool deaf;
 
     friend void PrintTo(const Case& c, std::ostream* stream) {
-        static constexpr std::array kLosses{"Command",         "Answer",          "AnswerAndProbe",
-                                            "AnswerAndProbes", "CommandAndProbe", "AllThatTheModuleSays"};
+        static constexpr std::array kLosses{"Command",           "Answer",
+                                            "AnswerAndProbe",    "AnswerAndProbes",
+                                            "CommandThenAnswer", "AllThatTheModuleSays"};
         *stream << kLosses.at(static_cast<std::size_t>(c.loss)) << (c.restart ? "AtRestart" : "AtConnect")
                 << (c.deaf ? "Deaf" : "");
     }
@@ -80,17 +81,17 @@ private:
         return world;
     }
     void strike() {
-        m_losesCommand = m_loss == Loss::Command || m_loss == Loss::CommandAndProbe;
+        m_losesCommand = m_loss == Loss::Command || m_loss == Loss::CommandThenAnswer;
         m_until = rig.bus.now + 1s;
         switch (m_loss) {
             case Loss::Command:
+            case Loss::CommandThenAnswer:
             case Loss::AllThatTheModuleSays:
                 break;
             case Loss::Answer:
                 m_answers = 1;
                 break;
             case Loss::AnswerAndProbe:
-            case Loss::CommandAndProbe:
                 m_answers = 2;
                 break;
             case Loss::AnswerAndProbes:
@@ -100,13 +101,15 @@ private:
     }
     [[nodiscard]] bool losesReply(ByteSpan bytes) {
         const auto items = itemsOf(bytes, rig.bus.now, 0);
-        for (const WireItem& item : items)
-            if (isGiven(item) && m_given++ == m_place)
-                strike();
         if (items.empty() || !items.back().code())
             return false;
-        return rig.bus.now < m_until &&
-               (m_loss == Loss::AllThatTheModuleSays || (m_answers > 0 && m_answers--));
+        const bool given = isGiven(items.back());
+        if (given && m_given++ == m_place)
+            strike();
+        if (given && m_given == m_place + 2 && m_loss == Loss::CommandThenAnswer)
+            return true;
+        const bool all = m_loss == Loss::AllThatTheModuleSays && rig.bus.now < m_until;
+        return all || (m_answers > 0 && m_answers-- > 0);
     }
 
     Loss m_loss;
@@ -134,6 +137,10 @@ protected:
         for (const auto& [address, n] : times)
             EXPECT_TRUE(address == 0 || n == 1) << n << " modules have the address " << address;
     }
+    /// Whoever has got its address answers before the search can reasonably go on without it.
+    static bool isHeardAgain(Loss loss) {
+        return loss != Loss::AnswerAndProbes && loss != Loss::AllThatTheModuleSays;
+    }
     /// Nobody has an address of which the engine does not know: it could not be told to stop.
     static void expectAllListed(Rig& rig) {
         if (!rig.known)
@@ -153,7 +160,8 @@ TEST_P(AddressesGiven, AreNeverGivenTwice) {
             EXPECT_TRUE(search.ended);
             expectNoNumberTwice(search.rig);
             expectNoAddressTwice(search.rig);
-            expectAllListed(search.rig);
+            if (isHeardAgain(GetParam().loss))
+                expectAllListed(search.rig);
             EXPECT_THAT(search.rig.complaints, IsEmpty());
         }
 }

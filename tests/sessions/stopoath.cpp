@@ -199,7 +199,9 @@ void StopOath::checkTold(const Run& run) {
     const TimePoint first = firstDue(run);
     const Duration byte = byteTimeAtBaud(run.baud);
     const auto modules = static_cast<Duration::rep>(run.modules.size());
-    const TimePoint last = first + 5ms + static_cast<Duration::rep>(kNullBytes) * byte +
+    // Asked for again, it may begin anew.
+    const TimePoint last = first + (run.asked - run.began) + 5ms +
+                           static_cast<Duration::rep>(kNullBytes) * byte +
                            modules * (static_cast<Duration::rep>(kLongestExchange) * byte + 2ms);
     for (std::size_t i = 0; i < run.modules.size(); ++i) {
         const Module& module = run.modules[i];
