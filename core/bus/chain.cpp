@@ -39,6 +39,16 @@ bool Chain::anyRestarted() const {
                        [](const Module& module) { return module.belief.restarted(); });
 }
 
+void Chain::forgetStates() {
+    for (Module& module : m_modules) {
+        const auto owed = module.owed;
+        module = Module(module.belief.info());
+        module.belief.forgetItems();
+        if (owed)
+            module.owed = OwedStop{StopTarget(module.belief), owed->cause};
+    }
+}
+
 Ask Chain::command(Purpose purpose, const Step& step) const {
     const Belief& module = belief(step.module);
     const Payload payload = payloadOf(step.command);

@@ -63,6 +63,9 @@ public:
     [[nodiscard]] bool answers(ModuleIndex module) const { return !m_schedule.silent(module); }
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] bool anyRestarted() const;
+    /// Its addresses are given anew: whoever answers there may be what it was, or has just been reset and is
+    /// off, and a stop would switch it on. So each is looked at before it is told anything.
+    void forgetStates();
 
     /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status
     /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question.

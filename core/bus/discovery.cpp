@@ -84,7 +84,10 @@ Discovery::Next Discovery::look() {
 /// The look is over: attach to what is there, or give addresses to a chain that has none.
 Discovery::Next Discovery::lookedUp() {
     if (const auto trouble = m_look.trouble()) {
-        fail(*trouble);
+        std::vector<ModuleIndex> modules;
+        for (const std::size_t module : m_look.collided())
+            modules.push_back(indexOf(module));
+        fail(*trouble, std::move(modules));
         return m_failure;
     }
     if (m_look.rate()) {

@@ -41,6 +41,8 @@ public:
 
     /// Once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
+    /// The first address has been given.
+    [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
     /// Those that were seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {

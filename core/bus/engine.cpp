@@ -29,7 +29,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     dropWork();
     m_rate.drop();
     m_restartSearch.cancel();
-    if (m_stop.active()) {
+    if (m_stop.running()) {
         m_recovery.dropDoubt();  // the stop goes on, and comes first
     } else {
         interrupt(now);
@@ -83,17 +83,16 @@ void Engine::release(TimePoint now) {
 void Engine::stopAll(TimePoint now) {
     dropWork();
     m_chain.schedule().unfocus();
-    const bool resets = m_search.resets() && !m_stop.running();
-    if (!m_chain.empty() && !resets) {
+    if (m_chain.reachable()) {
+        if (m_search.active() || !m_connected)
+            m_recovery.doubtLine();
         m_stop.begin(now);
         interrupt(now);
         m_rate.abandon();
     } else if (m_search.active()) {
         m_stop.beginAfterSearch(now);
-        if (!m_chain.empty())
-            interrupt(now);
     } else {
-        m_events.emplace_back(StopFinished{});  // nobody is known who could be told
+        m_stop.begin(now);  // nobody is known who could be told, and it says so
     }
     proceed(now);
 }
@@ -101,8 +100,10 @@ void Engine::stopAll(TimePoint now) {
 void Engine::distrust(TimePoint now) {
     if (!m_connected || m_search.active() || m_chain.empty())
         return;
-    interrupt(now);
-    m_rate.abandon();
+    if (!m_stop.running()) {  // which is not held up by any doubt
+        interrupt(now);
+        m_rate.abandon();
+    }
     m_recovery.distrust();
     proceed(now);
 }
@@ -237,6 +238,10 @@ void Engine::send(Work work, TimePoint now) {
 // ---- what follows for all tasks ----
 
 void Engine::takeFindings(TimePoint now) {
+    // Whoever takes an address has just been reset, and is off: a stop for whoever had it before would switch
+    // it on.
+    if (m_search.takeGivesAddresses())
+        m_chain.retire();
     if (auto ended = m_search.takeEnded())
         onSearchEnded(std::move(*ended), now);
     const Recovery::Findings findings = m_recovery.takeFindings();
@@ -265,8 +270,8 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         for (const Chain::Module& module : m_chain.modules())
             m_chain.schedule().lose(module.belief.info().index, now);
         // Who was seen at all can be told to stop.
-        if (m_stop.waits() && m_chain.empty())
-            m_chain = Chain(ended.discovery.modules(), m_line.baud());
+        if (m_stop.waits() && !m_chain.reachable())
+            m_chain.replaceBySeen(ended.discovery.modules(), m_line.baud());
         m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
     }
     m_stop.onSearchOver(now);
@@ -328,6 +333,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
 void Engine::goQuiet(TimePoint now) {
     m_connected = false;
     dropWork();
+    m_rate.drop();
     m_again.reset();
     m_restartSearch.cancel();
     m_recovery.giveUp();

@@ -66,8 +66,10 @@ void RateTask::abandon() {
 }
 
 void RateTask::drop() {
-    m_change.reset();
-    m_abandoned.reset();
+    for (auto* change : {&m_change, &m_abandoned})
+        if (const auto dropped = std::exchange(*change, std::nullopt))
+            m_events.emplace_back(RateChangeFailed{
+                RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});
 }
 
 Next RateTask::next(TimePoint /*now*/) {
@@ -128,7 +130,8 @@ Next WayBack::next(TimePoint /*now*/) {
     if (!stops.empty()) {
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
         add(m_chain.stopScript(stops));
-        add(Line::toRate(there));
+        // As Line::toRate(), without the wait for what nobody reads.
+        add({Line::Lag{}, SetHostBaud{there}, Line::Nulls{}, Line::Pause{kAfterNulls}});
         add(m_chain.stopScript(stops));
     }
     add(change->goBack());

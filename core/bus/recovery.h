@@ -37,6 +37,8 @@ public:
     void onByte() { m_silence.heard(); }
     /// What was under way was dropped. A doubt that is not settled stays.
     void interrupted();
+    /// Somebody else was talking, or nobody has for long: nulls before anything that must be heard.
+    void doubtLine() { m_suspect = true; }
     /// The link is given up, and told of as that: only stops are left.
     void giveUp();
     /// Nulls went out with something else; the quarantine is still owed.

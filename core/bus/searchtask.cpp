@@ -7,6 +7,7 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_config = config;
     m_start = start;
     m_ended.reset();
+    m_givesAddresses = false;
     beginAgain();
 }
 
@@ -16,7 +17,9 @@ void SearchTask::beginAgain() {
 
 Next SearchTask::next(TimePoint /*now*/) {
     tellProgress();
+    const bool gaveAddresses = m_discovery->givesAddresses();
     Discovery::Next next = m_discovery->next();
+    m_givesAddresses = m_givesAddresses || (!gaveAddresses && m_discovery->givesAddresses());
     tellProgress();
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);

@@ -20,8 +20,9 @@ public:
     /// What was under way on the line is gone: all over again.
     void beginAgain();
     [[nodiscard]] bool active() const { return m_discovery.has_value(); }
-    /// It resets all modules: what they were told before does not count any more.
-    [[nodiscard]] bool resets() const { return active() && m_start == Discovery::Start::Restart; }
+
+    /// It has begun to give addresses: none of the modules there are is what it was. Once.
+    [[nodiscard]] bool takeGivesAddresses() { return std::exchange(m_givesAddresses, false); }
 
     using Result = std::variant<ChainFound, ConnectFailed>;
     struct Ended {
@@ -43,6 +44,7 @@ private:
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;
+    bool m_givesAddresses = false;
     std::optional<Ended> m_ended;
 };
 

@@ -49,7 +49,7 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
         case ModuleType::Servo:
             if (belief.mayBeOn())
                 return ServoCommand(servoStop(manner));
-            if (belief.pwmMayRun())
+            if (belief.pwmMayRun() || belief.pwmUnknown())
                 return ServoCommand(servoStop(StopManner::Off));
             return std::nullopt;
         case ModuleType::Step:
@@ -97,8 +97,8 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
     if (unanswered(end.result)) {
         ++m_silences;
         m_confirmed = 0;
-        // Its stop may not have arrived either.
-        m_stopOwed = m_stop.has_value();
+        // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
+        m_stopOwed = m_stop && !m_asksStop;
         return;
     }
     m_heard = true;

@@ -23,8 +23,6 @@ void StopTask::begin(TimePoint now) {
 void StopTask::beginAfterSearch(TimePoint now) {
     if (!active())
         m_pressed = now;
-    m_run.reset();
-    m_blindDue = !m_chain.empty();
     m_waiting = true;
 }
 
@@ -34,7 +32,6 @@ void StopTask::onSearchOver(TimePoint now) {
     m_run.emplace(m_chain, now);
     m_asked = nullptr;
     m_blindDue = false;
-    m_blind.clear();
 }
 
 std::vector<Step> StopTask::blindStops() const {
@@ -44,10 +41,6 @@ std::vector<Step> StopTask::blindStops() const {
 void StopTask::onBlindSent() {
     m_blind = blindStops();
     m_blindDue = m_blindHeard = false;
-}
-
-bool StopTask::wants(TimePoint /*now*/) const {
-    return m_run || (m_waiting && m_blindDue);
 }
 
 Next StopTask::next(TimePoint now) {
@@ -85,7 +78,7 @@ Line::Script StopTask::blindScript() {
         m_recovery.flushed();
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
     }
-    m_blind = m_run ? m_run->blindStops() : m_chain.stops();
+    m_blind = m_run->blindStops();
     const Line::Script packets = m_chain.stopScript(m_blind);
     script.insert(script.end(), packets.begin(), packets.end());
     const Duration underWay = byteTimeAtBaud(m_chain.rate()) * static_cast<Duration::rep>(kMaxReply);

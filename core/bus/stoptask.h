@@ -21,22 +21,20 @@ public:
 
     /// Stops the chain, or looks at everything anew when that is under way.
     void begin(TimePoint now);
-    /// Nobody is known, or all are being reset: what is known is told blindly, and the rest follows when the
-    /// search is over.
+    /// Nobody is known yet who could be told: as soon as the search is over.
     void beginAfterSearch(TimePoint now);
     /// The search is over; the chain is what it has found, or what it was.
     void onSearchOver(TimePoint now);
 
     [[nodiscard]] bool active() const { return m_run || m_waiting; }
     [[nodiscard]] bool running() const { return m_run.has_value(); }
-    /// Its own turn comes with the end of the search.
     [[nodiscard]] bool waits() const { return m_waiting; }
 
     /// The stops to send blindly, for somebody who sends them himself, and that he did.
     [[nodiscard]] std::vector<Step> blindStops() const;
     void onBlindSent();
 
-    [[nodiscard]] bool wants(TimePoint now) const override;
+    [[nodiscard]] bool wants(TimePoint /*now*/) const override { return running(); }
     [[nodiscard]] Next next(TimePoint now) override;
     void onAnswer(const Ask& ask, const ReplyEnd& end) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;

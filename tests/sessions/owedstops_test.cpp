@@ -92,6 +92,7 @@ public:
                 startHalf();
                 break;
             case StopCause::LinkGivenUp:
+            case StopCause::StopAll:
                 return false;
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);

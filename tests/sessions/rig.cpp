@@ -169,7 +169,7 @@ std::string Rig::situation() const {
 void Rig::replaceEngine(std::uint32_t baud) {
     expectEnds();
     world.baud = baud;
-    bus.engine = Engine(configOf(world));
+    bus.newHost(configOf(world));
     bus.events.clear();
     bus.sent.clear();
     known.reset();

@@ -138,8 +138,9 @@ void StopOath::checkLists(const bus::StopFinished& event) {
     for (std::size_t i = 0; i < modules; ++i)
         if (times[i] != 1)
             m_rig->complain("lists: module " + std::to_string(i) + " is in " + std::to_string(times[i]));
+    // Before any chain is known, those that the search has seen may be told of.
     for (const auto& [module, n] : times)
-        if (module >= modules)
+        if (module >= modules && (modules > 0 || n > 1))
             m_rig->complain("lists: module " + std::to_string(module) + " is in " + std::to_string(n) +
                             ", of a chain of " + std::to_string(modules));
 }
