@@ -83,7 +83,7 @@ void Engine::release(TimePoint now) {
 void Engine::stopAll(TimePoint now) {
     dropWork();
     m_chain.schedule().unfocus();
-    if (m_chain.reachable()) {
+    if (!m_chain.empty()) {
         if (m_search.active() || !m_connected)
             m_recovery.doubtLine();
         m_stop.begin(now);
@@ -238,10 +238,8 @@ void Engine::send(Work work, TimePoint now) {
 // ---- what follows for all tasks ----
 
 void Engine::takeFindings(TimePoint now) {
-    // Whoever takes an address has just been reset, and is off: a stop for whoever had it before would switch
-    // it on.
     if (m_search.takeGivesAddresses())
-        m_chain.retire();
+        m_chain.forgetStates();
     if (auto ended = m_search.takeEnded())
         onSearchEnded(std::move(*ended), now);
     const Recovery::Findings findings = m_recovery.takeFindings();
@@ -270,8 +268,8 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         for (const Chain::Module& module : m_chain.modules())
             m_chain.schedule().lose(module.belief.info().index, now);
         // Who was seen at all can be told to stop.
-        if (m_stop.waits() && !m_chain.reachable())
-            m_chain.replaceBySeen(ended.discovery.modules(), m_line.baud());
+        if (m_stop.waits())
+            m_chain = Chain(ended.discovery.modules(), m_line.baud());
         m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
     }
     m_stop.onSearchOver(now);

@@ -27,7 +27,7 @@ void OwedStops::hurry(ModuleIndex module, TimePoint now) {
 
 bool OwedStops::untold() const {
     return std::any_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
-        return module.owed && module.owed->target.stopOwed() && m_chain.answers(module.belief.info().index);
+        return module.owed && module.owed->target.stopOwed() && !blindly(module.belief.info().index);
     });
 }
 

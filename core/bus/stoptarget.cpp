@@ -114,10 +114,10 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
 void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePoint now) {
     const bool still =
         standsStill(report, belief.info().identity.type, m_confirmed > 0 ? m_position : std::nullopt);
-    const bool neverTold = m_stop && !m_lastStop;
     m_position = report.position;
     m_stop = stopFor(belief, m_manner);
     m_confirmed = still ? m_confirmed + 1 : 0;
+    const bool neverTold = !m_lastStop;
     const Duration patience = m_manner == StopManner::Smoothly ? kSmoothPatience : kPatience;
     const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
     // After blind stops, and when it moves on: told again, if it is still on now.
