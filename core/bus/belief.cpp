@@ -74,7 +74,7 @@ struct Belief::Executed {
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
         b.m_velocityGoal = false;
-        b.m_pwmMayRun = false;
+        b.m_pwmMayRun = b.m_pwmUnknown = false;
         if (stop.manner == servo::StopManner::MotorOff)
             b.m_on = b.m_mayEnable = false;
     }
@@ -143,7 +143,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
 void Belief::setRestarted() {
     m_restarted = true;
     m_info.group = GroupPlace{};
-    m_on = m_mayEnable = m_pwmMayRun = m_velocityGoal = m_homingStops = m_parametersSet = false;
+    m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_parametersSet =
+        false;
     m_stepLoad.reset();
     m_loaded.reset();
     m_starting.reset();
@@ -217,6 +218,7 @@ void Belief::mayStart(const servo::LoadTrajectory& load) {
 }
 
 void Belief::started(const servo::LoadTrajectory& load) {
+    m_pwmUnknown = false;
     m_pwmMayRun = !load.servo && load.pwm.value_or(1) != 0;
     m_velocityGoal = load.servo && load.profile == servo::ProfileMode::Velocity &&
                      load.velocity.value_or(CountsPerTick(1)).value() != 0;

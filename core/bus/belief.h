@@ -29,7 +29,7 @@ public:
     /// Found as another host left it: what it was told is not known. It may run in velocity mode at any
     /// speed, until a stop is answered or its servo is seen off.
     void attach() {
-        m_velocityGoal = m_parametersSet = true;
+        m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
     }
     /// A load was asked for and refused: an older one that waits must not start in its place.
@@ -65,6 +65,8 @@ public:
     [[nodiscard]] bool mayBeOn() const { return m_on || m_mayEnable; }
     /// PIC-SERVO with the servo off whose PWM output may be other than 0.
     [[nodiscard]] bool pwmMayRun() const { return m_pwmMayRun; }
+    /// The same where nobody here knows what it was told before: a stop must reckon with it.
+    [[nodiscard]] bool pwmUnknown() const { return m_pwmUnknown; }
     /// The command velocity may be other than 0 (DS-V 4.4), or a stepper is moving.
     [[nodiscard]] bool mayMove() const;
     /// Measured velocity, counts per tick, when the newest status had it.
@@ -104,6 +106,7 @@ private:
     bool m_on = false;
     bool m_mayEnable = false;
     bool m_pwmMayRun = false;
+    bool m_pwmUnknown = false;
     bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
     bool m_homingStops = false;   ///< the chip itself stops when home is found
     bool m_parametersSet = false;

@@ -11,7 +11,8 @@ namespace {
 constexpr unsigned kUnaddressed = 0;
 constexpr unsigned kFirstAddress = 1;
 constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
-constexpr unsigned kLastAddress = 32;
+/// A search that skips a number, because nobody was heard to take it, goes beyond 32.
+constexpr unsigned kLastAddress = 34;
 
 }  // namespace
 
@@ -94,7 +95,10 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
         if (m_again)
             return false;
         // Twice where the chain is: two modules answer at once.
-        ++(m_rate == probe.rate || !unaddressed ? m_collisions : m_noise);
+        if (m_rate == probe.rate || !unaddressed)
+            m_collided.push_back(m_found.size() + m_collided.size());
+        else
+            ++m_noise;
     } else if (unaddressed) {
         m_unaddressed = true;
     } else {
@@ -125,7 +129,7 @@ bool ChainLook::echoes(const ReplyEnd& end, const PacketBytes& sent) {
 std::optional<ConnectFailure> ChainLook::trouble() const {
     if (m_echoes > 0)
         return ConnectFailure::Echo;
-    if (m_collisions > 0)
+    if (!m_collided.empty())
         return ConnectFailure::Collision;
     if (m_zeros > 0)
         return ConnectFailure::HeldLow;

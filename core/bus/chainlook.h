@@ -31,6 +31,8 @@ public:
     /// Where the chain answers; nothing when no addressed module does.
     [[nodiscard]] std::optional<std::uint32_t> rate() const { return m_rate; }
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
+    /// Modules at whose address two answer at once, counted from 0.
+    [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
     /// A module without an address answers at the rate of power-up.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
     /// Why the chain cannot be used: nobody answers, or noise, zeros, what was sent, or two at once do.
@@ -61,7 +63,7 @@ private:
     bool m_again = false;       ///< the present probe has been answered with noise before
     bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low
     unsigned m_noise = 0;
-    unsigned m_collisions = 0;
+    std::vector<std::size_t> m_collided;
     unsigned m_zeros = 0;
     unsigned m_echoes = 0;
 };

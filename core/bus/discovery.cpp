@@ -14,7 +14,7 @@ namespace {
 
 constexpr BusAddress kUnaddressed{0x00};
 constexpr unsigned kFirstGroup = 0x80;
-/// How often an address is given before its module is taken for the end of the chain.
+/// So many addresses in a row that nobody takes are the end of the chain.
 constexpr unsigned kSetAttempts = 2;
 
 /// Where a chain may have been left; last the rate at which it then wakes up.
@@ -22,8 +22,13 @@ constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPo
 static_assert(kRestartRates.size() == kBaudRows.size());
 static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
-[[nodiscard]] BusAddress addressOf(std::size_t index) {
-    return BusAddress(static_cast<std::uint8_t>(index + 1));
+[[nodiscard]] Ask question(const Request& request, std::uint8_t silentRepeats, Quarantine quarantine) {
+    Ask ask;
+    ask.purpose = Purpose::Connect;
+    ask.request = request;
+    ask.silentRepeats = silentRepeats;
+    ask.quarantine = quarantine;
+    return ask;
 }
 
 [[nodiscard]] ModuleIndex indexOf(std::size_t index) {
@@ -43,17 +48,14 @@ Discovery::Next Discovery::next() {
         case Phase::Look:
             return look();
         case Phase::Restart:
-            m_reset = true;
             enter(Phase::Set, ConnectStage::Addressing);
             return restartScript();
         case Phase::Set:
             return setAddress();
         case Phase::Probe:
-            // Of another length than the answer to Set Address, which may still be on its way.
-            return Ask{
-                {addressOf(m_modules.size()), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}},
-                static_cast<std::uint8_t>(m_setAttempts < kSetAttempts ? 1 : 0),
-                Quarantine::Brief};
+            return probe(BusAddress(m_number), m_unheardInRow + 1 < kSetAttempts ? 1 : 0);
+        case Phase::Recheck:
+            return probe(m_unheard.back(), 0);
         case Phase::Identify:
             return askModule(ReadStatus{kIdentityItems}.encode(), kIdentityItems, 2);
         case Phase::ChangeRate:
@@ -75,14 +77,17 @@ Discovery::Next Discovery::look() {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (const auto* request = std::get_if<Request>(&next))
-        return Ask{*request, 0, Quarantine::None};
+        return question(*request, 0, Quarantine::None);
     return lookedUp();
 }
 
 /// The look is over: attach to what is there, or give addresses to a chain that has none.
 Discovery::Next Discovery::lookedUp() {
     if (const auto trouble = m_look.trouble()) {
-        fail(*trouble);
+        std::vector<ModuleIndex> modules;
+        for (const std::size_t module : m_look.collided())
+            modules.push_back(indexOf(module));
+        fail(*trouble, std::move(modules));
         return m_failure;
     }
     if (m_look.rate()) {
@@ -106,6 +111,8 @@ void Discovery::onReply(const ReplyEnd& end) {
             return onAddress(end);
         case Phase::Probe:
             return onProbe(end);
+        case Phase::Recheck:
+            return onRecheck(end);
         case Phase::Identify:
             return onIdentity(end);
         case Phase::ChangeRate:
@@ -166,7 +173,7 @@ Discovery::Next Discovery::changeRate() {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (const auto* ask = std::get_if<RateChange::Ask>(&next))
-        return Ask{ask->request, ask->silentRepeats};
+        return question(ask->request, ask->silentRepeats, Quarantine::Full);
     const auto& ended = std::get<RateChange::Ended>(next);
     if (ended.reached) {
         enterModules(Phase::Define);
@@ -179,14 +186,24 @@ Discovery::Next Discovery::changeRate() {
     return m_failure;
 }
 
-Discovery::Ask Discovery::setAddress() const {
-    return {{kUnaddressed, SetAddress{addressOf(m_modules.size()), kEverybody, false}.encode(), {}},
-            0,
-            Quarantine::Brief};
+/// Always the next number: where the one before was heard and its answers were lost, the next module would
+/// take it, too.
+Ask Discovery::setAddress() {
+    const SetAddress set{BusAddress(++m_number), kEverybody, false};
+    Ask ask = question({kUnaddressed, set.encode(), {}}, 0, Quarantine::Brief);
+    ask.refusedAttempts = 1;
+    return ask;
 }
 
-Discovery::Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
-    return {{m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats};
+/// Of another length than the answer to Set Address, which may still be on its way.
+Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
+    return question({address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats,
+                    Quarantine::Brief);
+}
+
+Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
+    return question({m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats,
+                    Quarantine::Full);
 }
 
 void Discovery::onLook(const ReplyEnd& end) {
@@ -197,38 +214,41 @@ void Discovery::onLook(const ReplyEnd& end) {
 }
 
 void Discovery::onAddress(const ReplyEnd& end) {
-    ++m_setAttempts;
-    switch (end.result) {
-        case ReplyResult::Accepted:
-            return found();
-        case ReplyResult::Refused:
-            return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
-        case ReplyResult::Partial:
-        case ReplyResult::BadChecksum:
-        case ReplyResult::Surplus:
-        case ReplyResult::Rejected:
-            m_heardNoise = true;
-            [[fallthrough]];
-        case ReplyResult::Silent:
-            // Carried out with its answer lost, or not: ask at the new address before anything else (link.md
-            // 2.3). Another Set Address to 0 would give the next module the same address.
-            return enter(Phase::Probe);
-    }
+    if (end.result == ReplyResult::Accepted)
+        return found(BusAddress(m_number));
+    m_heardNoise = m_heardNoise || !end.bytes.empty();
+    // Carried out with its answer lost, or not: ask at the new address before anything else (link.md 2.3).
+    enter(Phase::Probe);
 }
 
 void Discovery::onProbe(const ReplyEnd& end) {
     switch (end.result) {
         case ReplyResult::Accepted:
         case ReplyResult::Refused:
-            return found();
+            return found(BusAddress(m_number));
+        case ReplyResult::Surplus:
+            return fail(ConnectFailure::Collision, {indexOf(m_modules.size())});
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
-        case ReplyResult::Surplus:
         case ReplyResult::Rejected:
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Silent:
-            return m_setAttempts < kSetAttempts ? enter(Phase::Set) : endOfChain();
+            m_unheard.emplace_back(m_number);
+            return ++m_unheardInRow < kSetAttempts ? enter(Phase::Set) : endOfAddressing();
     }
+}
+
+/// A module may have taken a number and not been heard of since.
+void Discovery::onRecheck(const ReplyEnd& end) {
+    const BusAddress address = m_unheard.back();
+    m_unheard.pop_back();
+    if (!end.bytes.empty()) {
+        const auto after = std::find_if(m_modules.begin(), m_modules.end(),
+                                        [&](const ModuleInfo& m) { return address < m.address; });
+        m_modules.insert(after, {{}, address, {}, GroupPlace{}});
+    }
+    if (m_unheard.empty())
+        endOfChain();
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {
@@ -240,17 +260,25 @@ void Discovery::onIdentity(const ReplyEnd& end) {
     nextModule(Phase::ChangeRate);
 }
 
-void Discovery::found() {
-    m_modules.push_back({indexOf(m_modules.size()), addressOf(m_modules.size()), {}, GroupPlace{}});
-    m_setAttempts = 0;
+void Discovery::found(BusAddress address) {
+    m_modules.push_back({indexOf(m_modules.size()), address, {}, GroupPlace{}});
+    m_unheardInRow = 0;
     enter(Phase::Set, ConnectStage::Addressing);
     if (m_modules.size() == kMaxModules)
-        endOfChain();
+        endOfAddressing();
+}
+
+void Discovery::endOfAddressing() {
+    if (m_unheard.empty())
+        return endOfChain();
+    enter(Phase::Recheck);
 }
 
 void Discovery::endOfChain() {
     if (m_modules.empty())
         return fail(m_heardNoise ? ConnectFailure::Garbled : ConnectFailure::NobodyAnswers);
+    for (std::size_t i = 0; i < m_modules.size(); ++i)
+        m_modules[i].index = indexOf(i);
     m_at = 0;
     enter(Phase::Identify, ConnectStage::Identifying);
 }

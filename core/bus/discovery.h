@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "bus/chainlook.h"
-#include "bus/engine.h"
+#include "bus/engineconfig.h"
 #include "bus/exchange.h"
 #include "bus/line.h"
 #include "bus/ratechange.h"
+#include "bus/task.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -32,17 +33,6 @@ public:
     enum class Start : std::uint8_t { Look, Restart };
     Discovery(const EngineConfig& config, Start start);
 
-    /// How long late answers are waited for when nobody answered.
-    enum class Quarantine : std::uint8_t {
-        None,   ///< silence is what is expected
-        Brief,  ///< a late answer does no harm
-        Full
-    };
-    struct Ask {
-        Request request;
-        std::uint8_t silentRepeats = 0;
-        Quarantine quarantine = Quarantine::Full;  ///< after silence
-    };
     using Next = std::variant<Line::Script, Ask, ChainFound, ConnectFailed>;
 
     [[nodiscard]] Next next();
@@ -51,8 +41,9 @@ public:
 
     /// Once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
-    /// All modules have been reset, so no motor runs any more.
-    [[nodiscard]] bool restarted() const { return m_reset; }
+    /// The first address has been given.
+    [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
+    /// Those that were seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {
         ModuleIndex module;
@@ -67,6 +58,7 @@ private:
         Restart,
         Set,
         Probe,
+        Recheck,  ///< numbers that were sent and that nobody has answered at
         Identify,
         ChangeRate,
         Define,
@@ -79,13 +71,16 @@ private:
     [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
     [[nodiscard]] Next changeRate();
-    [[nodiscard]] Ask setAddress() const;
+    [[nodiscard]] Ask setAddress();
+    [[nodiscard]] Ask probe(BusAddress address, std::uint8_t repeats) const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);
     void onAddress(const ReplyEnd& end);
     void onProbe(const ReplyEnd& end);
-    void found();
+    void onRecheck(const ReplyEnd& end);
+    void found(BusAddress address);
+    void endOfAddressing();
     void endOfChain();
     void nextModule(Phase after);
     void enterModules(Phase phase);
@@ -99,12 +94,13 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
-    bool m_reset = false;
     bool m_attached = false;
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
-    std::size_t m_at = 0;        ///< module that is being asked
-    unsigned m_setAttempts = 0;  ///< at the present address
+    std::size_t m_at = 0;         ///< module that is being asked
+    std::uint8_t m_number = 0;    ///< the address that was sent last; none is ever sent twice
+    unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
+    std::vector<BusAddress> m_unheard;
     bool m_heardNoise = false;
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};

@@ -4,268 +4,364 @@
 #include <algorithm>
 #include <utility>
 
-#include "bus/engineprivate.h"
+#include "protocol/baud.h"
 
 namespace nmc::bus {
 
-Engine::Engine(EngineConfig config) : d(std::make_unique<Private>(config)) {}
-Engine::~Engine() = default;
-Engine::Engine(Engine&&) noexcept = default;
-Engine& Engine::operator=(Engine&&) noexcept = default;
+Engine::Engine(EngineConfig config) : m_config(config), m_line(config.adapterLatency, config.margin) {}
+
+// ---- from outside ----
 
 void Engine::connect(TimePoint now) {
-    d->begin(Discovery::Start::Look, now);
+    begin(Discovery::Start::Look, now);
 }
+
 void Engine::restart(TimePoint now) {
-    d->begin(Discovery::Start::Restart, now);
-}
-void Engine::submit(Operation operation, TimePoint now) {
-    d->submit(std::move(operation), now);
-}
-void Engine::submit(GroupOperation operation, TimePoint now) {
-    d->submit(operation, now);
-}
-void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    d->changeRate(baud, now);
-}
-void Engine::hold(const HoldToMove& hold, TimePoint now) {
-    d->hold(hold, now);
-}
-void Engine::release(TimePoint now) {
-    d->release(now);
-}
-void Engine::stopAll(TimePoint now) {
-    d->stopAll(now);
-}
-void Engine::distrust(TimePoint now) {
-    d->distrust(now);
-}
-void Engine::watch(const std::vector<ModuleIndex>& modules) {
-    d->watch(modules);
-}
-void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
-    d->focus(module, now);
-}
-void Engine::onBytes(ByteSpan bytes, TimePoint now) {
-    d->onBytes(bytes, now);
-}
-void Engine::onDeadline(TimePoint now) {
-    d->onDeadline(now);
-}
-std::optional<TimePoint> Engine::nextDeadline() const {
-    return d->nextDeadline();
-}
-std::vector<Output> Engine::takeOutput() {
-    return d->line.takeOutput();
-}
-std::vector<Event> Engine::takeEvents() {
-    return std::exchange(d->events, {});
-}
-const LinkStatistics& Engine::statistics() const {
-    return d->line.statistics();
-}
-std::size_t Engine::stopReach() const {
-    return d->stopReach();
-}
-bool Engine::anythingMoves() const {
-    return d->anythingMoves();
-}
-std::vector<std::uint8_t> Engine::stopBurst() const {
-    return d->stopBurst();
-}
-std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
-    return d->stopBurstChanged() ? std::optional(d->stopBurst()) : std::nullopt;
-}
-void Engine::setRecording(bool on) {
-    d->setRecording(on);
-}
-std::vector<ExchangeRecord> Engine::takeRecords() {
-    return std::exchange(d->records, {});
+    begin(Discovery::Start::Restart, now);
 }
 
-Engine::Private::Private(EngineConfig c)
-    : config(c), line(c.adapterLatency, c.margin), m_hold(c.holdTimeout) {}
-
-void Engine::Private::begin(Discovery::Start start, TimePoint now) {
-    if (m_stop || m_stopDuringDiscovery)
-        finishStop(now);
-    cancelOperations();
-    m_hold.clear();
-    line.abandon();
-    line.statistics() = {};
-    m_works.clear();
-    m_again.reset();
-    m_suspect = m_resyncing = m_hurried = m_lost = m_blindStopsDue = false;
-    m_doubt.reset();
-    m_silence.heard();
-    m_health = {};
-    m_look = Look::None;
-    m_lostBursts = 0;
-    m_verification.reset();
-    m_rateChange.reset();
-    m_abandoned.reset();
-    m_goingBack = false;
-    m_guards.clear();
-    m_blindStops.clear();
-    m_holdFailures = 0;
-    m_modules.clear();
-    m_schedule = PollSchedule();
-    m_discovery.reset();
-    if (!findBaud(config.baud)) {
-        m_phase = Phase::Off;  // before anything is reset for it
-        events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, config.baud});
+/// The chain that is known stays until another one is found: a stop must reach somebody.
+void Engine::begin(Discovery::Start start, TimePoint now) {
+    if (!findBaud(m_config.baud)) {  // before anything is reset for it
+        m_events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, m_config.baud});
         return;
     }
-    m_phase = Phase::Discovering;
-    m_discovery.emplace(config, start);
+    dropWork();
+    m_rate.drop();
+    m_restartSearch.cancel();
+    if (m_stop.running()) {
+        m_recovery.dropDoubt();  // the stop goes on, and comes first
+    } else {
+        interrupt(now);
+        m_recovery.reset();
+        m_again.reset();
+    }
+    m_line.statistics() = {};
+    m_search.begin(m_config, start);
+    m_owed.setBlind(true);
     proceed(now);
 }
 
-void Engine::Private::submit(Operation operation, TimePoint now) {
+void Engine::submit(Operation operation, TimePoint now) {
     if (operation.steps.empty()) {
-        events.emplace_back(rejected(operation, Outcome::Done));
+        m_events.emplace_back(rejected(operation, Outcome::Done));
         return;
     }
     const OperationFinished cancelled = rejected(operation, Outcome::Cancelled);
-    if (m_phase != Phase::Running || m_stop || !m_commands.submit(std::move(operation))) {
-        events.emplace_back(cancelled);
+    if (!accepting() || !m_operations.submit(std::move(operation))) {
+        m_events.emplace_back(cancelled);
         return;
     }
     proceed(now);
 }
 
-void Engine::Private::hold(const HoldToMove& hold, TimePoint now) {
-    if (m_phase != Phase::Running || m_stop || hold.module.value() >= m_modules.size())
+void Engine::submit(const GroupOperation& operation, TimePoint now) {
+    if (!accepting() || !m_operations.submit(operation)) {
+        m_events.emplace_back(GroupFinished{operation.id, Outcome::Cancelled, operation.what, {}, false});
+        return;
+    }
+    proceed(now);
+}
+
+void Engine::changeRate(std::uint32_t baud, TimePoint now) {
+    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_hold.active() || m_owed.due());
+    proceed(now);
+}
+
+void Engine::hold(const HoldToMove& hold, TimePoint now) {
+    if (!accepting() || !m_chain.has(hold.module))
         return m_hold.refuse(hold);
     m_hold.hold(hold, now);
     proceed(now);
 }
 
-void Engine::Private::release(TimePoint now) {
+void Engine::release(TimePoint now) {
     m_hold.release();
-    hurryHoldStop(now);
     proceed(now);
 }
 
-void Engine::Private::stopAll(TimePoint now) {
-    cancelOperations();
-    m_hold.clear();
-    m_guards.clear();
-    m_schedule.unfocus();
-    if (m_phase == Phase::Off) {
-        events.emplace_back(StopFinished{});
-        return;
+void Engine::stopAll(TimePoint now) {
+    dropWork();
+    m_chain.schedule().unfocus();
+    if (!m_chain.empty()) {
+        if (m_search.active() || !m_connected)
+            m_recovery.doubtLine();
+        m_stop.begin(now);
+        interrupt(now);
+        m_rate.abandon();
+    } else if (m_search.active()) {
+        m_stop.beginAfterSearch(now);
+    } else {
+        m_stop.begin(now);  // nobody is known who could be told, and it says so
     }
-    if (m_phase == Phase::Discovering) {
-        if (!m_stopDuringDiscovery)
-            m_stopDuringDiscovery = now;
-        return proceed(now);
-    }
-    if (m_stop)
-        m_stop->restart(beliefs(), m_schedule);
-    else
-        m_stop.emplace(beliefs(), m_schedule, now);
-    const bool suspect = m_suspect || m_resyncing || m_hurried || m_lost || m_doubt;
-    // One packet to all of them is sooner than one to each, even on a line that is free.
-    m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;
-    interrupt(now);
-    m_suspect = suspect;
-    abandonRateChange();
     proceed(now);
 }
 
-void Engine::Private::distrust(TimePoint now) {
-    if (m_phase != Phase::Running || m_modules.empty())
+void Engine::distrust(TimePoint now) {
+    if (!m_connected || m_search.active() || m_chain.empty())
         return;
-    interrupt(now);
-    abandonRateChange();
-    m_suspect = true;
-    for (Module& module : m_modules)
-        module.trust.interrupt();
-    m_doubt = Doubt{m_modules.front().belief.info().index};
+    if (!m_stop.running()) {  // which is not held up by any doubt
+        interrupt(now);
+        m_rate.abandon();
+    }
+    m_recovery.distrust();
     proceed(now);
 }
 
-void Engine::Private::watch(const std::vector<ModuleIndex>& modules) {
+void Engine::watch(const std::vector<ModuleIndex>& modules) {
     m_watched = modules;
-    m_schedule.watch(modules);
+    m_chain.schedule().watch(modules);
 }
 
-void Engine::Private::focus(std::optional<ModuleIndex> module, TimePoint now) {
-    m_schedule.unfocus();
-    if (module && m_phase == Phase::Running && !m_stop)
-        m_schedule.focus(*module, now);
+void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
+    m_chain.schedule().unfocus();
+    if (module && accepting())
+        m_chain.schedule().focus(*module, now);
 }
 
-void Engine::Private::onBytes(ByteSpan bytes, TimePoint now) {
-    m_silence.heard();
-    line.onBytes(bytes, now);
+void Engine::onBytes(ByteSpan bytes, TimePoint now) {
+    m_recovery.onByte();
+    m_line.onBytes(bytes, now);
     proceed(now);
 }
 
-void Engine::Private::onDeadline(TimePoint now) {
-    line.onDeadline(now);
-    expireHold(now);
+void Engine::onDeadline(TimePoint now) {
+    m_line.onDeadline(now);
+    (void)m_hold.expire(now);
     proceed(now);
 }
 
-std::optional<TimePoint> Engine::Private::nextDeadline() const {
-    std::optional<TimePoint> first = line.deadline();
+std::optional<TimePoint> Engine::nextDeadline() const {
+    std::optional<TimePoint> first = m_line.deadline();
     const auto consider = [&](std::optional<TimePoint> other) {
         if (other && (!first || *other < *first))
             first = other;
     };
-    if (m_phase == Phase::Running) {
-        consider(m_hold.deadline());
-        if (line.idle())
-            consider(m_schedule.nextDue());
-        if (line.idle() && m_lostBursts > 0)
-            consider(m_nextLostBurst);
+    consider(m_hold.expiry());
+    if (m_line.idle()) {
+        consider(m_owed.due());
+        if (m_connected)
+            consider(m_polls.due());
     }
     return first;
 }
 
-std::size_t Engine::Private::stopReach() const {
-    return m_phase == Phase::Running || m_phase == Phase::Quiet ? m_schedule.answering() : 0;
+std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
+    std::vector<std::uint8_t> burst = stopBurst();
+    if (burst == m_burst && m_burstRate == stopBurstRate())
+        return std::nullopt;
+    m_burstRate = stopBurstRate();
+    m_burst = burst;
+    return burst;
 }
 
-bool Engine::Private::anythingMoves() const {
-    return std::any_of(m_modules.begin(), m_modules.end(),
-                       [](const Module& module) { return module.belief.moving(); });
+// ---- what is next ----
+
+void Engine::proceed(TimePoint now) {
+    // A stop that is owed does not wait for a quarantine.
+    if (m_recovery.resyncing() && m_owed.untold())
+        interrupt(now);
+    do
+        takeEnds(now);
+    while (m_line.ready() && dispatch(now));
 }
 
-std::vector<Belief> Engine::Private::beliefs() const {
-    std::vector<Belief> all;
-    for (const Module& module : m_modules)
-        all.push_back(module.belief);
-    return all;
+/// The order of priorities, all of it. False when nobody has anything to do.
+bool Engine::dispatch(TimePoint now) {
+    if (m_line.idle())
+        m_recovery.onFree();
+    const bool live = m_connected || m_search.active();
+    const auto turn = [&](auto&... tasks) {
+        Turn taken = Turn::Nobody;
+        ((taken = taken == Turn::Nobody ? take(tasks, now) : taken), ...);
+        return taken;
+    };
+    Turn taken = turn(m_wayBack, m_stop);
+    if (taken == Turn::Nobody)
+        taken = repeat(true, now);
+    if (taken == Turn::Nobody)
+        taken = turn(m_owed);
+    if (taken == Turn::Nobody && live)
+        taken = turn(m_recovery, m_restartSearch);
+    if (taken == Turn::Nobody)
+        taken = repeat(false, now);
+    if (taken == Turn::Nobody && live)
+        taken = turn(m_search, m_rate, m_hold, m_operations, m_polls);
+    takeFindings(now);
+    return taken == Turn::Taken;
 }
 
-void Engine::Private::expireHold(TimePoint now) {
-    const auto held = m_hold.wanted();
-    if (!held || !m_hold.expired(now))
-        return;
-    // Nothing had been started if there is nothing to stop.
-    if (m_hold.stop())
-        events.emplace_back(HoldExpired{held->module});
-    hurryHoldStop(now);
+Engine::Turn Engine::take(Task& task, TimePoint now) {
+    if (!task.wants(now))
+        return Turn::Nobody;
+    // While the reply before may still turn out to have surplus bytes, only an ordinary exchange may begin.
+    if (!m_line.idle() && !task.pipelines())
+        return Turn::Waits;
+    Next next = task.next(now);
+    if (std::holds_alternative<Idle>(next))
+        return Turn::Nobody;
+    if (auto* script = std::get_if<Line::Script>(&next))
+        m_line.run(std::move(*script), now);
+    else if (auto* ask = std::get_if<Ask>(&next))
+        send({std::move(*ask), &task, 0, {}, {}}, now);
+    return Turn::Taken;
 }
 
-/// The stop that a hold owes does not wait for a quarantine.
-void Engine::Private::hurryHoldStop(TimePoint now) {
-    if (!m_hold.stop() || !m_resyncing)
-        return;
-    interrupt(now);
-    m_suspect = true;
+Engine::Turn Engine::repeat(bool atOnce, TimePoint now) {
+    if (!m_again || m_again->ask.repeatAtOnce != atOnce)
+        return Turn::Nobody;
+    if (!m_line.idle())
+        return Turn::Waits;
+    if (atOnce)
+        if (auto nulls = m_recovery.flush()) {
+            m_line.run(std::move(*nulls), now);
+            return Turn::Taken;
+        }
+    send(*std::exchange(m_again, std::nullopt), now);
+    return Turn::Taken;
 }
 
-void Engine::Private::cancelOperations() {
-    for (Event& event : m_commands.cancelAll())
-        events.emplace_back(std::move(event));
-    m_verification.reset();
-    m_groupRun.reset();
-    if (m_again && m_again->lane != Lane::Discovery)
+void Engine::send(Work work, TimePoint now) {
+    const Ask& ask = work.ask;
+    if (ask.module && ask.command) {
+        const TimePoint latched = m_line.latchTime(ask.request.payload.data.size() + 4, now);
+        work.before = m_chain.belief(*ask.module);
+        m_chain.tell(*ask.module, *ask.command, latched);
+    }
+    if (ask.retry)
+        ++m_line.statistics().retries;
+    m_line.begin(ask.request, now);
+    work.sent = now;
+    m_works.push_back(std::move(work));
+}
+
+// ---- what follows for all tasks ----
+
+void Engine::takeFindings(TimePoint now) {
+    if (m_search.takeGivesAddresses())
+        m_chain.forgetStates();
+    if (auto ended = m_search.takeEnded())
+        onSearchEnded(std::move(*ended), now);
+    const Recovery::Findings findings = m_recovery.takeFindings();
+    if (findings.lost)
+        m_restartSearch.onLost(*findings.lost);
+    if (findings.allLost)
+        onLinkLost();
+    const bool inVain =
+        m_again && m_again->ask.module && (findings.allLost || m_again->ask.module == findings.lost);
+    if (inVain)  // it will not be answered
+        deliver(*std::exchange(m_again, std::nullopt), ReplyEnd{}, now);
+    for (const Recovery::GivenUp& what : findings.givenUp)
+        giveUp(what, now);
+    if (m_restartSearch.takeQuiet())
+        goQuiet(now);
+    for (const GroupMember& member : m_operations.takeHalfStarted())
+        halt(member.module, StopCause::GroupHalfStarted, StopManner::Abruptly);
+}
+
+void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
+    m_owed.setBlind(false);
+    if (const auto* found = std::get_if<ChainFound>(&ended.result)) {
+        adopt(*found, ended.discovery.heard());
+    } else {
+        m_connected = false;
+        for (const Chain::Module& module : m_chain.modules())
+            m_chain.schedule().lose(module.belief.info().index, now);
+        // Who was seen at all can be told to stop.
+        if (m_stop.waits())
+            m_chain = Chain(ended.discovery.modules(), m_line.baud());
+        m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
+    }
+    m_stop.onSearchOver(now);
+}
+
+void Engine::adopt(const ChainFound& found, const std::vector<Discovery::Heard>& heard) {
+    const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud));
+    m_connected = true;
+    m_recovery.reset();
+    m_line.statistics() = {};  // the silence at the end of the chain was no error
+    for (Chain::Module& module : m_chain.modules()) {
+        if (knownType(module.belief.info().identity.type))
+            module.belief.onExecuted(ServoCommand(DefineStatus{kStandingItems}));
+        if (found.attached)
+            module.belief.attach();
+    }
+    m_chain.schedule().watch(m_watched);
+    m_events.emplace_back(found);
+    for (const Discovery::Heard& answer : heard) {
+        Chain::Module& module = m_chain.at(answer.module);
+        if (module.plausibility.judge(answer.end))
+            continue;
+        if (const auto trusted = module.trust.confirm(answer.end.report)) {
+            module.belief.onStatus(*trusted, answer.end.latched);
+            publish(answer.module, answer.end, *trusted);
+        }
+    }
+    // What is owed to a module that was found where it was is still owed; one that was reset is off.
+    if (found.attached)
+        for (const Chain::Module& module : before.modules())
+            for (const ModuleInfo& info : found.modules)
+                if (module.owed && info.address == module.belief.info().address)
+                    m_chain.owe(info.index, module.owed->cause);
+}
+
+/// Something is wrong with a motion: its module stops, and what was to come is dropped.
+void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
+    dropWork();
+    m_chain.owe(module, cause, manner);
+}
+
+/// Commands may still arrive (faults.md F-11).
+void Engine::onLinkLost() {
+    for (const Step& stop : m_chain.stops())
+        m_chain.owe(stop.module, StopCause::LinkGivenUp);
+}
+
+void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
+    if (!what.module)
+        return goQuiet(now);
+    // The module is stopped and not asked again; the others go on.
+    m_chain.owe(*what.module, StopCause::LinkGivenUp);
+    m_recovery.dropDoubt(*what.module);
+    m_recovery.lose(*what.module, now);
+    m_chain.schedule().retire(*what.module);
+}
+
+/// All motors are stopped, and then nothing is asked any more.
+void Engine::goQuiet(TimePoint now) {
+    m_connected = false;
+    dropWork();
+    m_rate.drop();
+    m_again.reset();
+    m_restartSearch.cancel();
+    m_recovery.giveUp();
+    if (!m_stop.active())
+        m_stop.begin(now);
+}
+
+/// Nothing that was asked for is begun any more.
+void Engine::dropWork() {
+    m_operations.cancel();
+    m_hold.clear();
+    if (m_again && m_again->task != &m_search)
         m_again.reset();
+    for (Work& work : m_works)
+        if (work.task == &m_operations || work.task == &m_hold)
+            work.task = nullptr;
+}
+
+/// Drops what is in flight. Whether its command was carried out stays open, and the belief has that already.
+void Engine::interrupt(TimePoint now) {
+    for (const Work& work : m_works)
+        m_recorder.addAbandoned(work.ask, work.sent, now);
+    m_line.abandon();
+    m_works.clear();
+    m_recovery.interrupted();
+    m_wayBack.interrupted();
+    if (m_search.active()) {
+        m_again.reset();
+        m_search.beginAgain();
+    }
 }
 
 }  // namespace nmc::bus

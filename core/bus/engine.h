@@ -2,32 +2,29 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/bytes.h"
 #include "base/time.h"
-#include "bus/exchangerecord.h"
+#include "bus/chain.h"
+#include "bus/engineconfig.h"
+#include "bus/exchangerecorder.h"
+#include "bus/holdtask.h"
+#include "bus/line.h"
+#include "bus/operationtask.h"
+#include "bus/owedstops.h"
+#include "bus/polltask.h"
+#include "bus/ratetask.h"
+#include "bus/recovery.h"
+#include "bus/restartsearch.h"
+#include "bus/searchtask.h"
+#include "bus/stoptask.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
-
-struct EngineConfig {
-    /// Nominal rate to run at, one of kBaudRows. Discovery always begins at 19 200.
-    std::uint32_t baud = 19'200;
-    /// What the adapter adds to every reply (link.md 2.1).
-    Duration adapterLatency = std::chrono::milliseconds(4);
-    /// Scheduling margin of this machine (link.md 2.1).
-    Duration margin = std::chrono::milliseconds(10);
-    /// Wait after a Hard Reset: longer than any module's dead time seen in the field (protocol.md 1).
-    Duration resetWait = std::chrono::milliseconds(25);
-    /// Held motion ends this long after the last hold().
-    Duration holdTimeout = std::chrono::milliseconds(250);
-    /// Nothing but No Operation and Read Status is sent, and stops that somebody asks for: a chain that is
-    /// there is attached to, and left to whoever runs it.
-    bool readOnly = false;
-};
 
 /// The master of the bus: one exchange in flight; stops before commands before polls.
 ///
@@ -37,9 +34,8 @@ struct EngineConfig {
 class Engine {
 public:
     explicit Engine(EngineConfig config);
-    ~Engine();
-    Engine(Engine&&) noexcept;
-    Engine& operator=(Engine&&) noexcept;
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
 
     /// Finds the chain: one that has its addresses, at any rate, is left as it is (ChainFound::attached;
     /// nulls and No Operation only, until it is found); a fresh one is given addresses and the configured
@@ -54,7 +50,7 @@ public:
 
     /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
     /// came of it is what each member shows; only if all groups are known.
-    void submit(GroupOperation operation, TimePoint now);
+    void submit(const GroupOperation& operation, TimePoint now);
 
     /// Takes the chain to another rate of kBaudRows; positions, gains and loads stay. Refused while anything
     /// moves; when a module does not follow, all go back. Ends in RateChanged or RateChangeFailed.
@@ -89,26 +85,96 @@ public:
     void onDeadline(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
 
-    [[nodiscard]] std::vector<Output> takeOutput();
-    [[nodiscard]] std::vector<Event> takeEvents();
-    [[nodiscard]] const LinkStatistics& statistics() const;
+    [[nodiscard]] std::vector<Output> takeOutput() { return m_line.takeOutput(); }
+    [[nodiscard]] std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
+    [[nodiscard]] const LinkStatistics& statistics() const { return m_line.statistics(); }
     /// Modules a stop would reach now: those that answer.
-    [[nodiscard]] std::size_t stopReach() const;
+    [[nodiscard]] std::size_t stopReach() const { return m_chain.schedule().answering(); }
     /// Some motor moves, or may.
-    [[nodiscard]] bool anythingMoves() const;
+    [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves(); }
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
     /// 2.6); empty when nothing is on. Changes only with a command or a status.
-    [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+    [[nodiscard]] std::vector<std::uint8_t> stopBurst() const { return m_chain.stopBurst(); }
+    /// The rate at which that has to go out: the port may be at another one while the chain is looked for.
+    [[nodiscard]] std::uint32_t stopBurstRate() const { return m_chain.rate(); }
     /// The same when it has changed since this was asked for the last time; cheap otherwise. Empty at first.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.
-    void setRecording(bool on);
-    [[nodiscard]] std::vector<ExchangeRecord> takeRecords();
+    void setRecording(bool on) { m_recorder.set(on); }
+    [[nodiscard]] std::vector<ExchangeRecord> takeRecords() { return m_recorder.take(); }
 
 private:
-    class Private;
-    std::unique_ptr<Private> d;
+    /// An exchange that is on the wire, or about to be repeated.
+    struct Work {
+        Ask ask;
+        Task* task = nullptr;  ///< none when nobody waits for its end any more
+        std::uint8_t refusals = 0;
+        std::optional<Belief> before{};  ///< to put back when it is refused
+        TimePoint sent{};
+    };
+
+    void begin(Discovery::Start start, TimePoint now);
+    [[nodiscard]] bool accepting() const { return m_connected && !m_search.active() && !m_stop.active(); }
+
+    // ---- what is next ----
+    void proceed(TimePoint now);
+    [[nodiscard]] bool dispatch(TimePoint now);
+    enum class Turn : std::uint8_t {
+        Nobody,  ///< wants the line, so far
+        Waits,   ///< somebody does, once it is quite free
+        Taken
+    };
+    [[nodiscard]] Turn take(Task& task, TimePoint now);
+    [[nodiscard]] Turn repeat(bool atOnce, TimePoint now);
+    void send(Work work, TimePoint now);
+
+    // ---- what came of it ----
+    void takeEnds(TimePoint now);
+    void onEnd(ReplyEnd end, TimePoint now);
+    [[nodiscard]] std::optional<Rejection> examine(const Ask& ask, ReplyEnd& end);
+    void count(const ReplyEnd& end, std::optional<Rejection> rejection);
+    void noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now);
+    [[nodiscard]] bool repeats(Work& work, const ReplyEnd& end);
+    void deliver(const Work& work, const ReplyEnd& end, TimePoint now);
+    void learn(const Work& work, const ReplyEnd& end);
+    void publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted);
+
+    // ---- what follows for all tasks ----
+    void takeFindings(TimePoint now);
+    void onSearchEnded(SearchTask::Ended ended, TimePoint now);
+    void adopt(const ChainFound& found, const std::vector<Discovery::Heard>& heard);
+    void halt(ModuleIndex module, StopCause cause, StopManner manner);
+    void onLinkLost();
+    void giveUp(const Recovery::GivenUp& what, TimePoint now);
+    void goQuiet(TimePoint now);
+    void dropWork();
+    void interrupt(TimePoint now);
+
+    EngineConfig m_config;
+    std::vector<Event> m_events;
+    Line m_line;
+    ExchangeRecorder m_recorder{m_line};
+    Chain m_chain;
+    /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
+    /// nor once the link has been given up: then only stops go out.
+    bool m_connected = false;
+    std::vector<ModuleIndex> m_watched;
+    std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
+
+    Recovery m_recovery{m_chain, m_line, m_events};
+    StopTask m_stop{m_chain, m_recovery, m_line, m_events};
+    OwedStops m_owed{m_chain, m_recovery, m_line, m_events};
+    RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
+    SearchTask m_search{m_events};
+    RateTask m_rate{m_config, m_chain, m_events};
+    WayBack m_wayBack{m_rate, m_chain, m_stop, m_recovery, m_line};
+    HoldTask m_hold{m_config, m_chain, m_events};
+    OperationTask m_operations{m_chain, m_line, m_events};
+    PollTask m_polls{m_chain, m_recovery, m_restartSearch};
+    std::optional<Work> m_again;        ///< to be repeated
+    std::vector<std::uint8_t> m_burst;  ///< when somebody asked last
+    std::uint32_t m_burstRate = 0;      ///< the same
 };
 
 }  // namespace nmc::bus

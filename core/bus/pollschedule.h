@@ -64,6 +64,7 @@ public:
     void retire(ModuleIndex module) { at(module).retired = true; }
 
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }
+    [[nodiscard]] bool retired(ModuleIndex module) const { return m_modules[module.value()].retired; }
     [[nodiscard]] std::size_t answering() const;
     [[nodiscard]] bool allSilent() const { return !m_modules.empty() && answering() == 0; }
 

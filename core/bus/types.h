@@ -241,8 +241,14 @@ enum class StopCause : std::uint8_t {
     HoldExpired,
     MotionSuspect,
     GroupHalfStarted,
-    LinkGivenUp,  ///< of this module, or its motion is not known any more
+    LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
+    StopAll,      ///< a stop of all did not see it at rest
 };
+
+/// The operator wanted the motion to end, and may want it again before it has.
+[[nodiscard]] constexpr bool ofHold(StopCause cause) {
+    return cause == StopCause::HoldReleased || cause == StopCause::HoldExpired;
+}
 
 /// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
 /// has been told to stop, and no more than that is known.

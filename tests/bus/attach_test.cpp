@@ -31,7 +31,7 @@ public:
         EXPECT_FALSE(bus.last<ChainFound>()->attached);
         EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), Outcome::Done);
         bus.runFor(500ms);
-        bus.engine = Engine(EngineConfig{});
+        bus.newHost();
         bus.events.clear();
         bus.sent.clear();
     }
@@ -122,7 +122,7 @@ TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
     VirtualBus bus(servos(1), atRate(115'200));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
-    bus.engine = Engine(EngineConfig{});
+    bus.newHost();
     ASSERT_TRUE(bus.connect());
     EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Forbidden);
     bus.engine.stopAll(bus.now);
@@ -135,7 +135,7 @@ TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
 TEST(Attach, AllowsATrapezoidalMoveOfAServoThatIsSeenOff) {
     VirtualBus bus(servos(1), atRate(115'200));
     ASSERT_TRUE(bus.connect());
-    bus.engine = Engine(EngineConfig{});
+    bus.newHost();
     ASSERT_TRUE(bus.connect());
     EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Done);
 }
@@ -234,7 +234,7 @@ TEST(Attach, FindsAStepperWithoutMotorPower) {
         EXPECT_EQ(bus.last<ChainFound>()->modules[0].identity, kStepper);
         bus.runFor(2s);
         EXPECT_EQ(bus.engine.statistics().rejected, 0U);
-        bus.engine = Engine(EngineConfig{});
+        bus.newHost();
         ASSERT_TRUE(bus.connect()) << "left behind";
         EXPECT_EQ(bus.last<ChainFound>()->modules.size(), modules);
     }

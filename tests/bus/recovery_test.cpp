@@ -173,10 +173,14 @@ TEST(Recovery, StopsEverythingAndIsSilentOnceTheLinkIsLost) {
     ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<StopFinished>() > 0; }, 10s));
     EXPECT_GE(line.bus.sends("AA 01 17 05 1D", at), 1U) << "abrupt, amplifier kept";
     EXPECT_GE(line.bus.sends("AA 02 17 05 1E", at), 1U);
+    // The stops are owed until the motors are seen at rest.
+    EXPECT_EQ(line.bus.count<OwedStopConfirmed>(), 0U);
+    line.isBad = false;
+    line.bus.status = 0x09;  // move_done
+    ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<OwedStopConfirmed>() == 2; }, 2s));
     line.bus.runFor(100ms);
     const std::size_t after = line.bus.sent.size();
     const std::size_t events = line.bus.events.size();
-    line.isBad = false;
     line.bus.runFor(60s);
     EXPECT_EQ(line.bus.sent.size(), after) << "not one byte";
     EXPECT_EQ(line.bus.events.size(), events);

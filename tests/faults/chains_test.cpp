@@ -21,9 +21,9 @@ constexpr std::uint32_t kFast = 115'200;
 [[nodiscard]] bool leaveAt(FaultyBus& bus, std::uint32_t baud) {
     EngineConfig config;
     config.baud = baud;
-    bus.engine = Engine(config);
+    bus.newHost(config);
     const bool found = bus.restart();
-    bus.engine = Engine(EngineConfig{});
+    bus.newHost();
     bus.events.clear();
     return found;
 }
@@ -48,11 +48,11 @@ TEST(F23_WrongRateAtConnect, LeavesAMotionAlone) {
     FaultyBus bus(servos(2));
     EngineConfig config;
     config.baud = kFast;
-    bus.engine = Engine(config);
+    bus.newHost(config);
     ASSERT_TRUE(bus.connectAndEnable());
     ASSERT_EQ(bus.perform({loadVelocity(0, 65'536, true)}), Outcome::Done);
     bus.runFor(500ms);
-    bus.engine = Engine(EngineConfig{});
+    bus.newHost();
     const std::size_t from = bus.sent.size();
     EXPECT_TRUE(bus.connect());
     bus.expectOnlyQuestions(from);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "sim/faultspec.h"
 
@@ -12,9 +13,13 @@ using namespace std::chrono_literals;
 
 namespace {
 
-sim::ChainOptions withFaults(std::uint64_t seed) {
-    sim::ChainOptions options;
+sim::ChainOptions withFaults(sim::ChainOptions options) {
     options.enableFaults = true;
+    return options;
+}
+
+sim::ChainOptions ofSeed(std::uint64_t seed) {
+    sim::ChainOptions options;
     options.seed = seed;
     return options;
 }
@@ -28,10 +33,14 @@ bus::EngineConfig atRate(std::uint32_t baud) {
 }  // namespace
 
 FaultyBus::FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config, std::uint64_t seed)
-    : VirtualBus(modules, config, withFaults(seed)) {}
+    : FaultyBus(modules, config, ofSeed(seed)) {}
 
 FaultyBus::FaultyBus(const std::vector<ModuleIdentity>& modules, std::uint32_t baud, std::uint64_t seed)
     : FaultyBus(modules, atRate(baud), seed) {}
+
+FaultyBus::FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config,
+                     sim::ChainOptions options)
+    : VirtualBus(modules, config, withFaults(std::move(options))) {}
 
 void FaultyBus::fault(const std::string& line) {
     std::vector<std::string> words;

@@ -19,6 +19,9 @@ public:
     explicit FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config = {},
                        std::uint64_t seed = 1);
     FaultyBus(const std::vector<ModuleIdentity>& modules, std::uint32_t baud, std::uint64_t seed = 1);
+    /// As `options` say; faults are enabled whatever they say of them.
+    FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config,
+              sim::ChainOptions options);
 
     /// A line such as "bus drop cmd p=.01"; a test failure when the simulator refuses it.
     void fault(const std::string& line);

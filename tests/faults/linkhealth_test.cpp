@@ -56,7 +56,7 @@ TEST_F(LinkHealthOfOneModule, IsDoubtfulFromThirtyAndLostFromAHundred) {
     EXPECT_EQ(wrong, 14U);
 }
 
-TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndAsksItNoMore) {
+TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndAsksItNoMoreOnceThatIsConfirmed) {
     ASSERT_TRUE(reaches(LinkHealth::Lost));
     const std::size_t from = bus.sent.size();
     bus.runFor(5s);
@@ -67,7 +67,13 @@ TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndAsksItNoMore) {
         toIt += bus.sent[i].hex.starts_with("AA 02") ? 1U : 0U;
         toTheOther += bus.sent[i].hex.starts_with("AA 01") ? 1U : 0U;
     }
-    EXPECT_EQ(toIt, bus.sends("AA 02 17 05 1E", from)) << "nothing but stops";
+    // Two looks at it: it is told of as stopped only then.
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
+    EXPECT_LE(toIt, bus.sends("AA 02 17 05 1E", from) + 4) << "nothing but its stop and the looks at it";
+    const std::size_t later = bus.sent.size();
+    bus.runFor(5s);
+    for (std::size_t i = later; i < bus.sent.size(); ++i)
+        EXPECT_FALSE(bus.sent[i].hex.starts_with("AA 02")) << bus.sent[i].hex;
     EXPECT_GT(toTheOther, 100U);
 }
 

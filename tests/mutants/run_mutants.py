@@ -40,7 +40,7 @@ class Suite:
 
 
 SUITES = {
-    "engine": Suite("build", "OFF", ("bus_tests", "fault_tests")),
+    "engine": Suite("build", "OFF", ("bus_tests", "fault_tests", "session_tests")),
     "link": Suite("build-link", "ON", ("link_tests",), ("nmcsim",), "F27*"),
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,12 @@ public:
     std::function<unsigned(std::uint8_t& byte)> onHostByte;
     /// Called whenever time has passed, before the engine hears of it.
     std::function<void()> onTime;
+
+    /// Another program takes the place of the one before, which ended without a word: nothing is known any more.
+    void newHost(bus::EngineConfig config = {}) {
+        std::destroy_at(&engine);
+        std::construct_at(&engine, config);
+    }
 
     void runFor(Duration time) { run(now + time); }
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "bus/chain.h"
+
+#include <algorithm>
+
+#include "bus/commandlane.h"
+#include "bus/retrypolicy.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// A stop wants to be seen through at every module. Stop Here is a step of a motor that goes on being looked
+/// at.
+[[nodiscard]] bool endsFocus(const ModuleCommand& command) {
+    if (const auto* servo = std::get_if<ServoCommand>(&command)) {
+        const auto* stop = std::get_if<servo::StopMotor>(servo);
+        return stop != nullptr && stop->manner != servo::StopManner::Here &&
+               stop->manner != servo::StopManner::AmplifierOnly;
+    }
+    return std::holds_alternative<step::StopMotor>(std::get<StepCommand>(command));
+}
+
+}  // namespace
+
+Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate)
+    : m_rate(rate), m_schedule(modules.size()) {
+    for (const ModuleInfo& info : modules)
+        m_modules.emplace_back(info);
+}
+
+bool Chain::anythingMoves() const {
+    return std::any_of(m_modules.begin(), m_modules.end(),
+                       [](const Module& module) { return module.belief.moving(); });
+}
+
+bool Chain::anyRestarted() const {
+    return std::any_of(m_modules.begin(), m_modules.end(),
+                       [](const Module& module) { return module.belief.restarted(); });
+}
+
+void Chain::forgetStates() {
+    for (Module& module : m_modules) {
+        const auto owed = module.owed;
+        module = Module(module.belief.info());
+        module.belief.forgetItems();
+        if (owed)
+            module.owed = OwedStop{StopTarget(module.belief), owed->cause};
+    }
+}
+
+Ask Chain::command(Purpose purpose, const Step& step) const {
+    const Belief& module = belief(step.module);
+    const Payload payload = payloadOf(step.command);
+    const RetryRule rule = retryRule(payload);
+    Ask ask;
+    ask.purpose = purpose;
+    ask.module = step.module;
+    ask.request = {module.info().address, payload, layoutOf(module, payload)};
+    ask.command = step.command;
+    ask.silentRepeats = rule.silentRepeats;
+    ask.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
+    ask.refusedAttempts = rule.refusedAttempts;
+    return ask;
+}
+
+Ask Chain::status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const {
+    if (items)
+        return command(purpose, {module, ServoCommand(ReadStatus{*items})});
+    if (!belief(module).items())
+        return command(purpose, {module, ServoCommand(DefineStatus{kStandingItems})});
+    return command(purpose, {module, ServoCommand(Nop{})});
+}
+
+Ask Chain::look(Purpose purpose, ModuleIndex module) const {
+    const bool known = belief(module).items().has_value();
+    return status(purpose, module, known ? std::optional(belief(module).otherItems()) : std::nullopt);
+}
+
+ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const {
+    const ModuleType type = module.info().identity.type;
+    if (payload.code == CommandCode::ReadStatus || payload.code == CommandCode::DefineStatus)
+        return {type, StatusItems(payload.data[0])};
+    return {type, module.items().value_or(kStandingItems)};
+}
+
+void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
+    Module& module = at(index);
+    module.belief.onSent(command, latched);
+    module.plausibility.onSent(command, latched);
+    module.watch.onSent(command);
+    if (mayStartMotion(payloadOf(command)))
+        module.trust.expectMotion();
+    if (endsFocus(command))
+        m_schedule.unfocus();
+}
+
+void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
+    Module& module = at(index);
+    if (module.belief.restarted())
+        return;  // off by itself, and without an address
+    const StopCause first = module.owed ? module.owed->cause : cause;
+    module.owed = OwedStop{StopTarget(module.belief, manner), first};
+}
+
+std::vector<Step> Chain::stops() const {
+    std::vector<Step> stops;
+    for (const Module& module : m_modules)
+        if (const auto stop = stopFor(module.belief))
+            stops.push_back({module.belief.info().index, *stop});
+    return stops;
+}
+
+std::vector<std::uint8_t> Chain::stopBurst() const {
+    std::vector<std::uint8_t> burst;
+    const auto pause = static_cast<std::size_t>(kTurnaround / byteTimeAtBaud(m_rate)) + 1;
+    for (const Step& stop : stops()) {
+        if (burst.empty())
+            burst.assign(kNullCount, 0);
+        const PacketBytes packet = toPacket({belief(stop.module).info().address, payloadOf(stop.command)});
+        burst.insert(burst.end(), packet.begin(), packet.end());
+        // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
+        // it was carried out takes its place (DS-V 4.1).
+        burst.insert(burst.end(), pause, 0);
+    }
+    return burst;
+}
+
+Line::Script Chain::stopScript(const std::vector<Step>& stops) const {
+    Line::Script script;
+    if (stops.empty())
+        return script;
+    const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
+    // Only where the groups are known: those that another host left behind may have a leader, or be others.
+    // And only where all answer: one that restarted unseen is off, and would be switched on.
+    const auto everybody = [&](const Step& s) {
+        return belief(s.module).info().group == GroupPlace{} && answers(s.module);
+    };
+    const bool all = stops.size() > 1 && stops.size() == m_modules.size() &&
+                     std::all_of(stops.begin(), stops.end(), same) &&
+                     std::all_of(stops.begin(), stops.end(), everybody);
+    for (const Step& step : stops) {
+        const Payload payload = payloadOf(step.command);
+        if (all) {
+            // Every module is a member of group FF, which has no leader: nobody answers.
+            script.insert(script.end(), {Line::Packet{toPacket({kEverybody, payload})}, Line::Gap{}});
+            break;
+        }
+        const std::size_t reply = layoutOf(belief(step.module), payload).length();
+        script.insert(
+            script.end(),
+            {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply},
+             Line::Pause{kTurnaround + byteTimeAtBaud(m_rate) * static_cast<Duration::rep>(reply)}});
+    }
+    return script;
+}
+
+}  // namespace nmc::bus

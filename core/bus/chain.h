@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "bus/belief.h"
+#include "bus/health.h"
+#include "bus/line.h"
+#include "bus/motionwatch.h"
+#include "bus/plausibility.h"
+#include "bus/pollschedule.h"
+#include "bus/stoptarget.h"
+#include "bus/task.h"
+#include "bus/trust.h"
+
+namespace nmc::bus {
+
+/// A stop that somebody owes to one module (the end of a hold, a motion that strays, a stop of all that was
+/// not confirmed): repeated while the port is open, ended by a confirmation only. OwedStops sends.
+struct OwedStop {
+    StopTarget target;
+    StopCause cause;
+    TimePoint due{};     ///< of the next question; at once at first
+    unsigned looks = 0;  ///< at a motor that went on moving
+};
+
+/// The chain that was found last: its modules, and all that is believed of each. Kept while another one is
+/// looked for, since a stop must reach somebody. The one owner of that state; tasks read it and tell it what
+/// they send. Pure.
+class Chain {
+public:
+    struct Module {
+        explicit Module(const ModuleInfo& info)
+            : belief(info), plausibility(info.identity), trust(info.identity.type) {}
+        Belief belief;
+        Plausibility plausibility;
+        Trust trust;
+        MotionWatch watch;
+        Health health;
+        std::optional<OwedStop> owed{};
+    };
+
+    Chain() = default;
+    Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate);
+
+    [[nodiscard]] bool empty() const { return m_modules.empty(); }
+    [[nodiscard]] std::size_t size() const { return m_modules.size(); }
+    [[nodiscard]] bool has(ModuleIndex module) const { return module.value() < m_modules.size(); }
+    [[nodiscard]] const std::vector<Module>& modules() const { return m_modules; }
+    [[nodiscard]] std::vector<Module>& modules() { return m_modules; }
+    [[nodiscard]] Module& at(ModuleIndex module) { return m_modules[module.value()]; }
+    [[nodiscard]] const Module& at(ModuleIndex module) const { return m_modules[module.value()]; }
+    [[nodiscard]] const Belief& belief(ModuleIndex module) const { return at(module).belief; }
+
+    /// Nominal rate at which its modules listen.
+    [[nodiscard]] std::uint32_t rate() const { return m_rate; }
+    void setRate(std::uint32_t rate) { m_rate = rate; }
+
+    [[nodiscard]] PollSchedule& schedule() { return m_schedule; }
+    [[nodiscard]] const PollSchedule& schedule() const { return m_schedule; }
+    [[nodiscard]] bool answers(ModuleIndex module) const { return !m_schedule.silent(module); }
+    [[nodiscard]] bool anythingMoves() const;
+    [[nodiscard]] bool anyRestarted() const;
+    /// Its addresses are given anew: whoever answers there may be what it was, or has just been reset and is
+    /// off, and a stop would switch it on. So each is looked at before it is told anything.
+    void forgetStates();
+
+    /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status
+    /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question.
+    [[nodiscard]] Ask command(Purpose purpose, const Step& step) const;
+    [[nodiscard]] Ask status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const;
+    /// A status that is newer than whatever was sent, of another length than the last one, so that two of
+    /// them permit; or first of all a known length.
+    [[nodiscard]] Ask look(Purpose purpose, ModuleIndex module) const;
+    [[nodiscard]] ReplyLayout layoutOf(const Belief& belief, const Payload& payload) const;
+
+    /// The command goes out, and will be latched then: all that watch the module must reckon with it.
+    void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
+
+    /// Owes the module a stop, from now on. The cause of one that is owed already stays.
+    void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
+
+    /// What would have to be told to whom for nothing to move any more.
+    [[nodiscard]] std::vector<Step> stops() const;
+    /// The same as bytes that need no answer, nulls first, one byte taking `byteTime`; empty when nothing is
+    /// on.
+    [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+    /// Packets with these stops, one to all where that is the same, and the pauses after them.
+    [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
+
+private:
+    std::vector<Module> m_modules;
+    std::uint32_t m_rate = kPowerUpBaud;
+    PollSchedule m_schedule;
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "base/time.h"
+
+namespace nmc::bus {
+
+struct EngineConfig {
+    /// Nominal rate to run at, one of kBaudRows. Discovery always begins at 19 200.
+    std::uint32_t baud = 19'200;
+    /// What the adapter adds to every reply (link.md 2.1).
+    Duration adapterLatency = std::chrono::milliseconds(4);
+    /// Scheduling margin of this machine (link.md 2.1).
+    Duration margin = std::chrono::milliseconds(10);
+    /// Wait after a Hard Reset: longer than any module's dead time seen in the field (protocol.md 1).
+    Duration resetWait = std::chrono::milliseconds(25);
+    /// Held motion ends this long after the last hold().
+    Duration holdTimeout = std::chrono::milliseconds(250);
+    /// Nothing but No Operation and Read Status is sent, and stops that somebody asks for: a chain that is
+    /// there is attached to, and left to whoever runs it.
+    bool readOnly = false;
+};
+
+}  // namespace nmc::bus

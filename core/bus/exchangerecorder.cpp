@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "bus/exchangerecorder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc::bus {
+
+namespace {
+
+[[nodiscard]] ExchangeEnd endFor(ReplyResult result) {
+    switch (result) {
+        case ReplyResult::Accepted:
+            return ExchangeEnd::Accepted;
+        case ReplyResult::Refused:
+            return ExchangeEnd::Refused;
+        case ReplyResult::Silent:
+            return ExchangeEnd::Silent;
+        case ReplyResult::Partial:
+            return ExchangeEnd::Partial;
+        case ReplyResult::BadChecksum:
+            return ExchangeEnd::BadChecksum;
+        case ReplyResult::Surplus:
+        case ReplyResult::Rejected:
+            break;
+    }
+    return ExchangeEnd::Rejected;
+}
+
+[[nodiscard]] bool nullsOnly(const std::vector<std::uint8_t>& bytes) {
+    return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
+}
+
+}  // namespace
+
+void ExchangeRecorder::set(bool on) {
+    m_on = on;
+    m_line.setRecording(on);
+    if (on)
+        return;
+    m_records.clear();
+    m_recorded = 0;
+}
+
+void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, std::optional<Rejection> rejection) {
+    add(ask, end, endFor(end.result), end.result == ReplyResult::Surplus ? Rejection::Surplus : rejection);
+}
+
+void ExchangeRecorder::addAbandoned(const Ask& ask, TimePoint sent, TimePoint now) {
+    ReplyEnd end;
+    end.sent = sent;
+    end.arrived = now;
+    add(ask, end, ExchangeEnd::Abandoned, std::nullopt);
+}
+
+void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how,
+                           std::optional<Rejection> rejection) {
+    if (!m_on)
+        return;
+    addUnanswered(ask.purpose);
+    const PacketBytes packet = toPacket({ask.request.address, ask.request.payload});
+    ExchangeRecord entry;
+    entry.number = ++m_recorded;
+    entry.sent = end.sent;
+    entry.ended = end.arrived;
+    entry.purpose = ask.purpose;
+    entry.baud = m_line.baud();
+    entry.module = ask.module;
+    entry.command.assign(packet.begin(), packet.end());
+    entry.reply.assign(end.bytes.begin(), end.bytes.end());
+    entry.layout = ask.request.reply;
+    entry.end = how;
+    entry.rejection = rejection;
+    m_records.push_back(std::move(entry));
+}
+
+void ExchangeRecorder::addUnanswered(Purpose purpose) {
+    if (!m_on)
+        return;
+    for (Line::Unanswered& sent : m_line.takeUnanswered()) {
+        ExchangeRecord entry;
+        entry.number = ++m_recorded;
+        entry.sent = entry.ended = sent.sent;
+        entry.purpose = purpose == Purpose::Connect ? purpose
+                        : nullsOnly(sent.bytes)     ? Purpose::Flush
+                                                    : purpose;
+        entry.baud = m_line.baud();
+        entry.command = std::move(sent.bytes);
+        entry.end = ExchangeEnd::NotAsked;
+        m_records.push_back(std::move(entry));
+    }
+}
+
+std::vector<ExchangeRecord> ExchangeRecorder::take() {
+    return std::exchange(m_records, {});
+}
+
+}  // namespace nmc::bus

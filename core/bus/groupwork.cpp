@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "bus/groupwork.h"
+
+#include <algorithm>
+
+#include "bus/discovery.h"
+
+namespace nmc::bus {
+
+namespace {
+
+constexpr std::uint8_t kFirstGroup = 0x80;
+
+/// Asked at the address of the group, whose leader answers.
+[[nodiscard]] bool toGroup(const Ask& ask) {
+    return ask.request.address.value() >= kFirstGroup;
+}
+
+}  // namespace
+
+std::optional<Next> GroupWork::next(TimePoint now) {
+    const GroupOperation& operation = *m_commands.group();
+    if (m_run)
+        return lookAtMembers(now);
+    if (const auto* command = std::get_if<GroupCommand>(&operation.what))
+        return tryCommand(*command, now);
+    if (m_commands.planned())
+        return std::nullopt;
+    if (const auto obstacle = planChange(std::get<GroupChange>(operation.what)))
+        m_events.emplace_back(
+            m_commands.finishGroup(Outcome::Forbidden, {{*obstacle, MemberOutcome::Withheld}}));
+    return Again{};
+}
+
+/// Gives the change its steps: first the old leader becomes a member, so that there are never two. Or whom it
+/// fails for.
+std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
+    if (!reachable(change.module) || change.place.group < kFirstGroup)
+        return change.module;
+    // Group FF is everybody's: its stops and rates must not be answered.
+    if (change.place.leader && BusAddress(change.place.group) == kEverybody)
+        return change.module;
+    const auto stepTo = [&](ModuleIndex module, GroupPlace place) {
+        const SetAddress set{m_chain.belief(module).info().address, BusAddress(place.group), place.leader};
+        const bool stepper = m_chain.belief(module).info().identity.type == ModuleType::Step;
+        return stepper ? Step{module, StepCommand(set)} : Step{module, ServoCommand(set)};
+    };
+    std::vector<Step> steps;
+    for (const Chain::Module& other : m_chain.modules()) {
+        const ModuleInfo& info = other.belief.info();
+        if (!change.place.leader || info.index == change.module)
+            continue;
+        // It may lead that group.
+        if (!info.group)
+            return info.index;
+        if (!info.group->leader || info.group->group != change.place.group)
+            continue;
+        if (!reachable(info.index))
+            return info.index;
+        steps.push_back(stepTo(info.index, {info.group->group, false}));
+    }
+    steps.push_back(stepTo(change.module, change.place));
+    m_commands.plan(std::move(steps));
+    return std::nullopt;
+}
+
+bool GroupWork::reachable(ModuleIndex module) const {
+    return m_chain.has(module) && knownType(m_chain.belief(module).info().identity.type) &&
+           !m_chain.belief(module).restarted() && m_chain.answers(module);
+}
+
+/// Whether the command may go to the group, and whom it hangs on if it may not.
+GroupWork::Judged GroupWork::judgeGroup(const GroupCommand& command) const {
+    Judged worst{Verdict::Allowed, {}};
+    bool anybody = false;
+    for (const Chain::Module& module : m_chain.modules()) {
+        const ModuleInfo& info = module.belief.info();
+        const bool everybody = BusAddress(command.group) == kEverybody;
+        // It may be a member; and one that restarted unseen is in group FF.
+        if (!info.group || (everybody && !m_chain.answers(info.index)))
+            return {Verdict::Never, info.index};
+        if (info.group->group != command.group)
+            continue;
+        anybody = true;
+        if (!reachable(info.index))
+            return {Verdict::Never, info.index};
+        Verdict verdict = judge(module.belief, commandFor(command.action, info.identity.type));
+        if (verdict == Verdict::Never)
+            return {verdict, info.index};
+        if (verdict == Verdict::InMotion && module.belief.looksSince(m_commands.stepBegan()) < 2)
+            verdict = Verdict::NeedsStatus;
+        if (verdict == Verdict::Allowed && !module.belief.items())
+            verdict = Verdict::NeedsStatus;
+        if (verdict == Verdict::NeedsStatus || (verdict == Verdict::InMotion && !worst.module))
+            worst = {verdict, info.index};
+    }
+    return anybody ? worst : Judged{Verdict::Never, {}};
+}
+
+Next GroupWork::tryCommand(const GroupCommand& command, TimePoint now) {
+    m_commands.beginStep(now);
+    const Judged judged = judgeGroup(command);
+    switch (judged.verdict) {
+        case Verdict::Allowed:
+            return send(command, now);
+        case Verdict::NeedsStatus:
+            return m_chain.look(Purpose::Check, *judged.module);
+        case Verdict::InMotion:
+        case Verdict::Never:
+            break;
+    }
+    std::vector<GroupMember> withheld;
+    if (judged.module)
+        withheld.push_back({*judged.module, MemberOutcome::Withheld});
+    m_events.emplace_back(m_commands.finishGroup(Outcome::Forbidden, std::move(withheld)));
+    return Again{};
+}
+
+/// Once. Every member counts as having heard it until it shows the contrary.
+Next GroupWork::send(const GroupCommand& command, TimePoint now) {
+    const Payload payload = payloadOf(commandFor(command.action, ModuleType::Servo));
+    const BusAddress group(command.group);
+    const PacketBytes packet = toPacket({group, payload});
+    const TimePoint latched = m_line.latchTime(packet.size(), now);
+    std::vector<Belief> members;
+    std::optional<ModuleIndex> leader;
+    for (const Chain::Module& module : m_chain.modules()) {
+        const ModuleInfo& info = module.belief.info();
+        if (info.group->group != command.group)
+            continue;
+        members.push_back(module.belief);
+        if (info.group->leader)
+            leader = info.index;
+    }
+    m_run.emplace(command, members, latched);
+    for (const Belief& member : members) {
+        const ModuleIndex index = member.info().index;
+        if (index != leader)
+            m_chain.tell(index, commandFor(command.action, member.info().identity.type), latched);
+    }
+    if (!leader)
+        return Line::Script{Line::Packet{packet}, Line::Pause{kTurnaround}};
+    Ask ask =
+        m_chain.command(Purpose::Operation,
+                        {*leader, commandFor(command.action, m_chain.belief(*leader).info().identity.type)});
+    ask.request.address = group;
+    ask.reported = true;
+    ask.silentRepeats = 0;
+    ask.refusedAttempts = 1;
+    return ask;
+}
+
+Next GroupWork::lookAtMembers(TimePoint now) {
+    while (const auto module = m_run->next(now)) {
+        if (m_chain.answers(*module))
+            return m_chain.look(Purpose::Check, *module);
+        m_run->onSilence(*module);
+    }
+    finish();
+    return Again{};
+}
+
+/// Before what it says is shown: the calculated command position goes by it.
+void GroupWork::onAnswer(const Ask& ask, const ReplyEnd& end) {
+    if (!m_run || toGroup(ask) || !m_run->onLook(*ask.module, end.report, end.latched))
+        return;
+    const auto& command = std::get<GroupCommand>(m_commands.group()->what);
+    Belief& belief = m_chain.at(*ask.module).belief;
+    const ModuleCommand carriedOut = commandFor(command.action, belief.info().identity.type);
+    belief.onExecuted(carriedOut);
+    m_events.emplace_back(CommandExecuted{*ask.module, m_run->latched(), carriedOut});
+}
+
+bool GroupWork::onEnd(const Ask& ask, const ReplyEnd& end) {
+    if (!m_run)
+        return false;
+    if (toGroup(ask))
+        m_run->onLeader(*ask.module, end.result);
+    else if (end.result != ReplyResult::Accepted)
+        m_run->onSilence(*ask.module);
+    return true;
+}
+
+void GroupWork::tellUnknown() {
+    if (m_commands.group() == nullptr || !m_commands.planned())
+        return;
+    const ModuleIndex module = m_commands.step().module;
+    if (!m_chain.belief(module).info().group)
+        m_events.emplace_back(GroupChanged{module, std::nullopt});
+}
+
+void GroupWork::finish() {
+    const GroupRun run = *std::exchange(m_run, std::nullopt);
+    const std::vector<GroupMember> members = run.members();
+    const bool all = std::all_of(members.begin(), members.end(), [](const GroupMember& member) {
+        return member.outcome == MemberOutcome::Done;
+    });
+    for (const GroupMember& member : members)
+        if (member.outcome == MemberOutcome::NotDone)
+            m_chain.at(member.module).belief.onNotExecuted(run.before(member.module));
+    GroupFinished event = m_commands.finishGroup(all ? Outcome::Done : Outcome::NoAnswer, members);
+    // Half a group in motion is what it was made to prevent (faults.md M-27).
+    event.stopped = run.partly();
+    m_events.emplace_back(std::move(event));
+    if (run.partly())
+        m_halfStarted = members;
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "bus/holdtask.h"
+
+#include "bus/gate.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// Refused starts in a row until nobody knows any more whether it moves as wanted.
+constexpr unsigned kAttempts = 3;
+
+/// With acceleration 0 a PIC-SERVO cannot slow down (link.md 2.6).
+[[nodiscard]] StopManner mannerFor(const HoldToMove& held) {
+    return held.pace || held.acceleration.value() != 0 ? StopManner::Smoothly : StopManner::Abruptly;
+}
+
+}  // namespace
+
+void HoldTask::hold(const HoldToMove& hold, TimePoint now) {
+    if (m_lane.over(hold.press))
+        return;
+    if (m_lane.wanted() && m_lane.wanted()->module != hold.module)
+        release();
+    m_lane.hold(hold, now);
+}
+
+void HoldTask::end(StopCause cause) {
+    m_refusals = 0;
+    if (const auto told = m_lane.release(); told && m_chain.has(told->module))
+        m_chain.owe(told->module, cause, mannerFor(*told));
+}
+
+bool HoldTask::expire(TimePoint now) {
+    if (!m_lane.expired(now))
+        return false;
+    // Nothing had been started if there is nothing to stop.
+    if (m_lane.told())
+        m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
+    end(StopCause::HoldExpired);
+    return true;
+}
+
+void HoldTask::clear() {
+    m_refusals = 0;
+    m_lane.clear();
+}
+
+bool HoldTask::wants(TimePoint /*now*/) const {
+    return m_lane.start().has_value();
+}
+
+Next HoldTask::next(TimePoint /*now*/) {
+    const Step start = *m_lane.start();
+    const Belief& module = m_chain.belief(start.module);
+    if (!module.fresh() || !module.items())
+        return m_chain.look(Purpose::Hold, start.module);
+    auto& owed = m_chain.at(start.module).owed;
+    // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
+    if (owed && (!ofHold(owed->cause) || owed->target.stopOwed()))
+        return Idle{};
+    // Load Trajectory would switch a servo on: that is never the hold's business.
+    const bool allowed = module.on() && judge(module, start.command) == Verdict::Allowed;
+    if (!allowed) {
+        giveUp();
+        return Again{};
+    }
+    owed.reset();  // the operator wants it to move again
+    m_toldBefore = m_lane.told();
+    m_lane.onStartSent();
+    Ask ask = m_chain.command(Purpose::Hold, start);
+    ask.reported = true;
+    // Asked anew instead: what is wanted may have changed by the next time.
+    ask.silentRepeats = 0;
+    ask.refusedAttempts = 1;
+    return ask;
+}
+
+/// The operator still holds, and has to be told that it is over.
+void HoldTask::giveUp() {
+    if (m_lane.wanted())
+        m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
+    end(StopCause::HoldExpired);
+}
+
+Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
+    if (!ask.reported) {
+        if (end.result != ReplyResult::Accepted)
+            giveUp();  // unknown: nothing is started, and what was is stopped
+        return {};
+    }
+    if (end.result == ReplyResult::Accepted) {
+        m_refusals = 0;
+        return {};
+    }
+    if (end.result == ReplyResult::Refused) {
+        m_lane.onStartRefused(m_toldBefore);
+        if (++m_refusals < kAttempts)
+            return {};
+    }
+    giveUp();  // nobody knows whether it moves as wanted
+    return {};
+}
+
+}  // namespace nmc::bus

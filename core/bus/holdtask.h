@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bus/chain.h"
+#include "bus/engineconfig.h"
+#include "bus/holdlane.h"
+#include "bus/task.h"
+
+namespace nmc::bus {
+
+/// Held motion: starts and changes it while the evidence comes, and owes its module a stop as soon as it does
+/// not.
+class HoldTask : public Task {
+public:
+    HoldTask(const EngineConfig& config, Chain& chain, std::vector<Event>& events)
+        : m_chain(chain), m_events(events), m_lane(config.holdTimeout) {}
+
+    /// Nothing when that press is over.
+    void hold(const HoldToMove& hold, TimePoint now);
+    /// It cannot be had now.
+    void refuse(const HoldToMove& hold) { m_lane.refuse(hold); }
+    void release() { end(StopCause::HoldReleased); }
+    /// Ends a hold whose evidence stopped coming. True when one did.
+    bool expire(TimePoint now);
+    /// When that would be.
+    [[nodiscard]] std::optional<TimePoint> expiry() const { return m_lane.deadline(); }
+    /// Somebody else stops the motor.
+    void clear();
+    [[nodiscard]] bool active() const { return m_lane.wanted().has_value(); }
+
+    [[nodiscard]] bool wants(TimePoint now) const override;
+    [[nodiscard]] bool pipelines() const override { return true; }
+    [[nodiscard]] Next next(TimePoint now) override;
+    Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
+
+private:
+    void end(StopCause cause);
+    void giveUp();
+
+    Chain& m_chain;
+    std::vector<Event>& m_events;
+    HoldLane m_lane;
+    std::optional<HoldToMove>
+        m_toldBefore;         ///< the start that is on its way, to go back to when it is refused
+    unsigned m_refusals = 0;  ///< in a row
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "bus/operationtask.h"
+
+#include <utility>
+
+#include "bus/gate.h"
+#include "bus/retrypolicy.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// How often a command is repeated that was provably not carried out.
+constexpr unsigned kRepeatsAfterLook = 2;
+
+[[nodiscard]] bool isStart(const Ask& ask) {
+    return ask.request.payload.code == CommandCode::StartMotion;
+}
+
+}  // namespace
+
+void OperationTask::cancel() {
+    for (Event& event : m_commands.cancelAll())
+        m_events.emplace_back(std::move(event));
+    m_verification.reset();
+    m_group.cancel();
+}
+
+Next OperationTask::next(TimePoint now) {
+    if (m_verification)
+        return verifyStep();
+    if (m_commands.group() != nullptr)
+        if (auto next = m_group.next(now))
+            return std::move(*next);
+    m_commands.beginStep(now);
+    const Step& step = m_commands.step();
+    const bool known = m_chain.has(step.module);
+    const bool change = m_commands.group() != nullptr;  // judged when it was planned
+    Verdict verdict = !known   ? Verdict::Never
+                      : change ? Verdict::Allowed
+                               : judge(m_chain.belief(step.module), step.command);
+    // What forbids may be over by now: two more looks before saying no, since one is not enough to permit.
+    if (verdict == Verdict::InMotion && m_chain.belief(step.module).looksSince(m_commands.stepBegan()) < 2)
+        verdict = Verdict::NeedsStatus;
+    const bool lengthUnknown = known && !m_chain.belief(step.module).items();
+    if (verdict == Verdict::Allowed && lengthUnknown)
+        verdict = Verdict::NeedsStatus;
+    switch (verdict) {
+        case Verdict::Allowed:
+            return send();
+        case Verdict::NeedsStatus:
+            return look(step.module);
+        case Verdict::InMotion:
+        case Verdict::Never:
+            break;
+    }
+    m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
+    return Again{};
+}
+
+Next OperationTask::send() {
+    const Step& step = m_commands.step();
+    Ask ask = m_chain.command(Purpose::Operation, step);
+    auto& owed = m_chain.at(step.module).owed;
+    if (owed && mayStartMotion(ask.request.payload)) {
+        // A motion that strayed has to be seen at rest first.
+        if (!ofHold(owed->cause) || owed->target.stopOwed()) {
+            m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
+            return Again{};
+        }
+        owed.reset();  // the operator wants it to move again
+    }
+    ask.reported = true;
+    ask.retry = m_attempts > 0;
+    // To its own address again, and the challenge before has shown that it is there (link.md 2.3).
+    if (ask.request.payload.code == CommandCode::SetAddress)
+        ask.silentRepeats = 2;
+    if (isStart(ask)) {
+        // That a start was refused is the module's word alone; a second start would be worse than a look.
+        ask.refusedAttempts = 1;
+        ask.refusedBefore = static_cast<std::uint8_t>(m_attempts);
+    }
+    m_positionBefore = m_chain.belief(step.module).position();
+    return ask;
+}
+
+/// Was the command that nobody answered carried out? A look at the module tells, or it stays open.
+Next OperationTask::verifyStep() {
+    const Step& step = m_commands.step();
+    // Two looks: one is not enough to say that it stands still.
+    if (m_verification->looks < 2) {
+        ++m_verification->looks;
+        return look(step.module);
+    }
+    const Verification verification = *std::exchange(m_verification, std::nullopt);
+    Belief& belief = m_chain.at(step.module).belief;
+    switch (verify(step, belief, verification)) {
+        case Carried::Out:
+            belief.onExecuted(step.command);
+            m_events.emplace_back(
+                CommandExecuted{step.module, verification.end.latched, step.command, verification.end.late});
+            accept();
+            return Again{};
+        case Carried::NotOut:
+            if (verification.attempts < kRepeatsAfterLook) {
+                m_attempts = verification.attempts + 1;
+                return Again{};  // the gate looks at it again
+            }
+            break;
+        case Carried::Unknown:
+            break;
+    }
+    fail(verification.end);
+    return Again{};
+}
+
+void OperationTask::onAnswer(const Ask& ask, const ReplyEnd& end) {
+    m_group.onAnswer(ask, end);
+}
+
+Line::Script OperationTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
+    if (m_commands.empty() || m_group.onEnd(ask, end))
+        return {};
+    if (ask.reported)
+        onStepEnd(ask, end);
+    else if (end.result != ReplyResult::Accepted)
+        fail(end);
+    return {};
+}
+
+void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
+    if (end.result == ReplyResult::Accepted)
+        return accept();
+    const bool looks = end.result == ReplyResult::Refused ? isStart(ask) : canVerify(*ask.command);
+    if (looks && m_chain.answers(*ask.module)) {
+        m_verification = Verification{end, m_positionBefore, m_attempts};
+        return;
+    }
+    fail(end);
+}
+
+void OperationTask::accept() {
+    m_attempts = 0;
+    if (auto finished = m_commands.accepted())
+        m_events.emplace_back(std::move(*finished));
+}
+
+void OperationTask::fail(const ReplyEnd& end) {
+    m_attempts = 0;
+    m_verification.reset();
+    const bool refused = end.result == ReplyResult::Refused;
+    m_group.tellUnknown();
+    m_events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
+}
+
+}  // namespace nmc::bus

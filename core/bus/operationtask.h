@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bus/chain.h"
+#include "bus/commandlane.h"
+#include "bus/groupwork.h"
+#include "bus/task.h"
+#include "bus/verification.h"
+
+namespace nmc::bus {
+
+/// What the operator asks for, one operation after the other, step by step: each is judged by the command
+/// gate, sent, and looked at where its answer got lost (verification.h). Each ends in exactly one
+/// OperationFinished or GroupFinished.
+class OperationTask : public Task {
+public:
+    OperationTask(Chain& chain, const Line& line, std::vector<Event>& events)
+        : m_chain(chain), m_events(events), m_group(chain, line, m_commands, events) {}
+
+    /// False when there are too many; nothing was taken.
+    [[nodiscard]] bool submit(Operation operation) { return m_commands.submit(std::move(operation)); }
+    [[nodiscard]] bool submit(const GroupOperation& operation) { return m_commands.submit(operation); }
+    /// All that wait or run.
+    void cancel();
+    [[nodiscard]] bool empty() const { return m_commands.empty(); }
+    /// Half a group has started: its members have to be stopped. Once.
+    [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return m_group.takeHalfStarted(); }
+
+    [[nodiscard]] bool wants(TimePoint /*now*/) const override { return !m_commands.empty(); }
+    [[nodiscard]] bool pipelines() const override { return m_commands.group() == nullptr; }
+    [[nodiscard]] Next next(TimePoint now) override;
+    void onAnswer(const Ask& ask, const ReplyEnd& end) override;
+    Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
+
+private:
+    [[nodiscard]] Next send();
+    [[nodiscard]] Next look(ModuleIndex module) const { return m_chain.look(Purpose::Check, module); }
+    [[nodiscard]] Next verifyStep();
+    void onStepEnd(const Ask& ask, const ReplyEnd& end);
+    void accept();
+    void fail(const ReplyEnd& end);
+
+    Chain& m_chain;
+    std::vector<Event>& m_events;
+    CommandLane m_commands;
+    GroupWork m_group;
+    std::optional<Verification> m_verification;
+    std::optional<std::int32_t> m_positionBefore;  ///< of the step that is on its way
+    unsigned m_attempts = 0;                       ///< of the present step, after looks
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "bus/owedstops.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc::bus {
+
+namespace {
+
+/// A module that answers: again at once, as often; then the line needs its way back.
+constexpr unsigned kAtOnce = 3;
+constexpr Duration kAfterSilence = std::chrono::milliseconds(100);
+/// Between two looks at a motor that is slowing down; later on, at one that does not.
+constexpr Duration kBetweenLooks = std::chrono::milliseconds(20);
+constexpr Duration kBetweenLateLooks = std::chrono::milliseconds(250);
+constexpr unsigned kEarlyLooks = 100;
+/// Commands may still arrive where no answer does (faults.md F-11, F-19).
+constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
+
+}  // namespace
+
+void OwedStops::hurry(ModuleIndex module, TimePoint now) {
+    if (auto& owed = m_chain.at(module).owed)
+        owed->due = now;
+}
+
+bool OwedStops::untold() const {
+    return std::any_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
+        return module.owed && module.owed->target.stopOwed() && !blindly(module.belief.info().index);
+    });
+}
+
+std::optional<TimePoint> OwedStops::due() const {
+    std::optional<TimePoint> first;
+    for (const Chain::Module& module : m_chain.modules())
+        if (module.owed && (!first || module.owed->due < *first))
+            first = module.owed->due;
+    return first;
+}
+
+bool OwedStops::wants(TimePoint now) const {
+    const auto first = due();
+    return first && *first <= now;
+}
+
+bool OwedStops::blindly(ModuleIndex module) const {
+    // One that was given up for its errors is still asked: only that can confirm its stop.
+    const bool silent = !m_chain.answers(module) && !m_chain.schedule().retired(module);
+    return m_blind || m_line.baud() != m_chain.rate() || silent;
+}
+
+Next OwedStops::next(TimePoint now) {
+    Chain::Module* asked = nullptr;
+    for (Chain::Module& module : m_chain.modules()) {
+        if (!module.owed || module.owed->due > now)
+            continue;
+        if (blindly(module.belief.info().index))
+            return blindScript(now);
+        if (asked == nullptr || module.owed->due < asked->owed->due)
+            asked = &module;
+    }
+    if (asked == nullptr)
+        return Idle{};
+    if (auto nulls = m_recovery.flush())
+        return std::move(*nulls);
+    const StopTarget::Question question = asked->owed->target.next();
+    const ModuleIndex module = asked->belief.info().index;
+    Ask ask = question.stop ? m_chain.command(Purpose::Stop, {module, *question.stop})
+                            : m_chain.status(Purpose::Stop, module, question.items);
+    ask.reported = question.stop.has_value();
+    ask.retry = asked->owed->target.silences() > 0;
+    ask.silentRepeats = 0;
+    ask.refusedAttempts = 1;
+    ask.ownTrouble = !m_chain.answers(module);
+    return ask;
+}
+
+/// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
+Next OwedStops::blindScript(TimePoint now) {
+    std::vector<Step> stops;
+    for (Chain::Module& module : m_chain.modules()) {
+        const ModuleIndex index = module.belief.info().index;
+        if (!module.owed || !blindly(index) || module.owed->due > now)
+            continue;
+        module.owed->due = now + kBlindEvery;
+        if (const auto& stop = module.owed->target.stop())
+            stops.push_back({index, *stop});
+    }
+    if (stops.empty())
+        return Again{};
+    const std::uint32_t here = m_line.baud();
+    Line::Script script{Line::Gap{}};
+    if (here != m_chain.rate())
+        script.emplace_back(SetHostBaud{m_chain.rate()});
+    script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
+    const Line::Script packets = m_chain.stopScript(stops);
+    script.insert(script.end(), packets.begin(), packets.end());
+    script.insert(script.end(), {Line::Lag{}, DiscardInput{}});
+    if (here != m_chain.rate()) {
+        const Line::Script back = Line::toRate(here);
+        script.insert(script.end(), back.begin(), back.end());
+    }
+    return script;
+}
+
+Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+    auto& owed = m_chain.at(*ask.module).owed;
+    if (!owed)
+        return {};  // superseded while its question was on its way
+    owed->target.onReply(end, m_chain.belief(*ask.module), now);
+    if (owed->target.stopped()) {
+        m_events.emplace_back(OwedStopConfirmed{*ask.module, owed->cause});
+        owed.reset();
+        return {};
+    }
+    const bool looked = !ask.reported && end.result == ReplyResult::Accepted;
+    const bool moves = looked && !owed->target.stopOwed() && !owed->target.almostStopped();
+    owed->looks += moves ? 1U : 0U;
+    owed->due = ask.ownTrouble && unanswered(end.result) ? now + kBlindEvery
+                : owed->target.silences() > kAtOnce      ? now + kAfterSilence
+                : moves ? now + (owed->looks < kEarlyLooks ? kBetweenLooks : kBetweenLateLooks)
+                        : now;
+    if (ask.ownTrouble && unanswered(end.result))
+        return {Line::Lag{}, DiscardInput{}};
+    return {};
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "bus/polltask.h"
+
+#include "bus/discovery.h"
+
+namespace nmc::bus {
+
+Next PollTask::next(TimePoint now) {
+    const auto turn = m_chain.schedule().next(now);
+    if (!turn)
+        return Idle{};
+    std::optional<StatusItems> items;  // none: No Operation, which answers with the defined ones
+    if (!knownType(m_chain.belief(turn->module).info().identity.type))
+        items = kIdentityItems;
+    else if (turn->full)
+        items = kAllItems;
+    else if (turn->brief)
+        items = kBriefItems;
+    Ask ask = m_chain.status(Purpose::Poll, turn->module, items);
+    ask.silentRepeats = 0;  // its turn comes again
+    ask.request.framing = Framing::Pipelined;
+    // A module that has not been answering has to show first that it is itself.
+    ask.ownTrouble = !m_chain.answers(turn->module);
+    ask.believed = !ask.ownTrouble;
+    return ask;
+}
+
+Line::Script PollTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+    if (!ask.ownTrouble)
+        return {};
+    if (end.result == ReplyResult::Accepted) {
+        m_recovery.onHeardAgain(*ask.module);
+        return {};
+    }
+    m_chain.schedule().onTimeout(*ask.module, now);
+    m_search.onProbeFailed();
+    // It will not answer late: a short discard, so that the others do not wait for it.
+    return {Line::Lag{}, DiscardInput{}};
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "bus/recovery.h"
+
+#include <utility>
+
+#include "bus/discovery.h"
+
+namespace nmc::bus {
+
+namespace {
+
+/// Questions in a row that a module in doubt must answer.
+constexpr unsigned kPasses = 2;
+/// Failed questions until it is given up: three wrong answers, or silence to three questions with the one
+/// that began it.
+constexpr unsigned kFailures = 3;
+constexpr unsigned kSilentFailures = 2;
+
+}  // namespace
+
+void Recovery::reset() {
+    m_suspect = m_resyncing = m_hurried = m_lost = m_givenUp = false;
+    m_doubt.reset();
+    m_silence.heard();
+    m_health = {};
+    m_findings = {};
+}
+
+/// The line is not trusted before a resync, and its module not before a challenge.
+Line::Script Recovery::onUnanswered(const Ask& ask, const ReplyEnd& end) {
+    if (end.bytes.empty() && ask.module)
+        m_silence.onSilence(*ask.module);
+    const Quarantine wanted = end.bytes.empty() ? ask.quarantine : Quarantine::Full;
+    if (wanted == Quarantine::None)
+        return {Line::Lag{}, DiscardInput{}};
+    m_suspect = true;
+    m_quarantine =
+        wanted == Quarantine::Brief ? m_line.lastTimeout() : LineTiming::quarantine(m_line.lastTimeout());
+    if (!ask.module || !m_chain.answers(*ask.module))
+        return {};
+    m_chain.at(*ask.module).trust.interrupt();
+    if (!m_doubt) {
+        m_doubt = Doubt{*ask.module};
+        m_doubt->bySilence = end.bytes.empty();
+    }
+    return {};
+}
+
+void Recovery::distrust() {
+    m_suspect = true;
+    for (Chain::Module& module : m_chain.modules())
+        module.trust.interrupt();
+    m_doubt = Doubt{m_chain.modules().front().belief.info().index};
+}
+
+void Recovery::interrupted() {
+    m_suspect = suspect();
+    m_resyncing = false;
+}
+
+void Recovery::giveUp() {
+    m_doubt.reset();
+    m_suspect = m_givenUp = true;
+}
+
+void Recovery::flushed() {
+    m_suspect = false;
+    m_hurried = true;
+}
+
+std::optional<Line::Script> Recovery::flush() {
+    if (!m_suspect)
+        return std::nullopt;
+    flushed();
+    return Line::Script{Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}};
+}
+
+std::vector<Recovery::GivenUp> Recovery::note(ModuleIndex index, bool right) {
+    Chain::Module& module = m_chain.at(index);
+    std::vector<GivenUp> givenUp;
+    for (Health* health : {&module.health, &m_health}) {
+        const LinkHealth before = health->level();
+        right ? health->good() : health->wrong();
+        if (health->level() == before)
+            continue;
+        const auto concerned = health == &module.health ? std::optional(index) : std::nullopt;
+        m_events.emplace_back(
+            HealthChanged{health->level(), health->wrongLately(), health->exchanges(), concerned});
+        if (health->level() == LinkHealth::Lost)
+            givenUp.push_back({concerned});
+    }
+    return givenUp;
+}
+
+void Recovery::dropDoubt(ModuleIndex module) {
+    if (m_doubt && m_doubt->module == module)
+        m_doubt.reset();
+}
+
+void Recovery::lose(ModuleIndex module, TimePoint now) {
+    setSilent(module, now);
+    if (m_chain.schedule().allSilent())
+        loseAll(now);
+}
+
+void Recovery::setSilent(ModuleIndex module, TimePoint now) {
+    if (!m_chain.answers(module))
+        return;
+    m_chain.schedule().lose(module, now);
+    m_events.emplace_back(ModuleSilence{module, true});
+}
+
+bool Recovery::wants(TimePoint /*now*/) const {
+    return m_suspect || m_hurried || m_doubt;
+}
+
+Next Recovery::next(TimePoint /*now*/) {
+    if (m_suspect || m_hurried)
+        return resync();
+    return challenge();
+}
+
+/// link.md 2.2, steps 2 and 3. What is in doubt then has to show itself.
+Line::Script Recovery::resync() {
+    m_resyncing = true;
+    m_suspect = m_hurried = false;
+    ++m_line.statistics().resyncs;
+    return {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}};
+}
+
+/// link.md 2.2, steps 4 and 5: two questions whose answers differ in length and both tell who it is.
+Ask Recovery::challenge() {
+    Doubt& doubt = *m_doubt;
+    doubt.witness = std::exchange(doubt.witnessDue, false);
+    ModuleIndex asked = doubt.module;
+    if (doubt.witness) {
+        const auto other = witness();
+        doubt.witness = other.has_value();
+        asked = other.value_or(doubt.module);
+    }
+    const bool known = knownType(m_chain.belief(asked).info().identity.type);
+    const bool full = doubt.passed > 0 && known && !doubt.witness;
+    Ask ask = m_chain.status(Purpose::Challenge, asked, full ? kAllItems : kIdentityItems);
+    ask.silentRepeats = 0;
+    ask.ownTrouble = true;
+    ask.believed = !doubt.witness;
+    return ask;
+}
+
+/// Somebody who should answer if the bus is there at all.
+std::optional<ModuleIndex> Recovery::witness() const {
+    for (const Chain::Module& module : m_chain.modules()) {
+        const ModuleIndex index = module.belief.info().index;
+        if (m_chain.answers(index) && !m_silence.asked(index))
+            return index;
+    }
+    return std::nullopt;
+}
+
+Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+    if (!m_doubt)
+        return {};
+    Doubt& doubt = *m_doubt;
+    if (end.result == ReplyResult::Accepted) {
+        if (doubt.witness)
+            return {};
+        const bool known = knownType(m_chain.belief(doubt.module).info().identity.type);
+        if (++doubt.passed == (known ? kPasses : 1))
+            passed(doubt.module, now);
+        return {};
+    }
+    m_suspect = true;
+    m_chain.at(*ask.module).trust.interrupt();
+    const bool silent = end.result == ReplyResult::Silent;
+    if (silent)
+        m_silence.onSilence(*ask.module);
+    if (m_silence.dead(m_chain.schedule().answering())) {
+        loseAll(now);
+        return {};
+    }
+    const bool likelyDead = silent && m_silence.likelyDead();
+    m_quarantine = likelyDead ? m_line.timing().adapter() : LineTiming::quarantine(m_line.lastTimeout());
+    doubt.witnessDue = likelyDead;
+    if (doubt.witness)
+        return {};
+    doubt.passed = 0;
+    doubt.witnessDue = silent;
+    doubt.silences += silent ? 1U : 0U;
+    if (++doubt.failures == kFailures || doubt.silences == kSilentFailures || doubt.wasSilent)
+        failed(doubt.module, now);
+    return {};
+}
+
+/// The module is what it was, and the answers are its own.
+void Recovery::passed(ModuleIndex module, TimePoint now) {
+    // Now it is known that an answer got lost, and not its module.
+    const bool gotLost = m_doubt->bySilence;
+    m_doubt.reset();
+    if (gotLost)
+        m_findings.givenUp = note(module, false);
+    // Its replies may have another length by now: that is defined anew before the next No Operation.
+    Belief& belief = m_chain.at(module).belief;
+    if (knownType(belief.info().identity.type))
+        belief.forgetItems();
+    if (m_chain.answers(module))
+        return;
+    m_chain.schedule().recover(module, now);
+    m_lost = false;
+    m_events.emplace_back(ModuleSilence{module, false});
+}
+
+/// The module does not answer: it is asked rarely from now on, and the others go on.
+void Recovery::failed(ModuleIndex module, TimePoint now) {
+    m_doubt.reset();
+    m_findings.lost = module;
+    if (!m_chain.answers(module))
+        return m_chain.schedule().onTimeout(module, now);
+    lose(module, now);
+}
+
+/// Nobody answers: the line is dead, at least from the modules to here.
+void Recovery::loseAll(TimePoint now) {
+    m_doubt.reset();
+    m_suspect = false;  // nothing is to be expected, so nothing to be waited for
+    for (const Chain::Module& module : m_chain.modules())
+        if (!module.belief.restarted())
+            setSilent(module.belief.info().index, now);
+    if (std::exchange(m_lost, true))
+        return;
+    m_findings.allLost = true;
+    if (!m_givenUp)
+        m_events.emplace_back(LinkLost{});
+}
+
+}  // namespace nmc::bus

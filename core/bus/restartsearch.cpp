@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "bus/restartsearch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc::bus {
+
+namespace {
+
+/// Probes of silent modules between two looks for one that has restarted.
+constexpr unsigned kLookEvery = 4;
+
+}  // namespace
+
+void RestartSearch::onLost(ModuleIndex module) {
+    const bool first = std::exchange(m_lookedFor, module) != module;
+    if (first || m_chain.rate() == kPowerUpBaud)
+        m_stage = Stage::Ask;
+}
+
+void RestartSearch::onProbeFailed() {
+    const bool turn = ++m_probes % kLookEvery == 0;
+    if (turn && m_chain.rate() == kPowerUpBaud && !m_chain.schedule().allSilent())
+        m_stage = Stage::Ask;
+}
+
+Next RestartSearch::next(TimePoint /*now*/) {
+    switch (m_stage) {
+        case Stage::None:
+            return Idle{};
+        case Stage::Ask: {
+            if (m_line.baud() != kPowerUpBaud)
+                return Line::toRate(kPowerUpBaud);
+            m_stage = Stage::Back;
+            bus::Ask ask;
+            ask.purpose = Purpose::Challenge;
+            ask.request = {BusAddress(0), ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
+            ask.ownTrouble = true;
+            ask.believed = false;
+            return ask;
+        }
+        case Stage::Back:
+            m_stage = m_unaddressed ? Stage::Others : Stage::None;
+            if (m_line.baud() != m_chain.rate())
+                return Line::toRate(m_chain.rate());
+            return Again{};
+        case Stage::Others:
+            break;
+    }
+    if (m_others.empty()) {
+        m_stage = Stage::None;
+        name();
+        return Again{};
+    }
+    bus::Ask ask = m_chain.status(Purpose::Challenge, m_others.back(), kIdentityItems);
+    ask.ownTrouble = true;
+    ask.believed = false;
+    return ask;
+}
+
+Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, TimePoint now) {
+    if (!ask.module) {
+        onUnaddressed(end);
+    } else if (!m_others.empty()) {
+        const bool again = !unanswered(end.result) || m_again;
+        if (unanswered(end.result) && m_again)
+            m_recovery.lose(*ask.module, now);
+        m_again = !again;
+        if (again)
+            m_others.pop_back();
+    }
+    if (unanswered(end.result))
+        return {Line::Lag{}, DiscardInput{}};
+    return {};
+}
+
+void RestartSearch::onUnaddressed(const ReplyEnd& end) {
+    m_unaddressed.reset();
+    if (unanswered(end.result) || m_chain.anyRestarted())
+        return;
+    m_unaddressed = end.report.identity;
+    m_others.clear();
+    m_again = false;
+    for (const Chain::Module& module : m_chain.modules())
+        if (m_chain.answers(module.belief.info().index))
+            m_others.push_back(module.belief.info().index);
+}
+
+/// Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.
+void RestartSearch::name() {
+    const ModuleIdentity identity = *std::exchange(m_unaddressed, std::nullopt);
+    auto& modules = m_chain.modules();
+    const auto restarted = std::find_if(modules.begin(), modules.end(), [&](const Chain::Module& module) {
+        return !m_chain.answers(module.belief.info().index);
+    });
+    if (restarted == modules.end() || restarted->belief.info().identity != identity)
+        return;
+    const ModuleIndex module = restarted->belief.info().index;
+    restarted->belief.setRestarted();
+    restarted->owed.reset();  // its motor is off
+    m_chain.schedule().retire(module);
+    const bool quiet = m_chain.rate() != kPowerUpBaud;
+    m_events.emplace_back(ModuleRestarted{module, quiet});
+    m_events.emplace_back(GroupChanged{module, restarted->belief.info().group});
+    m_quiet = quiet;
+}
+
+}  // namespace nmc::bus

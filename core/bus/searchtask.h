@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bus/discovery.h"
+#include "bus/task.h"
+
+namespace nmc::bus {
+
+/// Looks for the chain (discovery.h). What was found, or why nothing was, is for the engine to take.
+class SearchTask : public Task {
+public:
+    explicit SearchTask(std::vector<Event>& events) : m_events(events) {}
+
+    void begin(const EngineConfig& config, Discovery::Start start);
+    /// What was under way on the line is gone: all over again.
+    void beginAgain();
+    [[nodiscard]] bool active() const { return m_discovery.has_value(); }
+
+    /// It has begun to give addresses: none of the modules there are is what it was. Once.
+    [[nodiscard]] bool takeGivesAddresses() { return std::exchange(m_givesAddresses, false); }
+
+    using Result = std::variant<ChainFound, ConnectFailed>;
+    struct Ended {
+        Result result;
+        Discovery discovery;
+    };
+    /// The end of the search, once.
+    [[nodiscard]] std::optional<Ended> takeEnded() { return std::exchange(m_ended, std::nullopt); }
+
+    [[nodiscard]] bool wants(TimePoint /*now*/) const override { return active(); }
+    [[nodiscard]] Next next(TimePoint now) override;
+    Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
+
+private:
+    void tellProgress();
+    void end(Result result);
+
+    std::vector<Event>& m_events;
+    EngineConfig m_config;
+    Discovery::Start m_start = Discovery::Start::Look;
+    std::optional<Discovery> m_discovery;
+    bool m_givesAddresses = false;
+    std::optional<Ended> m_ended;
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "bus/stoptarget.h"
+
+#include <utility>
+
+#include "bus/standstill.h"
+
+namespace nmc::bus {
+
+namespace {
+
+[[nodiscard]] bool standsStill(const StatusReport& report, ModuleType type,
+                               const std::optional<std::int32_t>& before) {
+    switch (type) {
+        case ModuleType::Servo:
+            if (!report.servoStatus().moveDone() || report.velocity.value_or(1) != 0)
+                return false;
+            // The velocity item has no fraction: slow motion shows in the position only.
+            return !before || samePlace(*report.position, *before);
+        case ModuleType::Step:
+            return !report.stepStatus().moving();
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return true;
+}
+
+[[nodiscard]] servo::StopMotor servoStop(StopManner manner) {
+    switch (manner) {
+        case StopManner::Abruptly:
+            return {true, servo::StopManner::Abruptly, {}};
+        case StopManner::Smoothly:
+            return {true, servo::StopManner::Smoothly, {}};
+        case StopManner::Off:
+            break;
+    }
+    return {false, servo::StopManner::MotorOff, {}};
+}
+
+[[nodiscard]] step::StopMotor stepStop(StopManner manner, bool amplifier) {
+    return {amplifier && manner != StopManner::Off,
+            manner == StopManner::Smoothly ? step::StopManner::Smoothly : step::StopManner::Abruptly};
+}
+
+}  // namespace
+
+std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
+    switch (belief.info().identity.type) {
+        case ModuleType::Servo:
+            if (belief.mayBeOn())
+                return ServoCommand(servoStop(manner));
+            if (belief.pwmMayRun() || belief.pwmUnknown())
+                return ServoCommand(servoStop(StopManner::Off));
+            return std::nullopt;
+        case ModuleType::Step:
+            if (belief.mayBeOn() || belief.mayMove())
+                return StepCommand(stepStop(manner, belief.mayBeOn()));
+            return std::nullopt;
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return std::nullopt;
+}
+
+StatusItems standstillItems(ModuleType type, bool second) {
+    const unsigned more = second ? StatusItems::Identity : 0U;
+    switch (type) {
+        case ModuleType::Servo:
+            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Velocity |
+                                                         StatusItems::Aux | more));
+        case ModuleType::Step:
+            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Inputs | more));
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return kIdentityItems;
+}
+
+StopTarget::StopTarget(const Belief& belief, StopManner manner)
+    : m_module(belief.info().index),
+      m_type(belief.info().identity.type),
+      m_manner(manner),
+      m_stop(stopFor(belief, manner)),
+      m_stopOwed(m_stop.has_value()) {}
+
+StopTarget::Question StopTarget::next() {
+    m_asksStop = m_stopOwed;
+    if (m_asksStop)
+        return {m_stop, {}};
+    m_second = !m_second;
+    return {std::nullopt, standstillItems(m_type, m_second)};
+}
+
+void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint now) {
+    if (unanswered(end.result)) {
+        ++m_silences;
+        m_confirmed = 0;
+        // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
+        m_stopOwed = m_stop && !m_asksStop;
+        return;
+    }
+    m_heard = true;
+    m_silences = 0;
+    if (end.result == ReplyResult::Refused)
+        return;
+    if (!m_asksStop)
+        return onLook(end.report, belief, now);
+    m_stopOwed = false;
+    m_lastStop = now;
+}
+
+void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePoint now) {
+    const bool still =
+        standsStill(report, belief.info().identity.type, m_confirmed > 0 ? m_position : std::nullopt);
+    m_position = report.position;
+    m_stop = stopFor(belief, m_manner);
+    m_confirmed = still ? m_confirmed + 1 : 0;
+    const bool neverTold = !m_lastStop;
+    const Duration patience = m_manner == StopManner::Smoothly ? kSmoothPatience : kPatience;
+    const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
+    // After blind stops, and when it moves on: told again, if it is still on now.
+    if (m_stop && (neverTold || movesOn)) {
+        m_stopOwed = true;
+        m_confirmed = 0;
+    }
+}
+
+void StopTarget::onBlindSent(std::optional<TimePoint> latched) {
+    m_stopOwed = false;
+    m_blind = latched;
+}
+
+std::optional<TimePoint> StopTarget::takeBlind() {
+    return std::exchange(m_blind, std::nullopt);
+}
+
+}  // namespace nmc::bus

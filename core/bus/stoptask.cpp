@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "bus/stoptask.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc::bus {
+
+void StopTask::begin(TimePoint now) {
+    if (!active())
+        m_pressed = now;
+    m_waiting = false;
+    if (m_run)
+        m_run->restart(m_chain);
+    else
+        m_run.emplace(m_chain, now);
+    m_asked = nullptr;
+    // One packet to all of them is sooner than one to each, even on a line that is free.
+    m_blindDue =
+        m_recovery.suspect() || m_line.busy() || m_chain.size() > 1 || m_line.baud() != m_chain.rate();
+}
+
+void StopTask::beginAfterSearch(TimePoint now) {
+    if (!active())
+        m_pressed = now;
+    m_waiting = true;
+}
+
+void StopTask::onSearchOver(TimePoint now) {
+    if (!std::exchange(m_waiting, false))
+        return;
+    m_run.emplace(m_chain, now);
+    m_asked = nullptr;
+    m_blindDue = false;
+}
+
+std::vector<Step> StopTask::blindStops() const {
+    return m_run ? m_run->blindStops() : std::vector<Step>{};
+}
+
+void StopTask::onBlindSent() {
+    m_blind = blindStops();
+    m_blindDue = m_blindHeard = false;
+}
+
+Next StopTask::next(TimePoint now) {
+    if (std::exchange(m_blindDue, false))
+        return blindScript();
+    if (m_line.baud() != m_chain.rate())
+        return Line::toRate(m_chain.rate());
+    noteBlindStops();
+    if (auto nulls = m_recovery.flush())
+        return std::move(*nulls);
+    m_asked = m_run->next(now);
+    if (m_asked == nullptr) {
+        finish(now);
+        return Again{};
+    }
+    const StopTarget::Question question = m_asked->next();
+    Ask ask = question.stop ? m_chain.command(Purpose::Stop, {m_asked->module(), *question.stop})
+                            : m_chain.status(Purpose::Stop, m_asked->module(), question.items);
+    ask.reported = question.stop.has_value();
+    // Asked anew instead: what is wanted may have changed by the next time.
+    ask.silentRepeats = 0;
+    ask.refusedAttempts = 1;
+    return ask;
+}
+
+/// Stops without waiting for answers: an answer may still be coming in, and could be taken for that of the
+/// stop.
+Line::Script StopTask::blindScript() {
+    Line::Script script{Line::Gap{}};
+    const bool strayed = m_line.baud() != m_chain.rate();
+    if (strayed)
+        script.emplace_back(SetHostBaud{m_chain.rate()});
+    m_blindHeard = !m_recovery.suspect() && !strayed;
+    if (!m_blindHeard) {
+        m_recovery.flushed();
+        script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
+    }
+    m_blind = m_run->blindStops();
+    const Line::Script packets = m_chain.stopScript(m_blind);
+    script.insert(script.end(), packets.begin(), packets.end());
+    const Duration underWay = byteTimeAtBaud(m_chain.rate()) * static_cast<Duration::rep>(kMaxReply);
+    script.insert(script.end(), {Line::Lag{underWay}, DiscardInput{}});
+    return script;
+}
+
+/// The blind stops are out: what they may have done is believed from now on.
+void StopTask::noteBlindStops() {
+    const std::vector<Step> steps = std::exchange(m_blind, {});
+    const std::vector<TimePoint>& latches = m_line.scriptLatches();
+    for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
+        const TimePoint latched = latches[std::min(i, latches.size() - 1)];
+        m_chain.tell(steps[i].module, steps[i].command, latched);
+        if (StopTarget* target = m_run->find(steps[i].module))
+            target->onBlindSent(m_blindHeard ? std::optional(latched) : std::nullopt);
+    }
+}
+
+/// The first answer after a blind stop, before what it says: a command position that went on until the stop
+/// is acknowledged would be some 20 ms of travel off.
+void StopTask::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
+    if (m_asked == nullptr)
+        return;
+    const auto stop = m_asked->stop();
+    if (const auto blind = m_asked->takeBlind(); blind && stop)
+        m_events.emplace_back(CommandExecuted{*ask.module, *blind, *stop});
+}
+
+Line::Script StopTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {
+    if (m_asked != nullptr)
+        m_run->onReply(*m_asked, end, m_chain.belief(*ask.module), now);
+    return {};
+}
+
+void StopTask::finish(TimePoint now) {
+    StopFinished event = std::exchange(m_run, std::nullopt)->finished();
+    event.took = now - m_pressed;
+    m_asked = nullptr;
+    for (const ModuleIndex module : event.stopped)
+        if (const auto owed = std::exchange(m_chain.at(module).owed, std::nullopt))
+            m_events.emplace_back(OwedStopConfirmed{module, owed->cause});
+    for (const auto* open : {&event.unreached, &event.unconfirmed})
+        for (const ModuleIndex module : *open)
+            m_chain.owe(module, StopCause::StopAll);
+    for (const ModuleIndex module : event.unreached)
+        m_recovery.lose(module, now);
+    m_events.emplace_back(std::move(event));
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tests/bus/steps.h"
+#include "tests/sessions/rig.h"
+
+/// What an operator asks of one module, whichever chip it is; `index` is the engine's.
+namespace nmc::test {
+
+/// Gains, or the parameters without which a stepper does not move; then the motor's current.
+[[nodiscard]] std::vector<bus::Step> switchOn(std::uint8_t index, ModuleIdentity identity);
+[[nodiscard]] std::vector<bus::Step> switchOff(std::uint8_t index, ModuleIdentity identity);
+/// A move that takes its time: `far` is 1..256.
+[[nodiscard]] std::vector<bus::Step> moveFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
+/// Only loads it.
+[[nodiscard]] bus::Step loadFar(std::uint8_t index, ModuleIdentity identity, unsigned far);
+/// Without an end: `speed` is 1..256.
+[[nodiscard]] std::vector<bus::Step> runOn(std::uint8_t index, ModuleIdentity identity, unsigned speed);
+[[nodiscard]] bus::HoldToMove holdOn(std::uint8_t index, ModuleIdentity identity, unsigned speed);
+
+/// Connects, gives all modules what they need, and sets `moving` of them in motion. False when that fails.
+[[nodiscard]] bool setRunning(Rig& rig, std::size_t moving);
+/// Runs until the search has ended; true when a chain was found.
+[[nodiscard]] bool connectAndWait(Rig& rig);
+
+}  // namespace nmc::test

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tests/faults/faultybus.h"
+#include "tests/sessions/owedoath.h"
+#include "tests/sessions/stopoath.h"
+#include "tests/sessions/wire.h"
+
+namespace nmc::test {
+
+struct World {
+    std::vector<ModuleIdentity> chain = servos(2);
+    std::uint32_t baud = 19'200;
+    Duration latency{};  ///< of the adapter
+    bool deafWhenAddressInputRises = false;
+    std::uint64_t seed = 1;
+};
+
+/// The chain that the engine spoke of last.
+struct KnownChain {
+    struct Module {
+        std::uint8_t place = 0;  ///< in the simulator; kNowhere when nobody has that address
+        std::uint8_t address = 0;
+    };
+    static constexpr std::uint8_t kNowhere = 0xFF;
+    std::vector<Module> modules;  ///< by ModuleIndex
+    std::uint32_t baud = 0;
+};
+
+/// Engine and simulator, whatever is done to them, and what can be seen of that from outside: the wire, the
+/// events, the motors. The oaths (stopoath.h, owedoath.h) are held against all of it, all the time; what is
+/// found broken is in `complaints`.
+class Rig {
+public:
+    explicit Rig(const World& world);
+    Rig(const Rig&) = delete;
+    Rig& operator=(const Rig&) = delete;
+    ~Rig();
+
+    // What an operator does, or the panel for him.
+    void connect();
+    void restart();
+    void changeRate(std::uint32_t baud);
+    void distrust();
+    void submit(std::vector<bus::Step> steps);
+    void submit(std::variant<bus::GroupChange, bus::GroupCommand> what);
+    /// Asked for again every 100 ms until `time` has passed; then released, or let lapse.
+    void hold(const bus::HoldToMove& hold, Duration time, bool lapses);
+    void stopAll();
+    /// Another program takes over: a new engine, which knows nothing.
+    void replaceEngine(std::uint32_t baud);
+
+    // What befalls the chain.
+    void powerCycle(std::uint8_t place);
+    /// A line of simulator.md that ends with " for=..." by itself. `deafens`: commands may not arrive.
+    void fault(const std::string& line, Duration time, bool deafens, std::optional<std::uint8_t> place = {});
+    void clearFaults();
+    /// Something else turns the shaft from now on, whatever its motor is told.
+    void load(std::uint8_t place, double newtonMetres);
+
+    void run(Duration time);
+    template <typename Condition>
+    [[nodiscard]] bool runUntil(Condition condition, Duration limit) {
+        const TimePoint end = bus.now + limit;
+        while (true) {
+            const Duration chunk = std::min<Duration>(end - bus.now, std::chrono::milliseconds(20));
+            if (bus.runUntil([&] { return observe(), condition() || handIsDue(); }, chunk) && condition())
+                return true;
+            if (bus.now >= end)
+                return condition();
+            moveHand();
+        }
+    }
+    /// Until so many more bytes have crossed the wire, in either direction, or none will for a while.
+    void runBytes(std::uint64_t bytes, Duration limit);
+    [[nodiscard]] std::uint64_t bytesCrossed() const;
+    /// Until there is nothing that still owes its end; a search takes its time.
+    void runToRest();
+    /// What has been asked for and has not ended, or not once.
+    void expectEnds();
+
+    // The truth.
+    [[nodiscard]] std::size_t size() const { return bus.chain.moduleCount(); }
+    /// The motor has current, or turns by command.
+    [[nodiscard]] bool isOn(std::uint8_t place);
+    [[nodiscard]] bool atRest(std::uint8_t place);
+    [[nodiscard]] double shaft(std::uint8_t place);
+    /// A command to its address at that rate arrives and is understood.
+    [[nodiscard]] bool hears(std::uint8_t place, std::uint8_t address, std::uint32_t baud);
+    [[nodiscard]] std::uint64_t replies(std::uint8_t place) const;
+    [[nodiscard]] bool isDriven(std::uint8_t place) const { return m_driven[place]; }
+
+    [[nodiscard]] bool searching() const { return m_searching; }
+    [[nodiscard]] bool rateChanging() const { return m_rateChanges > m_rateEnds; }
+    [[nodiscard]] bool stopping() const { return m_oath.running(); }
+    [[nodiscard]] std::size_t stopsFinished() const { return bus.count<bus::StopFinished>(); }
+    void complain(const std::string& what);
+
+    World world;
+    FaultyBus bus;
+    std::optional<KnownChain> known;
+    std::vector<WireItem> wire;
+    TimePoint lineFree{};       ///< when the last byte that was given to the port will have left
+    TimePoint faultsUntil{};    ///< nothing goes wrong on the line from then on
+    bool restartAsked = false;  ///< by the search that is under way, or was the last
+    bool lost = false;          ///< the engine says that the link is
+    std::vector<bool> everOn;   ///< by place, since it was given an address
+    std::vector<std::string> complaints;
+    std::set<std::string> situations;  ///< that stops of all have come upon
+    /// May change what goes to the modules, after it has been noted.
+    std::function<void(std::vector<std::uint8_t>&)> onPacket;
+
+private:
+    struct Hand {
+        bus::HoldToMove hold;
+        TimePoint next;
+        TimePoint until;
+        bool lapses;
+        std::size_t wireFrom;
+    };
+
+    static sim::ChainOptions optionsOf(const World& world);
+    static bus::EngineConfig configOf(const World& world);
+    void observe();
+    void handle(const bus::Event& event);
+    void chainFound(const bus::ChainFound& found);
+    void searchEnded(bool found);
+    [[nodiscard]] std::string situation() const;
+    void begin(bool asRestart);
+    void settle() { bus.runFor(Duration{}); }
+    [[nodiscard]] bool handIsDue() const { return m_hand && bus.now >= m_hand->next; }
+    void moveHand();
+    void note(ByteSpan bytes);
+
+    StopOath m_oath;
+    OwedOath m_owed;
+    std::optional<Hand> m_hand;
+    bool m_searching = false;
+    bool m_foundNobody = false;
+    unsigned m_rateChanges = 0;
+    unsigned m_rateEnds = 0;
+    std::vector<bus::OperationId> m_operations;
+    std::vector<bus::OperationId> m_groupOperations;
+    std::vector<TimePoint> m_deafUntil;  ///< by place
+    std::vector<bool> m_driven;          ///< by place, from outside
+    std::size_t m_seen = 0;
+    bool m_powerCycled = false;
+};
+
+}  // namespace nmc::test

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The property of issue 13: at any byte of any session call stop all; afterwards the simulator's truth and
+// the report agree. A thousand sessions; ten thousand with NMC_SESSIONS=10000 (scripts/test nightly); one
+// alone, with what went over the wire, with NMC_SESSION_SEED=number.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "tests/sessions/plan.h"
+
+namespace nmc::test {
+
+namespace {
+
+constexpr unsigned kShares = 10;  ///< so that each ends in good time under a sanitizer, and on two cores
+constexpr unsigned kTold = 5;     ///< that broke the oath, in full
+
+[[nodiscard]] std::uint64_t number(const char* variable, std::uint64_t otherwise) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+void print(const Rig& rig) {
+    for (const WireItem& item : rig.wire)
+        std::printf("%.6f s %6u Bd: %s\n", toSeconds(item.time.time_since_epoch()), item.baud,
+                    item.packet.empty() ? (std::to_string(item.nulls) + " nulls").c_str()
+                                        : toHex(item.packet).c_str());
+}
+
+struct Outcome {
+    std::vector<std::string> complaints;
+    std::set<std::string> situations;
+};
+[[nodiscard]] Outcome run(std::uint64_t seed, bool aloud) {
+    const Plan plan = makePlan(seed);
+    Rig rig(plan.world);
+    carryOut(plan, rig);
+    if (aloud)
+        print(rig);
+    return {rig.complaints, rig.situations};
+}
+
+[[nodiscard]] std::string inFull(std::uint64_t seed, const std::vector<std::string>& complaints) {
+    std::string text = toText(makePlan(seed));
+    for (const std::string& complaint : complaints)
+        text += "\n    " + complaint;
+    return text + "\n    alone: NMC_SESSION_SEED=" + std::to_string(seed);
+}
+
+/// How often a stop came upon what; and by the first word of the first complaint, what was broken.
+class Sessions : public testing::TestWithParam<unsigned> {
+protected:
+    void hold(std::uint64_t seed) {
+        const Outcome outcome = run(seed, false);
+        for (const std::string& situation : outcome.situations)
+            ++m_situations[situation];
+        if (outcome.complaints.empty())
+            return;
+        const std::string& first = outcome.complaints.front();
+        ++m_kinds[first.substr(0, first.find(':'))];
+        if (++m_broken <= kTold)
+            ADD_FAILURE() << inFull(seed, outcome.complaints);
+        else
+            std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed), first.c_str());
+    }
+    void summarise() const {
+        for (const auto& [situation, n] : m_situations)
+            std::printf("%u stops came upon %s\n", n, situation.c_str());
+        for (const auto& [kind, n] : m_kinds)
+            std::printf("%u broke first of all: %s\n", n, kind.c_str());
+        EXPECT_EQ(m_broken, 0U);
+    }
+
+private:
+    std::map<std::string, unsigned> m_situations;
+    std::map<std::string, unsigned> m_kinds;
+    unsigned m_broken = 0;
+};
+
+TEST_P(Sessions, KeepTheOathOfTheStop) {
+    if (const std::uint64_t alone = number("NMC_SESSION_SEED", 0); alone != 0) {
+        if (alone % kShares != GetParam())
+            return;
+        const auto complaints = run(alone, true).complaints;
+        EXPECT_TRUE(complaints.empty()) << inFull(alone, complaints);
+        return;
+    }
+    const std::uint64_t sessions = number("NMC_SESSIONS", 1'000);
+    for (std::uint64_t seed = 1; seed <= sessions; ++seed)
+        if (seed % kShares == GetParam())
+            hold(seed);
+    summarise();
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, Sessions, testing::Range(0U, kShares));
+
+}  // namespace
+
+}  // namespace nmc::test
