@@ -73,6 +73,9 @@ bool Engine::anythingMoves() const {
 std::vector<std::uint8_t> Engine::stopBurst() const {
     return d->stopBurst();
 }
+std::uint32_t Engine::stopBurstBaud() const {
+    return d->stopBurstBaud();
+}
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     return d->stopBurstChanged() ? std::optional(d->stopBurst()) : std::nullopt;
 }

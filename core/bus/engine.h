@@ -98,7 +98,9 @@ public:
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
     /// 2.6); empty when nothing is on. Changes only with a command or a status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
-    /// The same when it has changed since this was asked for the last time; cheap otherwise. Empty at first.
+    /// The rate at which the chain hears that; the port may be at another one, in a search say.
+    [[nodiscard]] std::uint32_t stopBurstBaud() const;
+    /// The burst when it, or its rate, has changed since this was asked for the last time; cheap otherwise. Empty at first.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.

@@ -51,6 +51,7 @@ public:
     [[nodiscard]] std::size_t stopReach() const;
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
+    [[nodiscard]] std::uint32_t stopBurstBaud() const { return m_baud; }
     [[nodiscard]] bool stopBurstChanged();
     void setRecording(bool on);
 

@@ -4,6 +4,7 @@
 
 #include "bus/engineprivate.h"
 #include "bus/gate.h"
+#include "protocol/baud.h"
 
 namespace nmc::bus {
 
@@ -102,13 +103,13 @@ std::vector<std::uint8_t> Engine::Private::stopBurst() const {
         burst.insert(burst.end(), packet.begin(), packet.end());
         // Nobody waits between the packets any more, so nulls must: a packet that comes before the one before
         // it was carried out takes its place (DS-V 4.1).
-        burst.insert(burst.end(), static_cast<std::size_t>(kTurnaround / line.timing().byteTime) + 1, 0);
+        burst.insert(burst.end(), static_cast<std::size_t>(kTurnaround / byteTimeAtBaud(m_baud)) + 1, 0);
     }
     return burst;
 }
 
 bool Engine::Private::stopBurstChanged() {
-    bool changed = std::exchange(m_burstBaud, line.baud()) != line.baud() && !m_modules.empty();
+    bool changed = std::exchange(m_burstBaud, m_baud) != m_baud && !m_modules.empty();
     changed = changed || m_burstStops.size() != m_modules.size();
     m_burstStops.resize(m_modules.size());
     for (std::size_t i = 0; i < m_modules.size(); ++i) {
