@@ -100,7 +100,8 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
     /// The rate at which the chain hears that; the port may be at another one, in a search say.
     [[nodiscard]] std::uint32_t stopBurstBaud() const;
-    /// The burst when it, or its rate, has changed since this was asked for the last time; cheap otherwise. Empty at first.
+    /// The burst when it, or its rate, has changed since this was asked for the last time; cheap otherwise.
+    /// Empty at first.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.

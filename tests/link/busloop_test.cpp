@@ -130,7 +130,10 @@ public:
         m_moving = moving;
         note({Told::What::Arm, {burst.begin(), burst.end()}, baud, moving});
     }
-    void beat(TimePoint now) override { m_beat = now; }
+    News beat(TimePoint now) override {
+        m_beat = now;
+        return {};
+    }
     void end() override { note({Told::What::End}); }
 
     void note(Told told) {

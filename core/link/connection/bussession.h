@@ -47,6 +47,8 @@ private:
     void search(RequestBox::Search how, TimePoint now);
     /// Stops the motors when nobody else can see to it.
     void watchOver(TimePoint now);
+    /// What the guards have to tell.
+    tl::expected<void, PortError> hearGuards(TimePoint now);
     void tellGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
@@ -64,6 +66,7 @@ private:
     OpenRequests m_open;
     SuspendWatch m_suspendWatch;
     Guarded m_guarded;
+    std::uint32_t m_portBaud;
     bool m_engineRecords = false;
     bool m_restartWhenStopped = false;
     std::optional<TimePoint> m_closeBy;

@@ -11,22 +11,14 @@
 #include "base/bytes.h"
 #include "base/time.h"
 #include "link/guardian/descriptor.h"
+#include "link/guardian/guardianproblem.h"
 #include "link/guardian/guardmemory.h"
 
 namespace nmc {
 
-/// Why nobody guards.
-enum class GuardianProblem : std::uint8_t {
-    Missing,       ///< there is no such program
-    NotPermitted,  ///< the system lets this user not start it
-    WrongVersion,  ///< it is of another version, or no guardian at all
-    Failed,        ///< the system has no memory or descriptor left
-    Ended,         ///< it was there, and is no more
-};
-
 /// What a guardian needs besides the port.
 struct GuardianPlace {
-    std::string program;     ///< path of nmcguard; empty: no guardian is wanted
+    std::string program;     ///< path of nmcguard
     std::string reportFile;  ///< absolute; see link/guardian/guardreport.h
 };
 
