@@ -3,12 +3,14 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QWindow>
 
 #include "link/clock.h"
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
+#include "link/guardian/guardreport.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/chain/chainmenu.h"
@@ -47,16 +49,30 @@ PacketSession packetSession(const QString& port) {
     return session;
 }
 
+/// Beside the settings, where it is remembered which motors move.
+QString guardFolder(const QSettings& settings) {
+    return QFileInfo(settings.fileName()).absolutePath();
+}
+
+GuardianPlace guardianPlace(const QSettings& settings) {
+    const QString folder = guardFolder(settings);
+    QDir().mkpath(folder);
+    const QString program = QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("nmcguard"));
+    return {program.toStdString(), guardReportFile(folder.toStdString())};
+}
+
 }  // namespace
 
 Composition::Composition(QSettings& settings, PortController::Places places, const QString& dataFolder,
                          QObject* parent)
     : QObject(parent),
       m_settings(settings),
+      m_guardian(guardianPlace(settings)),
       m_window(settings),
       m_ports(std::move(places)),
       m_machine(settings, m_window, m_store, dataFolder),
       m_motionMarker(markerFolder(dataFolder, settings)) {
+    m_worker.addGuard(m_guardian);
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -82,6 +98,7 @@ void Composition::show(const Start& start) {
     for (const MotionMarker::Left& left : m_motionMarker.left())
         m_window.showMessage(
             texts::endedWhileMoving({left.modules.begin(), left.modules.end()}, left.port, left.file));
+    tellGuardReports();
     checkSettings();
     m_machine.start();
     m_window.showPorts(m_ports.ports());
@@ -319,6 +336,15 @@ void Composition::showFrame() {
 void Composition::showFrameSoon() {
     if (!m_frameTimer.isActive())
         QTimer::singleShot(0, this, &Composition::showFrame);
+}
+
+void Composition::tellGuardReports() {
+    for (const GuardReport& report : takeGuardReports(guardFolder(m_settings).toStdString())) {
+        std::vector<ModuleIndex> modules;
+        for (const std::uint8_t address : report.modules)
+            modules.emplace_back(static_cast<std::uint8_t>(address - 1));
+        m_window.showMessage(texts::guardianStoppedBefore(modules));
+    }
 }
 
 void Composition::checkSettings() {

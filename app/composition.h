@@ -17,6 +17,7 @@
 #include "app/recordingcontroller.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
+#include "link/connection/processguard.h"
 #include "link/connection/sleepinhibitor.h"
 #include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -108,9 +109,14 @@ private:
     void told(const SimulatorAnswered& answer);
     void told(const PanelFroze& froze);
     void told(const MachineSlept& slept);
+    void told(const GuardianStopped& stopped);
+    void told(const GuardianMissing& missing);
     void checkSettings();
+    /// What guardians of panels before this one had to do.
+    void tellGuardReports();
 
     QSettings& m_settings;
+    ProcessGuard m_guardian;
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
@@ -133,6 +139,7 @@ private:
     std::optional<QString> m_troublePort;  ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
     bool m_enableFaults = false;
+    bool m_guardianMissed = false;  ///< and said to be
     std::uint32_t m_lastOperation = 0;
 };
 

@@ -215,6 +215,15 @@ void Composition::told(const MachineSlept& slept) {
     m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
 }
 
+void Composition::told(const GuardianStopped&) {
+    tellIncident(texts::guardianStopped());
+}
+
+void Composition::told(const GuardianMissing& missing) {
+    if (!std::exchange(m_guardianMissed, true))
+        m_window.showMessage(texts::guardianMissing(missing.problem));
+}
+
 void Composition::told(const ServoWentOff& off) {
     const ModuleState* module = m_store.module(off.module);
     if (module != nullptr && module->isStepper()) {

@@ -944,10 +944,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Einen Hardware-Not-Halt vorsehen, der die Motorversorgung trennt.</translation>
     </message>
     <message>
-        <source>These modules have no link watchdog: when the cable, the adapter or this computer fails, a motor that runs keeps running. Stop all, and Esc, work only while the link works.</source>
-        <translation>Diese Module überwachen die Verbindung nicht: fallen Kabel, Adapter oder dieser Rechner aus, läuft ein laufender Motor weiter. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht.</translation>
-    </message>
-    <message>
         <source>Understood</source>
         <translation>Verstanden</translation>
     </message>
@@ -2878,6 +2874,54 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motor stands, but its current was limited: it may not hold its load. This stays until the sticky bits are cleared.</source>
         <translation>Der Motor steht, aber sein Strom wurde begrenzt: Vielleicht hält er seine Last nicht. Das bleibt so, bis die Sticky-Bits gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>The panel ended without stopping its motors; its guardian told module %1 to stop.</source>
+        <translation>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat Modul %1 angewiesen, anzuhalten.</translation>
+    </message>
+    <message>
+        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <translation>Das Panel endete, ohne seine Motoren anzuhalten; sein Wächter hat die Module %1 angewiesen, anzuhalten.</translation>
+    </message>
+    <message>
+        <source>The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it before you connect; use the hardware stop if it moves.</source>
+        <translation>Das Programm wurde beendet, oder es hing. Der Wächter kann nicht sehen, ob ein Motor gehorcht hat: vor dem Verbinden hinsehen; den Hardware-Stopp benutzen, wenn er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The panel stood still while a motor was moving; its guardian told the motors to stop.</source>
+        <translation>Das Panel stand still, während sich ein Motor bewegte; sein Wächter hat die Motoren angewiesen, anzuhalten.</translation>
+    </message>
+    <message>
+        <source>The program was halted, or the computer was too busy. Every value is being read again.</source>
+        <translation>Das Programm war angehalten, oder der Rechner war zu beschäftigt. Alle Werte werden neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Nobody stops the motors if this program is killed: it has no guardian.</source>
+        <translation>Niemand hält die Motoren an, wenn dieses Programm abgeschossen wird: Es hat keinen Wächter.</translation>
+    </message>
+    <message>
+        <source>nmcguard belongs beside this program, and is not there. Install it again. Everything else works.</source>
+        <translation>nmcguard gehört neben dieses Programm und ist nicht da. Neu installieren. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>This user may not start nmcguard, which lies beside this program. Everything else works.</source>
+        <translation>Dieser Benutzer darf nmcguard, das neben diesem Programm liegt, nicht starten. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>The nmcguard beside this program is of another version. Install both again. Everything else works.</source>
+        <translation>Das nmcguard neben diesem Programm hat eine andere Version. Beide neu installieren. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>The computer has no memory or no file left for it. Close other programs, then connect again. Everything else works.</source>
+        <translation>Der Rechner hat keinen Speicher oder keine Datei mehr dafür frei. Andere Programme schließen, dann neu verbinden. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>It has ended by itself. Connect again to start another one. Everything else works.</source>
+        <translation>Er hat sich von selbst beendet. Neu verbinden, um einen anderen zu starten. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
+        <translation>Diese Module überwachen die Verbindung nicht: Wenn das Kabel durchtrennt ist, der Adapter hängt oder dieser Rechner seinen Strom verliert, läuft ein laufender Motor weiter, und kein Programm kann ihn anhalten. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter hält die Motoren an, wenn dieses Programm abgeschossen wird, abstürzt oder hängt.</translation>
     </message>
 </context>
 <context>

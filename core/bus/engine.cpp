@@ -147,12 +147,15 @@ std::optional<TimePoint> Engine::nextDeadline() const {
 }
 
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
-    std::vector<std::uint8_t> burst = stopBurst();
-    if (burst == m_burst && m_burstRate == stopBurstRate())
-        return std::nullopt;
-    m_burstRate = stopBurstRate();
-    m_burst = burst;
-    return burst;
+    bool changed = std::exchange(m_burstBaud, stopBurstBaud()) != stopBurstBaud() && !m_chain.empty();
+    changed = changed || m_burstStops.size() != m_chain.size();
+    m_burstStops.resize(m_chain.size());
+    for (std::size_t i = 0; i < m_chain.size(); ++i) {
+        auto stop = stopFor(m_chain.modules()[i].belief);
+        changed = changed || m_burstStops[i] != stop;
+        m_burstStops[i] = std::move(stop);
+    }
+    return changed ? std::optional(stopBurst()) : std::nullopt;
 }
 
 // ---- what is next ----

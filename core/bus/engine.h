@@ -95,9 +95,10 @@ public:
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
     /// 2.6); empty when nothing is on. Changes only with a command or a status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const { return m_chain.stopBurst(); }
-    /// The rate at which that has to go out: the port may be at another one while the chain is looked for.
-    [[nodiscard]] std::uint32_t stopBurstRate() const { return m_chain.rate(); }
-    /// The same when it has changed since this was asked for the last time; cheap otherwise. Empty at first.
+    /// The rate at which the chain hears that; the port may be at another one, in a search say.
+    [[nodiscard]] std::uint32_t stopBurstBaud() const { return m_chain.rate(); }
+    /// The burst when it, or its rate, has changed since this was asked for the last time; cheap otherwise.
+    /// Empty at first.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; off at first, and then without cost.
@@ -172,9 +173,9 @@ private:
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
-    std::optional<Work> m_again;        ///< to be repeated
-    std::vector<std::uint8_t> m_burst;  ///< when somebody asked last
-    std::uint32_t m_burstRate = 0;      ///< the same
+    std::optional<Work> m_again;                             ///< to be repeated
+    std::vector<std::optional<ModuleCommand>> m_burstStops;  ///< of each module, when somebody asked last
+    std::uint32_t m_burstBaud = 0;                           ///< the same
 };
 
 }  // namespace nmc::bus

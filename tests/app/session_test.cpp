@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "app/unixsignals.h"
+#include "link/guardian/guardreport.h"
 #include "tests/app/panel.h"
 
 namespace nmc {
@@ -82,6 +83,32 @@ TEST(H01_FrozenPanel, SaysSoInTheMessageList) {
     EXPECT_TRUE(panel.waitFor([&] {
         return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
     })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(H02_Guardian, WhatItHadToDoIsSaidAtTheNextStartOnce) {
+    QTemporaryDir directory;
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    // As a guardian writes it: the stops of modules 1 and 3 (DS-V 5.2).
+    const std::vector<std::uint8_t> stops{0,    0xAA, 0x01, 0x17, 0x05, 0x1D, 0,
+                                          0xAA, 0x03, 0x17, 0x05, 0x1F, 0};
+    ASSERT_TRUE(writeGuardReport(directory.filePath(QStringLiteral("guardian-1.report")).toStdString(),
+                                 *StopBurst::of(stops, 19'200)));
+    {
+        IntentPanel next(settings);
+        next.start();
+        EXPECT_EQ(next.count(QStringLiteral("its guardian told modules 1, 3 to stop")), 1)
+            << next.headlines().join(QLatin1Char('\n')).toStdString();
+    }
+    IntentPanel oneAfter(settings);
+    oneAfter.start();
+    EXPECT_EQ(oneAfter.count(QStringLiteral("guardian")), 0);
+}
+
+TEST(H02_Guardian, IsThereWithoutAWordOnAPort) {
+    NmcsimProcess sim(kServo);
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("guardian")), 0);
 }
 
 TEST(H18_ReadOnlyHome, IsSaidOnceAndTheProgramRuns) {

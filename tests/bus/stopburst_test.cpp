@@ -52,6 +52,22 @@ TEST(StopBurst, IsKnownBeforeTheCommandThatNeedsItLeaves) {
     EXPECT_EQ(toHex(*atLeaving), kStopsTheFirst);
 }
 
+TEST(StopBurst, IsForTheRateOfTheChainWhileTheLineIsElsewhere) {
+    EngineConfig config;
+    config.baud = 115'200;
+    VirtualBus bus(servos(2), config);
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    // A servo tick is 5.9 bytes now.
+    const std::string stop = kStopsTheFirst + " 00 00 00 00 00";
+    EXPECT_EQ(toHex(bus.engine.stopBurst()), stop);
+    bus.chain.powerCycle(ModuleIndex(1), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.hostBaud == 19'200; }, 10s))
+        << "it looks for the one that restarted";
+    EXPECT_EQ(bus.engine.stopBurstBaud(), 115'200U);
+    EXPECT_EQ(toHex(bus.engine.stopBurst()), stop);
+}
+
 }  // namespace
 
 }  // namespace nmc::test

@@ -130,7 +130,10 @@ public:
         m_moving = moving;
         note({Told::What::Arm, {burst.begin(), burst.end()}, baud, moving});
     }
-    void beat(TimePoint now) override { m_beat = now; }
+    News beat(TimePoint now) override {
+        m_beat = now;
+        return {};
+    }
     void end() override { note({Told::What::End}); }
 
     void note(Told told) {
@@ -212,6 +215,33 @@ TEST_F(GuardedLoop, IsArmedAtTheRateOfTheChainBeforeTheMotorIsOn) {
         EXPECT_FALSE(enables && !armed) << "there would be a moment in which nothing could stop it";
     }
     EXPECT_TRUE(armed);
+}
+
+/// One that has the line once, while motors move, as a guardian does of a loop that stood still.
+class Stepped : public LoopGuard {
+public:
+    void begin(int) override {}
+    void arm(ByteSpan, std::uint32_t, bool) override {}
+    News beat(TimePoint) override { return {m_spoke.exchange(false)}; }
+    void end() override {}
+    void speak() { m_spoke = true; }
+
+private:
+    std::atomic<bool> m_spoke{false};
+};
+
+TEST(SteppedIn, GuardHasTheLoopStopTheMotorsItselfAndIsTold) {
+    Stepped guard;
+    LoopRig rig;
+    rig.loop.addGuard(guard);
+    rig.openSimulator(simulatorConfig(), servoChain(1));
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    rig.loop.ask(runOn(1));
+    ASSERT_TRUE(rig.waitFor<bus::OperationFinished>());
+    guard.speak();
+    ASSERT_TRUE(rig.waitFor<bus::StopFinished>());
+    EXPECT_EQ(rig.last<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_EQ(rig.count<GuardianStopped>(), 1U);
 }
 
 TEST_F(GuardedLoop, IsToldWhenAMotorMovesAndWhenItStands) {

@@ -70,11 +70,11 @@ TEST(H02_Killed, LeavesTheMotorRunning) {
 }
 
 TEST(H03_CrashBurst, RefusesABurstThatDoesNotFitWhole) {
-    const std::vector<std::uint8_t> fits(crashburst::kCapacity, 0);
-    const std::vector<std::uint8_t> doesNot(crashburst::kCapacity + 1, 0);
-    EXPECT_TRUE(crashburst::arm(1, fits));
-    EXPECT_FALSE(crashburst::arm(1, doesNot));
-    EXPECT_TRUE(crashburst::arm(-1, fits)) << "the simulator in this process has no descriptor";
+    const std::vector<std::uint8_t> fits(StopBurst::kCapacity, 0);
+    const std::vector<std::uint8_t> doesNot(StopBurst::kCapacity + 1, 0);
+    EXPECT_TRUE(crashburst::arm(1, fits, 19'200));
+    EXPECT_FALSE(crashburst::arm(1, doesNot, 19'200));
+    EXPECT_TRUE(crashburst::arm(-1, fits, 19'200)) << "the simulator in this process has no descriptor";
     crashburst::disarm();
     EXPECT_FALSE(crashburst::underWay());
 }

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves a motor through the real worker and the real serial port, says "moving", waits for a line on standard
 // input, and then dies in the way and in the thread that the arguments name:
-//   crasher TERMINAL gui|bus segv|abort|overflow|kill
+//   crasher TERMINAL gui|bus|close segv|abort|overflow|kill [BAUD trapezoid|velocity|hold|group NMCGUARD
+//   REPORT]
+// With a guardian it says "stopped" when it hears that the guardian has stopped the motors while it lived,
+// and "unguarded" when it has none any more.
+#include <unistd.h>
 #include <QCoreApplication>
+#include <QSocketNotifier>
 #include <QThread>
+#include <QTimer>
 #include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 #include "link/connection/crashburst.h"
+#include "link/connection/processguard.h"
 #include "tests/link/connection.h"
 
 namespace {
@@ -56,28 +64,81 @@ private:
     const char* m_how;
 };
 
+void say(const char* word) {
+    std::puts(word);
+    std::fflush(stdout);
+}
+
+/// Motor 2 runs on and on, in a motion of this kind, which `hold` keeps up.
+bool setGoing(testing_support::Connection& connection, std::string_view motion, QTimer& hold) {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(8 << 16);
+    load.acceleration = CountsPerTickSquared(1'311);
+    load.profile = servo::ProfileMode::Velocity;
+    if (motion == "trapezoid")
+        return connection.carryOut(testing_support::move(1, 100'000'000)) == bus::Outcome::Done;
+    if (motion == "velocity")
+        return connection.carryOut({testing_support::step(1, load),
+                                    testing_support::step(1, StartMotion{})}) == bus::Outcome::Done;
+    if (motion == "hold") {
+        QObject::connect(&hold, &QTimer::timeout, [&connection, load] {
+            connection.worker().hold({ModuleIndex(1), *load.velocity, *load.acceleration});
+        });
+        hold.start(50);
+        return true;
+    }
+    const auto group = [&connection](std::uint32_t id, auto what) {
+        connection.forgetNews();
+        connection.worker().submit(bus::GroupOperation{bus::OperationId(id), what});
+        return connection.waitFor<bus::GroupFinished>() &&
+               connection.news<bus::GroupFinished>()->outcome == bus::Outcome::Done;
+    };
+    for (const std::uint8_t module : {std::uint8_t{0}, std::uint8_t{1}})
+        if (!group(1'000U + module, bus::GroupChange{ModuleIndex(module), {0x81, module == 1}}) ||
+            (module == 0 &&
+             connection.carryOut(testing_support::gainsAndEnable(module)) != bus::Outcome::Done) ||
+            connection.carryOut({testing_support::step(module, load)}) != bus::Outcome::Done)
+            return false;
+    return group(1'002, bus::GroupCommand{0x81, bus::GroupCommand::Action::StartMotion});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace nmc::testing_support;
     const QCoreApplication application(argc, argv);
-    if (argc != 4)
+    if (argc != 4 && argc != 8)
         return 2;
+    const bool guarded = argc == 8;
     const crashburst::HandlerStack stack;
     crashburst::installHandlers();
+    QTimer hold;
+    ProcessGuard guard(guarded ? GuardianPlace{argv[6], argv[7]} : GuardianPlace{});
     Connection connection;
-    connection.open([argv] { return std::make_unique<Mine>(QString::fromLocal8Bit(argv[1]), argv[3]); });
+    if (guarded)
+        connection.worker().addGuard(guard);
+    connection.open([argv] { return std::make_unique<Mine>(QString::fromLocal8Bit(argv[1]), argv[3]); },
+                    guarded ? static_cast<std::uint32_t>(std::atoi(argv[4])) : 19'200U);
     if (!connection.waitFor<bus::ChainFound>() ||
         connection.carryOut(gainsAndEnable(1)) != bus::Outcome::Done ||
-        connection.carryOut(move(1, 100'000'000)) != bus::Outcome::Done ||
+        !setGoing(connection, guarded ? argv[5] : "trapezoid", hold) ||
         !connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; }))
         return 3;
-    std::puts("moving");
-    std::fflush(stdout);
-    std::getchar();
-    if (std::strcmp(argv[2], "gui") == 0)
-        die(argv[3]);
-    Mine::s_lit = true;
-    QThread::sleep(20);  // the other thread ends this
-    return 4;
+    QObject::connect(&connection.store(), &BusStore::happened, [](const StoreEvent& event) {
+        if (std::holds_alternative<GuardianStopped>(event))
+            say("stopped");
+        if (std::holds_alternative<GuardianMissing>(event))
+            say("unguarded");
+    });
+    QSocketNotifier told(STDIN_FILENO, QSocketNotifier::Read);
+    QObject::connect(&told, &QSocketNotifier::activated, [&] {
+        told.setEnabled(false);
+        if (std::strcmp(argv[2], "gui") == 0)
+            die(argv[3]);
+        if (std::strcmp(argv[2], "close") == 0)
+            return QCoreApplication::quit();
+        Mine::s_lit = true;  // the other thread ends this
+    });
+    say("moving");
+    return QCoreApplication::exec();
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <sys/types.h>
-
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include "tests/support/lineprocess.h"
 
 namespace nmc::testing_support {
 
@@ -25,14 +24,10 @@ public:
     [[nodiscard]] const std::string& terminal() const { return m_terminal; }
     nlohmann::json control(const std::string& line);
     nlohmann::json state(int module) { return control("state " + std::to_string(module)); }
-    [[nodiscard]] pid_t pid() const { return m_process; }
+    [[nodiscard]] pid_t pid() const { return m_process.pid(); }
 
 private:
-    std::string answer();
-
-    pid_t m_process = -1;
-    std::FILE* m_to = nullptr;
-    std::FILE* m_from = nullptr;
+    LineProcess m_process;
     std::string m_terminal;
 };
 

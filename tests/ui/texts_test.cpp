@@ -218,6 +218,10 @@ TEST(Texts, NoForbiddenWords) {
         << texts::badChain(u"x"_s, u"y"_s) << texts::safety().body << texts::noDisplay();
     for (int a = 0; a <= static_cast<int>(Activity::WentOff); ++a)
         add(texts::amplifierWentOff(ModuleIndex(0), static_cast<Activity>(a)));
+    for (int p = 0; p <= static_cast<int>(GuardianProblem::Ended); ++p)
+        add(texts::guardianMissing(static_cast<GuardianProblem>(p)));
+    add(texts::guardianStopped());
+    add(texts::guardianStoppedBefore({ModuleIndex(0), ModuleIndex(2)}));
     for (QString& sentence : all) {
         // The one thing that has that name (interface.md, "Stop").
         sentence.remove(u"E-stop input"_s);

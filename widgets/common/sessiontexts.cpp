@@ -61,6 +61,64 @@ Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString&
         .actions = {{action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
 }
 
+Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
+    const QString text =
+        modules.size() == 1
+            ? Texts::tr("The panel ended without stopping its motors; its guardian told module %1 to stop.")
+            : Texts::tr("The panel ended without stopping its motors; its guardian told modules %1 to stop.");
+    return {.key = u"guardianStoppedBefore"_s,
+            .severity = Severity::Attention,
+            .headline = text.arg(listOfModules(modules)),
+            .body = Texts::tr(
+                "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at "
+                "it before you connect; use the hardware stop if it moves.")};
+}
+
+Message guardianStopped() {
+    return {
+        .key = u"guardianStopped"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("The panel stood still while a motor was moving; its guardian told the motors "
+                              "to stop."),
+        .body = Texts::tr("The program was halted, or the computer was too busy. Every value is being read "
+                          "again.")};
+}
+
+Message guardianMissing(GuardianProblem problem) {
+    Message m{
+        .key = u"guardianMissing"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Nobody stops the motors if this program is killed: it has no guardian.")};
+    switch (problem) {
+        case GuardianProblem::Missing:
+            m.body = Texts::tr(
+                "nmcguard belongs beside this program, and is not there. Install it again. "
+                "Everything else works.");
+            break;
+        case GuardianProblem::NotPermitted:
+            m.body = Texts::tr(
+                "This user may not start nmcguard, which lies beside this program. Everything "
+                "else works.");
+            break;
+        case GuardianProblem::WrongVersion:
+            m.body = Texts::tr(
+                "The nmcguard beside this program is of another version. Install both again. "
+                "Everything else works.");
+            break;
+        case GuardianProblem::Failed:
+            m.body = Texts::tr(
+                "The computer has no memory or no file left for it. Close other programs, then "
+                "connect again. Everything else works.");
+            break;
+        case GuardianProblem::Ended:
+            m.body = Texts::tr(
+                "It has ended by itself. Connect again to start another one. Everything else "
+                "works.");
+            break;
+    }
+    return m;
+}
+
 Message settingsNotSaved(const QString& file) {
     return {
         .key = u"settings"_s,

@@ -196,8 +196,10 @@ Message safety() {
     return {.key = key::safety(),
             .headline = Texts::tr("Fit a hardware emergency stop that removes motor power."),
             .body = Texts::tr(
-                "These modules have no link watchdog: when the cable, the adapter or this computer fails, "
-                "a motor that runs keeps running. Stop all, and Esc, work only while the link works."),
+                "These modules have no link watchdog: when the cable is cut, the adapter hangs or this "
+                "computer loses its power, a motor that runs keeps running, and no program can stop it. Stop "
+                "all, and Esc, work only while the link works. A guardian stops the motors when this "
+                "program is killed, crashes or hangs."),
             .actions = {{action::kUnderstood, Texts::tr("Understood")}}};
 }
 

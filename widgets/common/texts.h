@@ -10,6 +10,7 @@
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
 #include "link/files/machineio.h"
+#include "link/guardian/guardianproblem.h"
 #include "link/ports/porterror.h"
 #include "model/machinefile/fileproblem.h"
 #include "model/machinefile/machinecompare.h"
@@ -126,6 +127,11 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// A session before ended without a stop; `file` is what it has left.
 [[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
                                        const QString& file);
+/// The session before ended so, and its guardian told these modules to stop.
+[[nodiscard]] Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules);
+/// This one stood still, and goes on.
+[[nodiscard]] Message guardianStopped();
+[[nodiscard]] Message guardianMissing(GuardianProblem problem);
 /// `file`: where they belong.
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// `holding`: some servo is on and keeps its motor where it is.

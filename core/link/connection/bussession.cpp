@@ -28,9 +28,8 @@ BusSession::BusSession(BusChannel& channel, Transport& transport, const bus::Eng
       m_transport(transport),
       m_guards(std::move(guards)),
       m_asleepSoFar(std::move(asleepSoFar)),
-      m_engine(config) {
-    m_guarded.baud = kPowerUpBaud;
-}
+      m_engine(config),
+      m_portBaud(kPowerUpBaud) {}
 
 std::optional<PortError> BusSession::run() {
     for (LoopGuard* guard : m_guards)
@@ -47,8 +46,8 @@ std::optional<PortError> BusSession::run() {
 std::optional<PortError> BusSession::converse() {
     while (true) {
         const TimePoint now = monotonicNow();
-        for (LoopGuard* guard : m_guards)
-            guard->beat(now);
+        if (const auto heard = hearGuards(now); !heard)
+            return heard.error();
         if (m_channel.requests.closeWanted() && !m_closeBy) {
             m_closeBy = now + kCloseTimeout;
             m_engine.stopAll(now);
@@ -146,18 +145,31 @@ void BusSession::watchOver(TimePoint now) {
     }
 }
 
-void BusSession::tellGuards() {
-    const bool moving = m_engine.anythingMoves();
-    auto burst = m_engine.changedStopBurst();
-    if (!burst && moving == m_guarded.moving)
-        return;
-    if (burst)
-        m_guarded.burst = std::move(*burst);
-    m_guarded.moving = moving;
-    armGuards();
+tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
+    bool stoodStill = false;
+    for (LoopGuard* guard : m_guards) {
+        const LoopGuard::News news = guard->beat(now);
+        stoodStill = stoodStill || news.stoppedMotors;
+        if (news.problem)
+            m_channel.post(GuardianMissing{*news.problem});
+    }
+    if (!stoodStill)
+        return {};
+    m_engine.distrust(now);
+    m_engine.stopAll(now);
+    m_channel.post(GuardianStopped{});
+    return m_transport.setBaud(m_portBaud);
 }
 
-void BusSession::armGuards() {
+void BusSession::tellGuards() {
+    Guarded news = m_guarded;
+    if (auto burst = m_engine.changedStopBurst())
+        news.burst = std::move(*burst);
+    news.baud = m_engine.stopBurstBaud();
+    news.moving = m_engine.anythingMoves();
+    if (news == m_guarded)
+        return;
+    m_guarded = std::move(news);
     for (LoopGuard* guard : m_guards)
         guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
 }
@@ -170,11 +182,8 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
         tl::expected<void, PortError> done;
         std::visit(Overloaded{
                        [&](const bus::SetHostBaud& rate) {
+                           m_portBaud = rate.baud;
                            done = m_transport.setBaud(rate.baud);
-                           if (rate.baud == m_guarded.baud)
-                               return;
-                           m_guarded.baud = rate.baud;
-                           armGuards();
                        },
                        [&](const bus::Send& send) { done = m_transport.send(send.bytes); },
                        [&](const bus::DiscardInput&) { m_transport.discardInput(); },

@@ -46,9 +46,9 @@ private:
     void search(RequestBox::Search how, TimePoint now);
     /// Stops the motors when nobody else can see to it.
     void watchOver(TimePoint now);
-    /// When anything has changed that concerns them.
+    /// What the guards have to tell.
+    tl::expected<void, PortError> hearGuards(TimePoint now);
     void tellGuards();
-    void armGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
     /// Returns true when a stop has finished.
     bool publishEvents();
@@ -65,6 +65,7 @@ private:
     OpenRequests m_open;
     SuspendWatch m_suspendWatch;
     Guarded m_guarded;
+    std::uint32_t m_portBaud;
     bool m_engineRecords = false;
     bool m_restartWhenStopped = false;
     std::optional<TimePoint> m_closeBy;

@@ -101,9 +101,8 @@ void BusStore::take(const WorkerEvent& event) {
                    [this](const bus::Event& told) { take(told); },
                    [](const PortOpened&) {},  // connecting since begin()
                    [this](const PortClosed& close) { closed(close); },
-                   [this](const AnyOf<SimulatorAnswered, PanelFroze, MachineSlept> auto& news) {
-                       emit happened(news);
-                   },
+                   [this](const AnyOf<SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped,
+                                      GuardianMissing> auto& news) { emit happened(news); },
                },
                event);
 }

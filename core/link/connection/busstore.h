@@ -33,7 +33,7 @@ using StoreEvent =
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
                  bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, CurrentLimited,
-                 SimulatorAnswered, PanelFroze, MachineSlept>;
+                 SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.

@@ -1,56 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "link/connection/crashburst.h"
 
-#include <poll.h>
-#include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <csignal>
 
 namespace nmc::crashburst {
 
 namespace {
 
-struct Burst {
+struct Armed {
     int fd = -1;
-    std::size_t size = 0;
-    std::array<std::uint8_t, kCapacity> bytes{};
+    StopBurst burst;
 };
 
 constexpr std::array kDeadly{SIGSEGV, SIGABRT, SIGBUS, SIGFPE};
 /// A port that takes no bytes any more must not keep a dead program from ending.
 constexpr unsigned kPatience = 3;  // s
-constexpr int kPatienceMs = 1'000;
 constexpr std::size_t kStackSize = 64 * 1'024;
 
 /// Two, so that the one a handler may be reading is never the one being written.
-std::array<Burst, 2> g_bursts;
-std::atomic<const Burst*> g_armed{nullptr};
+std::array<Armed, 2> g_bursts;
+std::atomic<const Armed*> g_armed{nullptr};
 std::atomic<bool> g_underWay{false};
-static_assert(std::atomic<const Burst*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<const Armed*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 // ---- what runs in a handler: async-signal-safe calls only ----
-
-void writeAll(const Burst& burst) {
-    std::size_t written = 0;
-    while (written < burst.size) {
-        const auto n = ::write(burst.fd, burst.bytes.data() + written, burst.size - written);
-        if (n > 0) {
-            written += static_cast<std::size_t>(n);
-            continue;
-        }
-        if (n < 0 && errno == EINTR)
-            continue;
-        pollfd writable{burst.fd, POLLOUT, 0};
-        if (n == 0 || errno != EAGAIN || ::poll(&writable, 1, kPatienceMs) <= 0)
-            return;
-    }
-    ::tcdrain(burst.fd);
-}
 
 void takeUsualCourse(int number) {
     struct sigaction usual {};
@@ -65,27 +42,26 @@ void onDeadlySignal(int number) {
             ::pause();
     ::signal(SIGALRM, SIG_DFL);
     ::alarm(kPatience);
-    if (const Burst* burst = g_armed.load(std::memory_order_acquire)) {
+    if (const Armed* armed = g_armed.load(std::memory_order_acquire)) {
         // Twice: the bus thread may have been in the middle of handing a start to the port.
-        writeAll(*burst);
-        writeAll(*burst);
+        sendBurst(armed->fd, armed->burst);
+        sendBurst(armed->fd, armed->burst);
     }
     takeUsualCourse(number);
 }
 
 }  // namespace
 
-bool arm(int fd, ByteSpan bytes) {
+bool arm(int fd, ByteSpan bytes, std::uint32_t baud) {
     if (underWay())
         return true;
-    if (fd < 0 || bytes.empty() || bytes.size() > kCapacity) {
+    const auto burst = StopBurst::of(bytes, baud);
+    if (fd < 0 || bytes.empty() || !burst) {
         disarm();
-        return bytes.size() <= kCapacity;
+        return burst.has_value();
     }
-    Burst& next = g_armed.load(std::memory_order_relaxed) == g_bursts.data() ? g_bursts[1] : g_bursts[0];
-    next.fd = fd;
-    next.size = bytes.size();
-    std::copy(bytes.begin(), bytes.end(), next.bytes.begin());
+    Armed& next = g_armed.load(std::memory_order_relaxed) == g_bursts.data() ? g_bursts[1] : g_bursts[0];
+    next = {fd, *burst};
     g_armed.store(&next, std::memory_order_release);
     return true;
 }

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 #include "base/bytes.h"
+#include "link/guardian/stopburst.h"
 
 /// The last thing that a crashing panel does: it writes the stop of every motor to the port (link.md 2.6).
 /// The modules have no watchdog, so without it a motor would run on behind a dead program.
 ///
 /// A signal handler may not allocate, lock or ask an engine, so the bytes lie ready in static memory. It is
-/// beyond SIGKILL, a power cut and a pulled cable. Without Qt; one port a process.
+/// beyond SIGKILL and a process that stands still, which are for the guardian (link/guardian/guardian.h), and
+/// beyond a power cut and a pulled cable. Without Qt; one port a process.
 namespace nmc::crashburst {
 
-/// 32 modules with a stop packet and its padding each, and the nulls before them.
-inline constexpr std::size_t kCapacity = 1'024;
-
-/// From now on a crash writes `bytes` to `fd`; nothing with fd -1 or without bytes. A longer burst is refused
-/// whole: half a burst would be a promise not kept. Bus thread, before the command that changes the burst
-/// leaves.
-bool arm(int fd, ByteSpan bytes);
+/// From now on a crash sets `fd` to `baud`, the rate at which the chain hears it, and writes `bytes` to it;
+/// nothing with fd -1 or without bytes. A burst longer than StopBurst::kCapacity is refused whole. Bus
+/// thread, before the command that changes the burst leaves.
+bool arm(int fd, ByteSpan bytes, std::uint32_t baud);
 /// Nothing is left to stop, or the port is about to be closed. Bus thread.
 void disarm();
 /// A burst is being written, so nothing else may follow it on the wire: the caller must wait for the end of

@@ -9,8 +9,8 @@ void CrashGuard::begin(int fd) {
     m_fd = fd;
 }
 
-void CrashGuard::arm(ByteSpan burst, std::uint32_t /*baud*/, bool /*moving*/) {
-    crashburst::arm(m_fd, burst);
+void CrashGuard::arm(ByteSpan burst, std::uint32_t baud, bool /*moving*/) {
+    crashburst::arm(m_fd, burst, baud);
 }
 
 void CrashGuard::end() {

@@ -11,7 +11,7 @@ class CrashGuard : public LoopGuard {
 public:
     void begin(int fd) override;
     void arm(ByteSpan burst, std::uint32_t baud, bool moving) override;
-    void beat(TimePoint /*now*/) override {}
+    [[nodiscard]] News beat(TimePoint /*now*/) override { return {}; }
     void end() override;
 
 private:

@@ -148,6 +148,12 @@ struct EventLine {
     std::string operator()(const MachineSlept& slept) const {
         return "machine slept for " + ms(slept.length);
     }
+    std::string operator()(const GuardianStopped&) const {
+        return "the loop stood still, and the guardian stopped the motors";
+    }
+    std::string operator()(const GuardianMissing& missing) const {
+        return "no guardian: problem " + number(missing.problem);
+    }
 };
 
 }  // namespace

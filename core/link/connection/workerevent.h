@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "bus/types.h"
+#include "link/guardian/guardianproblem.h"
 #include "link/ports/porterror.h"
 
 /// What the bus thread tells the GUI thread. Values; any thread.
@@ -35,8 +36,16 @@ struct MachineSlept {
     Duration length{};
 };
 
-using WorkerEvent =
-    std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, MachineSlept>;
+/// The bus thread stood still while something moved, and the guardian stopped the motors.
+struct GuardianStopped {};
+
+/// Nobody stops the motors any more when this process is killed.
+struct GuardianMissing {
+    GuardianProblem problem = GuardianProblem::Missing;
+};
+
+using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze,
+                                 MachineSlept, GuardianStopped, GuardianMissing>;
 
 /// It tells how things stand, and the next one tells it better: one that is lost is not missed.
 [[nodiscard]] bool isSample(const WorkerEvent& event);

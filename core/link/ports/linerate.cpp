@@ -16,6 +16,16 @@ std::optional<std::uint32_t> lineRate(int fd) {
     return settings.c_ospeed;
 }
 
+bool setLineRate(int fd, std::uint32_t baud) {
+    termios2 settings{};
+    if (::ioctl(fd, TCGETS2, &settings) != 0)
+        return false;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | CBAUD << IBSHIFT);
+    settings.c_cflag |= BOTHER;
+    settings.c_ispeed = settings.c_ospeed = baud;
+    return ::ioctl(fd, TCSETS2, &settings) == 0;
+}
+
 bool rateIsGoodEnough(std::uint32_t wanted, std::uint32_t real) {
     constexpr std::int64_t kPercent = 2;
     return std::abs(std::int64_t{real} - wanted) * 100 <= std::int64_t{wanted} * kPercent;

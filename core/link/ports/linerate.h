@@ -10,6 +10,9 @@ namespace nmc {
 /// round what was asked for to what their divisor makes.
 [[nodiscard]] std::optional<std::uint32_t> lineRate(int fd);
 
+/// Sets any rate at all, at once, and nothing else of the terminal's settings. A signal handler may do so.
+bool setLineRate(int fd, std::uint32_t baud);
+
 /// A mismatch of more than 2 % between two ends loses bytes (protocol.md 1).
 [[nodiscard]] bool rateIsGoodEnough(std::uint32_t wanted, std::uint32_t real);
 

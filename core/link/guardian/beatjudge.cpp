@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "link/guardian/beatjudge.h"
+
+namespace nmc {
+
+std::optional<TimePoint> BeatJudge::lookBy(const Beat& beat) const {
+    if (!beat.moving)
+        return std::nullopt;
+    return m_stale == beat.at ? m_lookAgain : beat.at + kLongest;
+}
+
+bool BeatJudge::expired(const Beat& beat, TimePoint now) {
+    const auto by = lookBy(beat);
+    if (!by || now < *by)
+        return false;
+    const bool seenBefore = m_stale == beat.at;
+    const bool saidBefore = seenBefore && m_said;
+    const bool tooLateToTell = !seenBefore && now - *by > kLate;
+    m_stale = beat.at;
+    m_said = !tooLateToTell;
+    m_lookAgain = now + kLongest;
+    return m_said && !saidBefore;
+}
+
+}  // namespace nmc

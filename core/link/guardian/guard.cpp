@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "link/guardian/guard.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <utility>
+
+#include "link/clock.h"
+#include "link/guardian/beatjudge.h"
+#include "link/guardian/guardmemory.h"
+#include "link/guardian/guardreport.h"
+#include "link/threadpriority.h"
+
+namespace nmc {
+
+namespace {
+
+using Fds = GuardDescriptors;
+
+/// A packet that was cut short is complete by the nulls of the first burst at the latest; whatever of the
+/// second one noise has spoilt is said again.
+constexpr int kTimes = 3;
+/// After a packet, and before the next: a servo tick (DS-V 4.1), and time for an adapter to hand it over.
+constexpr Duration kPause = std::chrono::milliseconds(2);
+constexpr Duration kQuiet = std::chrono::milliseconds(3);
+/// A line that is never quiet must not put the stop off for longer: the modules give way to a command.
+constexpr Duration kQuietLimit = std::chrono::milliseconds(60);
+constexpr Duration kLook = std::chrono::milliseconds(1);
+
+void pause(Duration time) {
+    pollUntil({}, monotonicNow() + time);
+}
+
+/// True when this open file description holds the port's lock, or has just got it back; false when another
+/// one does. It is the panel's own description: the lock outlives the panel in it.
+bool lockIsOurs() {
+    return ::flock(Fds::kPort, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Until nothing has come in and nothing was left to go out for a while. What then is still queued would only
+/// be in the way.
+void waitForQuiet() {
+    const TimePoint limit = monotonicNow() + kQuietLimit;
+    std::pair<int, int> before{-1, -1};
+    TimePoint since = monotonicNow();
+    while (true) {
+        std::pair<int, int> pending{0, 0};  // in, out
+        ::ioctl(Fds::kPort, FIONREAD, &pending.first);
+        ::ioctl(Fds::kPort, TIOCOUTQ, &pending.second);
+        const TimePoint now = monotonicNow();
+        if (std::exchange(before, pending) != pending || pending.second != 0)
+            since = now;
+        if (now - since >= kQuiet)
+            return;
+        if (now >= limit)
+            break;
+        pause(kLook);
+    }
+    constexpr int kOutput = 1;  // TCOFLUSH
+    ::ioctl(Fds::kPort, TCFLSH, kOutput);
+}
+
+class Guard {
+public:
+    Guard(GuardMemory memory, std::string reportFile)
+        : m_memory(std::move(memory)),
+          m_reportFile(std::move(reportFile)),
+          m_panelFd(::fcntl(Fds::kPanel, F_GETFD) >= 0 ? int{Fds::kPanel} : -1) {}
+
+    GuardEnd run() {
+        while (true) {
+            std::array<pollfd, 3> fds{{{Fds::kPort, 0, 0}, {m_channelFd, POLLIN, 0}, {m_panelFd, POLLIN, 0}}};
+            pollUntil(fds, m_judge.lookBy(m_memory.beat()));
+            if (m_memory.ended())
+                return GuardEnd::Told;
+            if (fds[0].revents != 0)
+                return GuardEnd::PortVanished;
+            const bool closed = fds[1].revents != 0 && !takeWakes();
+            if (fds[2].revents != 0 || (closed && m_panelFd < 0)) {
+                outlive();
+                return GuardEnd::Outlived;
+            }
+            if (closed)
+                m_channelFd = -1;  // it is dying: its end itself is what counts
+            if (const Beat beat = m_memory.beat(); m_judge.expired(beat, monotonicNow()))
+                standIn(beat);
+        }
+    }
+
+private:
+    /// False at the end of the channel.
+    [[nodiscard]] static bool takeWakes() {
+        std::array<char, 64> wakes{};
+        ssize_t got = 0;
+        while ((got = ::recv(Fds::kChannel, wakes.data(), wakes.size(), MSG_DONTWAIT)) > 0) {
+        }
+        return got < 0;
+    }
+
+    /// The panel is no more. Until our copy of its lock is gone, too, nobody else is on this port.
+    void outlive() {
+        stopMotors(std::nullopt);
+        // As a close by the panel would have left it.
+        ::ioctl(Fds::kPort, TIOCNXCL);
+    }
+
+    /// The panel is there, and does nothing. It may come back at any instant: from the moment that it sees us
+    /// speak it waits, and if it came back before, its beat is a new one and the line is its own.
+    void standIn(const Beat& stale) {
+        m_memory.setGuardianSpeaks(true);
+        if (stopMotors(stale))
+            m_memory.noteStop();
+        m_memory.setGuardianSpeaks(false);
+    }
+
+    bool stopMotors(std::optional<Beat> stale) {
+        const StopBurst burst = m_memory.burst();
+        if (burst.size == 0 || !lockIsOurs())
+            return false;
+        waitForQuiet();
+        if (stale && m_memory.beat() != *stale)
+            return false;
+        bool said = false;
+        for (int i = 0; i < kTimes; ++i) {
+            said = sendBurst(Fds::kPort, burst) || said;
+            pause(kPause);
+        }
+        if (said)
+            writeGuardReport(m_reportFile, burst);
+        return said;
+    }
+
+    GuardMemory m_memory;
+    std::string m_reportFile;
+    BeatJudge m_judge;
+    int m_channelFd = Fds::kChannel;
+    int m_panelFd;
+};
+
+}  // namespace
+
+GuardEnd runGuard(const std::string& reportFile) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU})
+        std::signal(number, SIG_IGN);
+    auto memory = GuardMemory::attach(Fds::kMemory);
+    const std::uint32_t version = GuardMemory::kVersion;
+    if (!memory || ::send(Fds::kChannel, &version, sizeof version, MSG_NOSIGNAL) != sizeof version)
+        return GuardEnd::NotStarted;
+    // Both are good to have and no condition: neither is granted to everybody.
+    ::mlockall(MCL_CURRENT | MCL_FUTURE);
+    preferThisThread();
+    return Guard(std::move(*memory), reportFile).run();
+}
+
+}  // namespace nmc

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/bytes.h"
+#include "link/clock.h"
+#include "protocol/servocommands.h"
+#include "tests/support/lineprocess.h"
+#include "tests/support/port.h"
+#include "tests/support/simprocess.h"
+
+namespace nmc::testing_support {
+
+/// Looks again and again until it is so; false when it never is.
+template <typename Predicate>
+bool comesTrue(Predicate predicate) {
+    const TimePoint patience = monotonicNow() + std::chrono::seconds(20);
+    while (!predicate()) {
+        if (monotonicNow() > patience)
+            return false;
+        pollUntil({}, monotonicNow() + std::chrono::milliseconds(1));
+    }
+    return true;
+}
+
+/// A folder of its own for reports.
+class ReportFolder {
+public:
+    ReportFolder() {
+        std::string name = testing::TempDir() + "nmcguard-XXXXXX";
+        m_path = ::mkdtemp(name.data());
+    }
+    ~ReportFolder() { std::filesystem::remove_all(m_path); }
+    ReportFolder(const ReportFolder&) = delete;
+    ReportFolder& operator=(const ReportFolder&) = delete;
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    [[nodiscard]] std::string file() const { return m_path + "/guardian-1.report"; }
+
+private:
+    std::string m_path;
+};
+
+/// nmcsim with two servos, at addresses 1 and 2, of which the first can be set going.
+class Chain {
+public:
+    /// 19 200 or 115 200.
+    explicit Chain(std::uint32_t baud = 19'200) : m_baud(baud) {
+        Port port(m_sim.terminal());
+        port.setRate(B19200);
+        say(port, {0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21});
+        say(port, {0xAA, 0x00, 0x21, 0x02, 0xFF, 0x22});
+        const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
+        say(port, packet(gains.encode()));
+        if (baud == 115'200) {
+            port.write({0xAA, 0xFF, 0x1A, 0x0A, 0x23});  // Set Baud; nobody answers
+            port.setRate(B115200);
+            EXPECT_TRUE(comesTrue([&] { return m_sim.state(1)["baud"].get<int>() > 100'000; }));
+        }
+    }
+
+    /// Motor 1 at a velocity of 8 counts/tick, for ever.
+    void setGoing() {
+        Port port(m_sim.terminal());
+        say(port, {0xAA, 0x01, 0x17, 0x05, 0x1D});  // amplifier on, stop abruptly: the servo holds
+        servo::LoadTrajectory load;
+        load.velocity = CountsPerTick(8 << 16);
+        load.acceleration = CountsPerTickSquared(65'536);
+        load.profile = servo::ProfileMode::Velocity;
+        load.startNow = true;
+        say(port, packet(load.encode()));
+        ASSERT_TRUE(comesTrue([&] { return velocity() > 7.9; }));
+    }
+    /// Of the command: 0 is told to hold.
+    [[nodiscard]] double velocity() { return std::abs(m_sim.state(1)["command_velocity"].get<double>()); }
+    [[nodiscard]] bool stops() {
+        return comesTrue([&] { return velocity() < 0.01; });
+    }
+    /// Bytes that it has heard so far.
+    [[nodiscard]] int received() { return m_sim.control("time")["received"].get<int>(); }
+
+    /// The stop of motor 1, as the engine makes it: nulls, the packet, and nulls for a servo tick.
+    [[nodiscard]] std::vector<std::uint8_t> burst() const {
+        std::vector<std::uint8_t> bytes(16, 0);
+        const std::vector<std::uint8_t> stop{0xAA, 0x01, 0x17, 0x05, 0x1D};
+        bytes.insert(bytes.end(), stop.begin(), stop.end());
+        bytes.insert(bytes.end(), m_baud / 19'200 + 1, 0);
+        return bytes;
+    }
+    [[nodiscard]] std::uint32_t baud() const { return m_baud; }
+    SimProcess& sim() { return m_sim; }
+    [[nodiscard]] static std::vector<std::uint8_t> packet(const Payload& payload) {
+        const PacketBytes bytes = toPacket({BusAddress(1), payload});
+        return {bytes.begin(), bytes.end()};
+    }
+
+private:
+    /// Status byte and sum come back.
+    static void say(Port& port, const std::vector<std::uint8_t>& bytes) {
+        port.write(bytes);
+        std::size_t heard = 0;
+        while (heard < 2) {
+            const auto more = port.read(2 - heard, 10'000);
+            if (more.empty())
+                throw std::runtime_error("no answer");
+            heard += more.size();
+        }
+    }
+
+    std::uint32_t m_baud;
+    SimProcess m_sim{"servo,servo", {"--reset-dead-time", "0"}};
+};
+
+/// A panel that is no more than a port and a guardian (host.cpp), on such a chain.
+class GuardHost {
+public:
+    explicit GuardHost(const Chain& chain, const std::string& terminal, const std::string& reportFile,
+                       const std::string& program = NMCGUARD_PATH)
+        : m_chain(chain), m_process({GUARDHOST_PATH, terminal, program, reportFile}) {
+        m_ready = m_process.answer();
+    }
+
+    /// "ready", or "busy"
+    [[nodiscard]] const std::string& ready() const { return m_ready; }
+    std::string ask(const std::string& line) {
+        m_process.tell(line);
+        return m_process.answer();
+    }
+    /// Its guardian lives, and has the stop of motor 1, which moves.
+    void guardMotion() {
+        m_guard = std::stoi(ask("start"));
+        ASSERT_EQ(ask("arm " + std::to_string(m_chain.baud()) + ' ' + toHex(m_chain.burst())), "ok");
+        ASSERT_EQ(ask("move"), "ok");
+    }
+    void write(const std::vector<std::uint8_t>& bytes) {
+        ASSERT_EQ(ask("write " + toHex(bytes)), std::to_string(bytes.size()));
+    }
+    void send(int signal) const { ::kill(m_process.pid(), signal); }
+    void die() {
+        send(SIGKILL);
+        m_process.wait();
+    }
+    [[nodiscard]] pid_t guard() const { return m_guard; }
+    [[nodiscard]] bool guardIsGone() const {
+        return comesTrue([this] { return ::kill(m_guard, 0) != 0 || isZombie(m_guard); });
+    }
+    LineProcess& process() { return m_process; }
+
+private:
+    static bool isZombie(pid_t process);
+
+    const Chain& m_chain;
+    LineProcess m_process;
+    std::string m_ready;
+    pid_t m_guard = -1;
+};
+
+}  // namespace nmc::testing_support
