@@ -38,6 +38,7 @@ private:
         std::vector<std::uint8_t> burst;
         std::uint32_t baud = 0;
         bool moving = false;
+        bool operator==(const Guarded&) const = default;
     };
 
     std::optional<PortError> converse();
