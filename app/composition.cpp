@@ -267,6 +267,8 @@ void Composition::act(const QString& key, const QString& action) {
         for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
             if (texts::key::endedWhileMoving(left.file) == key)
                 m_motionMarker.forget(left.file);
+    } else if (action == texts::action::kReaddress) {
+        return readdress(key);  // the message stays until it is done
     } else if (action == texts::action::kClearAndStayOff) {
         clearTrip(key);
     } else if (action == texts::action::kWorkWith) {
@@ -310,6 +312,12 @@ void Composition::acceptChain() {
         m_settings.setValue(chainLengthKey(), static_cast<int>(m_store.link().modules.size()));
     m_machine.acceptChain();
     m_window.endMessage(texts::key::port());
+}
+
+void Composition::readdress(const QString& key) {
+    for (const ModuleState& module : m_store.link().modules)
+        if (texts::key::restarted(module.info.index) == key)
+            m_worker.readdress(module.info.index);
 }
 
 void Composition::clearTrip(const QString& key) {

@@ -77,6 +77,8 @@ private:
     void scanAgain();
     /// The modules that are there are the expected ones from now on.
     void acceptChain();
+    /// The module that the message of this key is about gets its address back.
+    void readdress(const QString& key);
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
     void showFrame();
@@ -97,6 +99,8 @@ private:
     void told(const bus::HoldExpired& expired);
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);
+    void told(const bus::Readdressed& readdressed);
+    void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
     void told(const bus::OwedStopConfirmed& confirmed);
     void told(const bus::GroupFinished& finished);

@@ -88,7 +88,8 @@ void Composition::told(const bus::ChainFound& found) {
     m_watched.clear();
     m_window.showMessage(texts::connected(found, m_target->port));
     m_window.endMessage(texts::key::badLink());
-    if (found.unaddressed)
+    // Where the module is known that has restarted, that is told of it.
+    if (found.unaddressed && found.absent.empty())
         m_window.showMessage(texts::unaddressed());
     else
         m_window.endMessage(texts::key::unaddressed());
@@ -153,6 +154,16 @@ void Composition::told(const bus::ModuleRestarted& restarted) {
     m_window.endMessage(texts::key::silent(restarted.module));
     tellIncident(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())),
                  restarted.module);
+}
+
+void Composition::told(const bus::Readdressed& readdressed) {
+    m_window.endMessage(texts::key::restarted(readdressed.module.index));
+    m_window.endMessage(texts::key::unaddressed());
+    m_window.showMessage(texts::readdressed(readdressed));
+}
+
+void Composition::told(const bus::ReaddressFailed& failed) {
+    m_window.showMessage(texts::notReaddressed(failed));
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {

@@ -187,8 +187,8 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
             // What these concern ends a procedure's operation, shows in the module, or is no motor's.
             [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
-                           bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, ServoWentOff,
-                           SimulatorAnswered, GuardianMissing> auto&) {},
+                           bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                           bus::ReaddressFailed, ServoWentOff, SimulatorAnswered, GuardianMissing> auto&) {},
         },
         event);
     return true;

@@ -2812,6 +2812,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Module %1 erhielten den Stoppbefehl, wurden aber nicht stillstehend gesehen</translation>
     </message>
     <message>
+        <source>The others keep their positions and gains when it is only given its address.</source>
+        <translation>Die anderen behalten Position und Verstärkungen, wenn es nur seine Adresse erhält.</translation>
+    </message>
+    <message>
+        <source>Give module %1 its address</source>
+        <translation>Modul %1 seine Adresse geben</translation>
+    </message>
+    <message>
+        <source>Module %1 has its address again. It is off, at position 0 and without gains.</source>
+        <translation>Modul %1 hat seine Adresse wieder. Es ist aus, auf Position 0 und ohne Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>The other modules are as they were. Send its gains and home it before you use it.</source>
+        <translation>Die anderen Module sind, wie sie waren. Vor dem Benutzen seine Verstärkungen senden und die Referenzfahrt machen.</translation>
+    </message>
+    <message>
+        <source>Module %1 was not given its address. No motor moved by it.</source>
+        <translation>Modul %1 erhielt seine Adresse nicht. Kein Motor bewegte sich dadurch.</translation>
+    </message>
+    <message>
+        <source>It does not answer. Scan again, or restart the network.</source>
+        <translation>Es antwortet nicht. Erneut suchen oder das Netz neu starten.</translation>
+    </message>
+    <message>
         <source>No module is known</source>
         <translation>Kein Modul ist bekannt</translation>
     </message>

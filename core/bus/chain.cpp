@@ -103,6 +103,14 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     module.owed = OwedStop{StopTarget(module.belief, manner), first};
 }
 
+void Chain::welcome(ModuleIndex index, TimePoint now) {
+    ModuleInfo info = at(index).belief.info();
+    info.group = GroupPlace{};
+    at(index) = Module(info);
+    at(index).belief.forgetItems();
+    m_schedule.recover(index, now);
+}
+
 std::vector<Step> Chain::stops() const {
     std::vector<Step> stops;
     for (const Module& module : m_modules)

@@ -82,6 +82,9 @@ public:
     /// Owes the module a stop, from now on. The cause of one that is owed already stays.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
+    /// The module has its address again after a restart: nothing that was known of it holds.
+    void welcome(ModuleIndex module, TimePoint now);
+
     /// What would have to be told to whom for nothing to move any more.
     [[nodiscard]] std::vector<Step> stops() const;
     /// The same as bytes that need no answer, nulls first, one byte taking `byteTime`; empty when nothing is

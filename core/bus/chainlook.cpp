@@ -27,7 +27,7 @@ ChainLook::Next ChainLook::next() {
         m_hostRate = probe.rate;
         return Line::toRate(probe.rate);
     }
-    if (m_zerosHeard)
+    if (m_zerosHeard || m_asksIdentity)
         return Request{probe.address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}};
     // The answer's length hangs on what the host before defined.
     return Request{probe.address, Nop{}.encode(), {}, Framing::Open};
@@ -71,6 +71,11 @@ void ChainLook::add(std::uint32_t rate, unsigned from, unsigned to) {
 
 void ChainLook::onReply(const ReplyEnd& end) {
     const Probe& probe = m_probes[m_at];
+    if (std::exchange(m_asksIdentity, false)) {
+        m_unaddressedIdentity = end.report.identity;
+        ++m_at;
+        return;
+    }
     const bool again = std::exchange(m_again, false);
     const bool zerosHeard = std::exchange(m_zerosHeard, false);
     if (echoes(end, toPacket({probe.address, Nop{}.encode()})))
@@ -100,7 +105,8 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
         else
             ++m_noise;
     } else if (unaddressed) {
-        m_unaddressed = true;
+        m_unaddressed = m_asksIdentity = true;
+        return false;
     } else {
         found(probe);
     }

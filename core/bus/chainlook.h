@@ -33,8 +33,9 @@ public:
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
     /// Modules at whose address two answer at once, counted from 0.
     [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
-    /// A module without an address answers at the rate of power-up.
+    /// A module without an address answers at the rate of power-up, and what it says it is.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
+    [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const { return m_unaddressedIdentity; }
     /// Why the chain cannot be used: nobody answers, or noise, zeros, what was sent, or two at once do.
     [[nodiscard]] std::optional<ConnectFailure> trouble() const;
 
@@ -60,6 +61,8 @@ private:
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
     bool m_unaddressed = false;
+    bool m_asksIdentity = false;  ///< of the module without an address
+    std::optional<ModuleIdentity> m_unaddressedIdentity;
     bool m_again = false;       ///< the present probe has been answered with noise before
     bool m_zerosHeard = false;  ///< or with zeros, from a module or from a line that is held low
     unsigned m_noise = 0;

@@ -43,6 +43,10 @@ public:
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
     /// The first address has been given.
     [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
+    /// What a module without an address says it is, where one answers beside the chain.
+    [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
+        return m_look.unaddressedIdentity();
+    }
     /// Those that were seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bus/rejoin.h"
 #include "protocol/baud.h"
 
 namespace nmc::bus {
@@ -28,6 +29,7 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
     }
     dropWork();
     m_rate.drop();
+    m_readdress.drop();
     m_restartSearch.cancel();
     if (m_stop.running()) {
         m_recovery.dropDoubt();  // the stop goes on, and comes first
@@ -68,6 +70,11 @@ void Engine::changeRate(std::uint32_t baud, TimePoint now) {
     proceed(now);
 }
 
+void Engine::readdress(ModuleIndex module, TimePoint now) {
+    m_readdress.begin(module, !accepting() || !m_operations.empty() || m_hold.active() || m_rate.active());
+    proceed(now);
+}
+
 void Engine::hold(const HoldToMove& hold, TimePoint now) {
     if (!accepting() || !m_chain.has(hold.module))
         return m_hold.refuse(hold);
@@ -89,6 +96,7 @@ void Engine::stopAll(TimePoint now) {
         m_stop.begin(now);
         interrupt(now);
         m_rate.abandon();
+        m_readdress.drop();
     } else if (m_search.active()) {
         m_stop.beginAfterSearch(now);
     } else {
@@ -189,7 +197,7 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_hold, m_operations, m_polls);
+        taken = turn(m_search, m_rate, m_readdress, m_hold, m_operations, m_polls);
     takeFindings(now);
     return taken == Turn::Taken;
 }
@@ -265,7 +273,7 @@ void Engine::takeFindings(TimePoint now) {
 void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
     m_owed.setBlind(false);
     if (const auto* found = std::get_if<ChainFound>(&ended.result)) {
-        adopt(*found, ended.discovery.heard());
+        adopt(*found, ended.discovery, now);
     } else {
         m_connected = false;
         for (const Chain::Module& module : m_chain.modules())
@@ -278,7 +286,20 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
     m_stop.onSearchOver(now);
 }
 
-void Engine::adopt(const ChainFound& found, const std::vector<Discovery::Heard>& heard) {
+void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) {
+    std::vector<ModuleInfo> known = m_config.known;
+    if (!m_chain.empty()) {
+        known.clear();
+        for (const Chain::Module& module : m_chain.modules())
+            known.push_back(module.belief.info());
+    }
+    const std::vector<ModuleInfo> seen = found.modules;
+    const auto rejoined =
+        found.attached ? rejoin(known, seen, discovery.unaddressedIdentity()) : std::nullopt;
+    if (rejoined) {
+        found.modules = rejoined->modules;
+        found.absent = rejoined->absent;
+    }
     const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud));
     m_connected = true;
     m_recovery.reset();
@@ -291,21 +312,32 @@ void Engine::adopt(const ChainFound& found, const std::vector<Discovery::Heard>&
     }
     m_chain.schedule().watch(m_watched);
     m_events.emplace_back(found);
-    for (const Discovery::Heard& answer : heard) {
-        Chain::Module& module = m_chain.at(answer.module);
-        if (module.plausibility.judge(answer.end))
-            continue;
-        if (const auto trusted = module.trust.confirm(answer.end.report)) {
-            module.belief.onStatus(*trusted, answer.end.latched);
-            publish(answer.module, answer.end, *trusted);
-        }
-    }
+    for (const ModuleIndex module : found.absent)
+        if (rejoined->restarted == module)
+            m_restartSearch.setRestarted(module, now);
+        else
+            m_recovery.lose(module, now);
+    for (const Discovery::Heard& answer : discovery.heard())
+        for (const ModuleInfo& info : found.modules)
+            if (info.address == seen[answer.module.value()].address)
+                takeHeard(info.index, answer.end);
     // What is owed to a module that was found where it was is still owed; one that was reset is off.
     if (found.attached)
         for (const Chain::Module& module : before.modules())
             for (const ModuleInfo& info : found.modules)
                 if (module.owed && info.address == module.belief.info().address)
                     m_chain.owe(info.index, module.owed->cause);
+}
+
+/// One of the answers that the search has had of it.
+void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
+    Chain::Module& module = m_chain.at(index);
+    if (module.plausibility.judge(end))
+        return;
+    if (const auto trusted = module.trust.confirm(end.report)) {
+        module.belief.onStatus(*trusted, end.latched);
+        publish(index, end, *trusted);
+    }
 }
 
 /// Something is wrong with a motion: its module stops, and what was to come is dropped.
@@ -335,6 +367,7 @@ void Engine::goQuiet(TimePoint now) {
     m_connected = false;
     dropWork();
     m_rate.drop();
+    m_readdress.drop();
     m_again.reset();
     m_restartSearch.cancel();
     m_recovery.giveUp();

@@ -18,6 +18,7 @@
 #include "bus/owedstops.h"
 #include "bus/polltask.h"
 #include "bus/ratetask.h"
+#include "bus/readdresstask.h"
 #include "bus/recovery.h"
 #include "bus/restartsearch.h"
 #include "bus/searchtask.h"
@@ -55,6 +56,10 @@ public:
     /// Takes the chain to another rate of kBaudRows; positions, gains and loads stay. Refused while anything
     /// moves; when a module does not follow, all go back. Ends in RateChanged or RateChangeFailed.
     void changeRate(std::uint32_t baud, TimePoint now);
+
+    /// Gives a module that restarted its address back (readdresstask.h). Ends in Readdressed or
+    /// ReaddressFailed.
+    void readdress(ModuleIndex module, TimePoint now);
 
     /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
     /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold(). Ended
@@ -144,7 +149,8 @@ private:
     // ---- what follows for all tasks ----
     void takeFindings(TimePoint now);
     void onSearchEnded(SearchTask::Ended ended, TimePoint now);
-    void adopt(const ChainFound& found, const std::vector<Discovery::Heard>& heard);
+    void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
+    void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
@@ -170,6 +176,7 @@ private:
     SearchTask m_search{m_events};
     RateTask m_rate{m_config, m_chain, m_events};
     WayBack m_wayBack{m_rate, m_chain, m_stop, m_recovery, m_line};
+    ReaddressTask m_readdress{m_chain, m_line, m_events};
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 
+#include <vector>
+
 #include "base/time.h"
+#include "bus/types.h"
 
 namespace nmc::bus {
 
@@ -21,6 +24,9 @@ struct EngineConfig {
     /// Nothing but No Operation and Read Status is sent, and stops that somebody asks for: a chain that is
     /// there is attached to, and left to whoever runs it.
     bool readOnly = false;
+    /// The chain that was known at this port last, so that its modules keep their places when one is missing
+    /// (rejoin.h). Empty: nothing is known.
+    std::vector<ModuleInfo> known{};
 };
 
 }  // namespace nmc::bus

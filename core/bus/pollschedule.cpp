@@ -116,7 +116,7 @@ void PollSchedule::onTimeout(ModuleIndex index, TimePoint now) {
 
 void PollSchedule::recover(ModuleIndex index, TimePoint now) {
     Module& module = at(index);
-    module.silent = false;
+    module.silent = module.retired = false;
     module.full = false;
     // What woke this one, a cable say, may have woken the others: no waiting while that goes well.
     m_lastProbe.reset();

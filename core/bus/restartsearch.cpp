@@ -96,14 +96,22 @@ void RestartSearch::name() {
     });
     if (restarted == modules.end() || restarted->belief.info().identity != identity)
         return;
-    const ModuleIndex module = restarted->belief.info().index;
-    restarted->belief.setRestarted();
-    restarted->owed.reset();  // its motor is off
-    m_chain.schedule().retire(module);
-    const bool quiet = m_chain.rate() != kPowerUpBaud;
-    m_events.emplace_back(ModuleRestarted{module, quiet});
-    m_events.emplace_back(GroupChanged{module, restarted->belief.info().group});
-    m_quiet = quiet;
+    m_quiet = m_chain.rate() != kPowerUpBaud;
+    tell(restarted->belief.info().index, m_quiet);
+}
+
+void RestartSearch::setRestarted(ModuleIndex module, TimePoint now) {
+    m_chain.schedule().lose(module, now);
+    tell(module, false);
+}
+
+void RestartSearch::tell(ModuleIndex index, bool quiet) {
+    Chain::Module& module = m_chain.at(index);
+    module.belief.setRestarted();
+    module.owed.reset();  // its motor is off
+    m_chain.schedule().retire(index);
+    m_events.emplace_back(ModuleRestarted{index, quiet});
+    m_events.emplace_back(GroupChanged{index, module.belief.info().group});
 }
 
 }  // namespace nmc::bus

@@ -23,6 +23,8 @@ public:
     void onLost(ModuleIndex module);
     /// A silent module did not answer again.
     void onProbeFailed();
+    /// A search has found out that this is what became of the module.
+    void setRestarted(ModuleIndex module, TimePoint now);
     void cancel() { m_stage = Stage::None; }
     /// A module has restarted on a chain at another rate, to which every packet is noise: no more of them.
     /// Once.
@@ -41,6 +43,7 @@ private:
     };
     void onUnaddressed(const ReplyEnd& end);
     void name();
+    void tell(ModuleIndex module, bool quiet);
 
     Chain& m_chain;
     Recovery& m_recovery;

@@ -151,6 +151,9 @@ struct ChainFound {
     bool attached = false;
     /// With `attached`: a module without an address answers too, so one has restarted or is new.
     bool unaddressed = false;
+    /// Of `modules`: those of the chain known before that do not answer at their address. ModuleSilence
+    /// follows for each, or ModuleRestarted.
+    std::vector<ModuleIndex> absent{};
 };
 
 enum class ConnectFailure : std::uint8_t {
@@ -293,6 +296,22 @@ struct ModuleRestarted {
     bool quiet = false;
 };
 
+/// A module that restarted has its address again: it is off, at position 0 and without gains; the others are
+/// as they were. ModuleSilence follows.
+struct Readdressed {
+    ModuleInfo module;
+};
+
+/// The module has not been given its address.
+struct ReaddressFailed {
+    enum class Reason : std::uint8_t {
+        NotNow,  ///< something moves, or is under way; or the module has not restarted
+        NoAnswer,
+    };
+    ModuleIndex module;
+    Reason reason = Reason::NotNow;
+};
+
 /// Something about a motion is not as commanded; its module has been told to stop.
 struct MotionSuspect {
     enum class Reason : std::uint8_t {
@@ -310,10 +329,11 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
-                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
-                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect, GroupFinished,
-                           GroupChanged, RateChanged, RateChangeFailed, OwedStopConfirmed>;
+using Event =
+    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
+                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
+                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
+                 OwedStopConfirmed, Readdressed, ReaddressFailed>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

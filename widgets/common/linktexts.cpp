@@ -189,11 +189,39 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
             "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were told to "
             "stop, "
             "and nothing is sent any more.");
+    QList<Message::Action> actions{restartNetwork()};
+    if (!restarted.quiet) {
+        body << Texts::tr("The others keep their positions and gains when it is only given its address.");
+        actions.prepend({action::kReaddress, Texts::tr("Give module %1 its address").arg(number)});
+    } else {
+        actions.prepend(scanAgain());
+    }
     return {.key = key::restarted(restarted.module),
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
             .body = body.join(u' '),
-            .actions = {restartNetwork()}};
+            .actions = actions};
+}
+
+Message readdressed(const bus::Readdressed& readdressed) {
+    return {
+        .key = key::restarted(readdressed.module.index),
+        .severity = Severity::Normal,
+        .headline = Texts::tr("Module %1 has its address again. It is off, at position 0 and without gains.")
+                        .arg(moduleNumber(readdressed.module.index)),
+        .body =
+            Texts::tr("The other modules are as they were. Send its gains and home it before you use it.")};
+}
+
+Message notReaddressed(const bus::ReaddressFailed& failed) {
+    const QString number = moduleNumber(failed.module);
+    const bool silent = failed.reason == bus::ReaddressFailed::Reason::NoAnswer;
+    return {.key = u"readdress"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Module %1 was not given its address. No motor moved by it.").arg(number),
+            .body = silent ? Texts::tr("It does not answer. Scan again, or restart the network.")
+                           : Texts::tr("Something moves, or is about to. Stop all motors, then try again."),
+            .actions = {scanAgain(), restartNetwork()}};
 }
 
 Message refused(const bus::CommandRefused& refused) {

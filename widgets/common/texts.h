@@ -45,6 +45,7 @@ namespace texts {
 
 namespace action {
 inline const QString kRetry = QStringLiteral("retry");
+inline const QString kReaddress = QStringLiteral("readdress");
 inline const QString kScanAgain = QStringLiteral("scanAgain");
 inline const QString kUseSimulator = QStringLiteral("useSimulator");
 inline const QString kChoosePort = QStringLiteral("choosePort");
@@ -88,6 +89,8 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 // ---- one module ----
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
 [[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
+[[nodiscard]] Message readdressed(const bus::Readdressed& readdressed);
+[[nodiscard]] Message notReaddressed(const bus::ReaddressFailed& failed);
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
 [[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);

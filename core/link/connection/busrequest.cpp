@@ -29,6 +29,9 @@ struct Ends {
     bool operator()(const bus::RateChangeFailed&) const {
         return std::holds_alternative<ChangeRate>(request);
     }
+    bool operator()(const AnyOf<bus::Readdressed, bus::ReaddressFailed> auto&) const {
+        return std::holds_alternative<Readdress>(request);
+    }
     bool operator()(
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
                     bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
@@ -54,6 +57,10 @@ WorkerEvent refusal(const BusRequest& request) {
                 bus::RateChangeFailed failed;
                 failed.wanted = change.baud;
                 return bus::Event(failed);
+            },
+            [](const Readdress& readdress) -> WorkerEvent {
+                return bus::Event(
+                    bus::ReaddressFailed{readdress.module, bus::ReaddressFailed::Reason::NotNow});
             },
             [](const ControlLine& line) -> WorkerEvent {
                 return SimulatorAnswered{line.text, R"({"error":"the simulator does not listen"})"};

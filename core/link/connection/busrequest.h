@@ -15,13 +15,17 @@ namespace nmc {
 struct ChangeRate {
     std::uint32_t baud = 0;
 };
+struct Readdress {
+    ModuleIndex module;
+};
 struct ControlLine {
     std::string text;
 };
 
 /// Each ends in exactly one event, whatever becomes of the connection: OperationFinished, GroupFinished,
-/// RateChanged or RateChangeFailed; a simulator's control line in SimulatorAnswered.
-using BusRequest = std::variant<bus::Operation, bus::GroupOperation, ChangeRate, ControlLine>;
+/// RateChanged or RateChangeFailed, Readdressed or ReaddressFailed; a simulator's control line in
+/// SimulatorAnswered.
+using BusRequest = std::variant<bus::Operation, bus::GroupOperation, ChangeRate, Readdress, ControlLine>;
 
 /// The end of a request that the engine has never seen, or will not finish.
 [[nodiscard]] WorkerEvent refusal(const BusRequest& request);

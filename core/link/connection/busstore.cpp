@@ -121,11 +121,11 @@ void BusStore::take(const bus::Event& event) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;
             },
-            [this](
-                const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                            bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                            bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
-                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed> auto& news) {
+            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                               bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                               bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
+                               bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
+                               bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed> auto& news) {
                 note(news);
                 emit happened(news);
             },
@@ -157,6 +157,16 @@ void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
 void BusStore::note(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Lost && !changed.module)
         m_link.phase = LinkPhase::Lost;
+}
+
+/// Nothing that it said or was told before holds any more.
+void BusStore::note(const bus::Readdressed& readdressed) {
+    if (!known(readdressed.module.index))
+        return;
+    ModuleState& module = m_link.modules[readdressed.module.index.value()];
+    module = {};
+    module.info = readdressed.module;
+    module.silent = true;  // until it answers, which is told behind this
 }
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {

@@ -32,8 +32,9 @@ using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
-                 bus::RateChangeFailed, bus::OwedStopConfirmed, PortClosed, ServoWentOff, CurrentLimited,
-                 SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
+                 bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
+                 PortClosed, ServoWentOff, CurrentLimited, SimulatorAnswered, PanelFroze, MachineSlept,
+                 GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -83,12 +84,13 @@ private:
     void note(const bus::OperationFinished& finished);
     void note(const bus::HealthChanged& changed);
     void note(const bus::ModuleRestarted& restarted);
+    void note(const bus::Readdressed& readdressed);
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
     void note(const bus::StopFinished& stopped);
     void note(const bus::OwedStopConfirmed& confirmed);
     void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::GroupFinished,
-                          bus::RateChangeFailed> auto&) {}
+                          bus::RateChangeFailed, bus::ReaddressFailed> auto&) {}
     /// What these were told has not been heard of: what moves them is for their positions to say.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);

@@ -43,6 +43,11 @@ void BusWorker::changeRate(std::uint32_t baud) {
     m_loop.ask(ChangeRate{baud});
 }
 
+void BusWorker::readdress(ModuleIndex module) {
+    qCDebug(requestLog) << "readdress module" << module.value() + 1;
+    m_loop.ask(Readdress{module});
+}
+
 void BusWorker::control(std::string line) {
     qCDebug(requestLog).noquote() << "simulator:" << line.c_str();
     m_loop.ask(ControlLine{std::move(line)});

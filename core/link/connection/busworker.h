@@ -49,6 +49,8 @@ public:
     void submit(bus::Operation operation);
     /// bus::GroupFinished follows.
     void submit(bus::GroupOperation operation);
+    /// Gives a module that restarted its address back; bus::Readdressed or bus::ReaddressFailed follows.
+    void readdress(ModuleIndex module);
     /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
     void changeRate(std::uint32_t baud);
     /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port

@@ -116,6 +116,12 @@ struct EventLine {
     std::string operator()(const bus::ModuleRestarted& restarted) const {
         return name(restarted.module) + " has restarted" + (restarted.quiet ? ", the bus is quiet" : "");
     }
+    std::string operator()(const bus::Readdressed& readdressed) const {
+        return name(readdressed.module.index) + " has its address again";
+    }
+    std::string operator()(const bus::ReaddressFailed& failed) const {
+        return name(failed.module) + " was not given its address, reason " + number(failed.reason);
+    }
     std::string operator()(const bus::MotionSuspect& suspect) const {
         return name(suspect.module) + ": motion suspect, reason " + number(suspect.reason) + ", position " +
                std::to_string(suspect.position);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "bus/readdresstask.h"
+
+#include <utility>
+
+#include "protocol/baud.h"
+
+namespace nmc::bus {
+
+void ReaddressTask::begin(ModuleIndex module, bool busy) {
+    const bool restarted = m_chain.has(module) && m_chain.belief(module).restarted();
+    if (!restarted || busy || active() || m_chain.anythingMoves()) {
+        m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
+        return;
+    }
+    m_module = module;
+    m_stage = Stage::Address;
+    m_done = false;
+}
+
+void ReaddressTask::drop() {
+    if (const auto module = std::exchange(m_module, std::nullopt))
+        m_events.emplace_back(ReaddressFailed{*module, ReaddressFailed::Reason::NotNow});
+}
+
+Next ReaddressTask::next(TimePoint /*now*/) {
+    const ModuleInfo& info = m_chain.belief(*m_module).info();
+    switch (m_stage) {
+        case Stage::Address:
+            if (m_line.baud() != kPowerUpBaud)
+                return Line::toRate(kPowerUpBaud);
+            return question(BusAddress(0), SetAddress{info.address, kEverybody, false}.encode(), {});
+        case Stage::Probe:
+            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+        case Stage::Rate: {
+            m_stage = m_done ? Stage::Identify : Stage::Over;
+            if (m_chain.rate() == kPowerUpBaud)
+                return Again{};
+            // The others hear noise at their own rate; nobody answers, there is no leader in group FF.
+            Line::Script script{Line::Gap{}};
+            const auto row = findBaud(m_chain.rate());
+            if (m_done && row)
+                script.emplace_back(Line::Packet{toPacket({kEverybody, SetBaud{row->brd}.encode()})});
+            const Line::Script back = Line::toRate(m_chain.rate());
+            script.insert(script.end(), back.begin(), back.end());
+            return script;
+        }
+        case Stage::Identify:
+            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+        case Stage::Over:
+            break;
+    }
+    end(m_done);
+    return Again{};
+}
+
+Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoint now) {
+    if (!active())
+        return {};
+    const bool right = end.result == ReplyResult::Accepted;
+    switch (m_stage) {
+        case Stage::Address:
+            // Carried out with its answer lost, or not: the question at the address tells (link.md 2.3).
+            m_done = right;
+            m_stage = right ? Stage::Rate : Stage::Probe;
+            break;
+        case Stage::Probe:
+            m_done = right;
+            m_stage = Stage::Rate;
+            break;
+        case Stage::Identify:
+            m_done = right && end.report.identity == m_chain.belief(*m_module).info().identity;
+            m_stage = Stage::Over;
+            if (m_done)
+                m_chain.welcome(*m_module, now);
+            break;
+        case Stage::Rate:
+        case Stage::Over:
+            break;
+    }
+    return right ? Line::Script{} : Line::Script{Line::Lag{}, DiscardInput{}};
+}
+
+Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusItems items) const {
+    Ask ask;
+    ask.purpose = Purpose::Connect;
+    ask.request = {address, payload, {m_chain.belief(*m_module).info().identity.type, items}};
+    ask.ownTrouble = true;
+    ask.believed = false;
+    return ask;
+}
+
+void ReaddressTask::end(bool done) {
+    const ModuleIndex module = *std::exchange(m_module, std::nullopt);
+    if (!done) {
+        m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NoAnswer});
+        return;
+    }
+    m_events.emplace_back(Readdressed{m_chain.belief(module).info()});
+    m_events.emplace_back(ModuleSilence{module, false});
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bus/chain.h"
+#include "bus/task.h"
+
+namespace nmc::bus {
+
+/// Gives a module that restarted its address back, and takes it to the rate of the chain; the others keep
+/// what they have. The module itself has lost everything but its type. Ends in Readdressed or
+/// ReaddressFailed.
+class ReaddressTask : public Task {
+public:
+    ReaddressTask(Chain& chain, const Line& line, std::vector<Event>& events)
+        : m_chain(chain), m_line(line), m_events(events) {}
+
+    /// `busy`: something else is going on. Refused with an event when it cannot be done: only while nothing
+    /// moves, since the chain is left alone for as long as it takes.
+    void begin(ModuleIndex module, bool busy);
+    /// Something goes before it. The module may have its address by then; the next search tells.
+    void drop();
+    [[nodiscard]] bool active() const { return m_module.has_value(); }
+
+    [[nodiscard]] bool wants(TimePoint /*now*/) const override { return active(); }
+    [[nodiscard]] Next next(TimePoint now) override;
+    Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
+
+private:
+    enum class Stage : std::uint8_t { Address, Probe, Rate, Identify, Over };
+    [[nodiscard]] Ask question(BusAddress address, const Payload& payload, StatusItems items) const;
+    void end(bool done);
+
+    Chain& m_chain;
+    const Line& m_line;
+    std::vector<Event>& m_events;
+    std::optional<ModuleIndex> m_module;
+    Stage m_stage = Stage::Over;
+    bool m_done = false;
+};
+
+}  // namespace nmc::bus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "bus/rejoin.h"
+
+#include <algorithm>
+
+namespace nmc::bus {
+
+namespace {
+
+[[nodiscard]] auto findIn(const std::vector<ModuleInfo>& modules, const ModuleInfo& info) {
+    return std::find_if(modules.begin(), modules.end(), [&](const ModuleInfo& other) {
+        return other.address == info.address && other.identity == info.identity;
+    });
+}
+
+}  // namespace
+
+std::optional<Rejoined> rejoin(const std::vector<ModuleInfo>& known, const std::vector<ModuleInfo>& found,
+                               std::optional<ModuleIdentity> unaddressed) {
+    const bool ofIt = std::all_of(found.begin(), found.end(),
+                                  [&](const ModuleInfo& info) { return findIn(known, info) != known.end(); });
+    if (found.empty() || !ofIt)
+        return std::nullopt;
+    Rejoined rejoined;
+    for (const ModuleInfo& info : known) {
+        const auto here = findIn(found, info);
+        rejoined.modules.push_back(here != found.end() ? *here : info);
+        rejoined.modules.back().index = info.index;
+        if (here == found.end())
+            rejoined.absent.push_back(info.index);
+    }
+    // Modules nearer the host may have gone deaf with it: it is the farthest of those that do not answer.
+    if (unaddressed && !rejoined.absent.empty() &&
+        known[rejoined.absent.front().value()].identity == *unaddressed)
+        rejoined.restarted = rejoined.absent.front();
+    return rejoined;
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A module restarts in the middle of the chain: through the window, on nmcsim behind a terminal.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+/// Presses the button of a message, as a person does. False when there is none.
+bool press(IntentPanel& panel, const QString& headline, const QString& button) {
+    const MessageRow* row = panel.standing(headline);
+    if (row == nullptr)
+        return false;
+    for (auto* candidate : row->findChildren<QPushButton*>())
+        if (candidate->text().contains(button)) {
+            QTest::mouseClick(candidate, Qt::LeftButton);
+            return true;
+        }
+    return false;
+}
+
+/// The order of addressing is X, Y, Z. With Y gone, Z must not become the second module: Y's controls would
+/// drive it.
+TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces) {
+    NmcsimProcess sim(QStringLiteral("servo,servo,step"));
+    IntentPanel panel;
+    const BusStore& store = panel.composition().store();
+    panel.composition().show({sim.terminal(), 115'200, false});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && store.link().modules.size() == 3; }));
+    (void)sim.control(QStringLiteral("power-cycle 2"));
+    const QString restarted = QStringLiteral("Module 2 restarted");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
+
+    ASSERT_TRUE(press(panel, restarted, QStringLiteral("Scan again")));
+    const auto found = [&] {
+        return panel.connected() && store.link().modules.size() == 3 && store.link().modules[1].hasRestarted;
+    };
+    ASSERT_TRUE(panel.waitFor(found)) << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
+    EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is where it was";
+
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
+    ASSERT_TRUE(press(panel, restarted, QStringLiteral("address")));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("has its address again")) == 1; }))
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(panel.waitFor([&] {
+        const ModuleState& y = store.link().modules[1];
+        return !y.hasRestarted && !y.silent && y.latest.has_value();
+    }));
+    EXPECT_EQ(sim.state(2)[QStringLiteral("address")].toInt(), 2);
+    EXPECT_EQ(panel.standing(restarted), nullptr);
+}
+
+}  // namespace
+}  // namespace nmc

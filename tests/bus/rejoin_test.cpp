@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A chain of which one module has restarted: who is who, and how that one gets its address back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bus/rejoin.h"
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr ModuleIdentity kServo{ModuleType::Servo, 4};
+constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
+
+[[nodiscard]] ModuleInfo module(std::uint8_t index, std::uint8_t address, ModuleIdentity identity = kServo) {
+    return {ModuleIndex(index), BusAddress(address), identity, std::nullopt};
+}
+
+TEST(Rejoin, KeepsThePlacesOfThoseBehindOneThatIsMissing) {
+    const auto rejoined = rejoin({module(0, 1), module(1, 2), module(2, 3, kStepper)},
+                                 {module(0, 1), module(1, 3, kStepper)}, kServo);
+    ASSERT_TRUE(rejoined);
+    ASSERT_EQ(rejoined->modules.size(), 3U);
+    EXPECT_EQ(rejoined->modules[2], module(2, 3, kStepper));
+    EXPECT_THAT(rejoined->absent, ElementsAre(ModuleIndex(1)));
+    EXPECT_EQ(rejoined->restarted, ModuleIndex(1));
+}
+
+TEST(Rejoin, DoesNotCallAModuleRestartedThatIsOfAnotherType) {
+    const auto rejoined = rejoin({module(0, 1), module(1, 2)}, {module(0, 1)}, kStepper);
+    ASSERT_TRUE(rejoined);
+    EXPECT_THAT(rejoined->absent, ElementsAre(ModuleIndex(1)));
+    EXPECT_FALSE(rejoined->restarted) << "it may be a new one";
+    EXPECT_FALSE(rejoin({module(0, 1), module(1, 2)}, {module(0, 1)}, std::nullopt)->restarted);
+}
+
+TEST(Rejoin, TakesAnotherChainAsItIs) {
+    EXPECT_FALSE(rejoin({module(0, 1), module(1, 2)}, {module(0, 1, kStepper)}, std::nullopt))
+        << "another type";
+    EXPECT_FALSE(rejoin({module(0, 1)}, {module(0, 1), module(1, 2)}, std::nullopt)) << "one more";
+    EXPECT_FALSE(rejoin({}, {module(0, 1)}, std::nullopt)) << "nothing was known";
+    EXPECT_FALSE(rejoin({module(0, 1)}, {}, kServo)) << "nobody was found";
+}
+
+struct Case {
+    std::uint32_t baud;
+    bool deaf;  ///< a module is, whose ADDR_IN rises
+    friend void PrintTo(const Case& c, std::ostream* stream) { *stream << c.baud << (c.deaf ? "Deaf" : ""); }
+};
+
+/// Three servos; X, Y and Z with gains, X and Z at 1 000 and 3 000 counts. Y's supply has just failed.
+class YRestarted : public testing::TestWithParam<Case> {
+public:
+    static EngineConfig config() {
+        EngineConfig c;
+        c.baud = GetParam().baud;
+        return c;
+    }
+    static sim::ChainOptions options() {
+        sim::ChainOptions o;
+        o.deafWhenAddressInputRises = GetParam().deaf;
+        return o;
+    }
+    void SetUp() override {
+        ASSERT_TRUE(bus.connect());
+        for (const std::uint8_t i : {0, 1, 2})
+            ASSERT_EQ(bus.perform({gains(i), enable(i), loadMove(i, 1'000 * (i + 1)), start(i)}),
+                      Outcome::Done);
+        bus.runFor(3s);
+        bus.chain.powerCycle(ModuleIndex(1), bus.now);
+        bus.runFor(20ms);
+    }
+    [[nodiscard]] bool scanAgain() { return bus.connect(); }
+    [[nodiscard]] bool readdress() {
+        bus.engine.readdress(ModuleIndex(1), bus.now);
+        const auto over = [&] { return bus.count<Readdressed>() + bus.count<ReaddressFailed>() > 0; };
+        return bus.runUntil(over, 5s) && bus.count<Readdressed>() == 1;
+    }
+
+    VirtualBus bus{servos(3), config(), options()};
+};
+
+TEST_P(YRestarted, DrivesZByZsControls) {
+    ASSERT_TRUE(scanAgain());
+    const auto found = *bus.last<ChainFound>();
+    ASSERT_EQ(found.modules.size(), 3U);
+    EXPECT_EQ(found.modules[2].address, BusAddress(3));
+    EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(1)) << "it is said who has restarted";
+    bus.runFor(2s);
+    if (GetParam().deaf)
+        return;  // Z cannot be heard before Y has its address
+    EXPECT_THAT(found.absent, ElementsAre(ModuleIndex(1)));
+    ASSERT_EQ(bus.perform({enable(2), loadMove(2, 3'500), start(2)}), Outcome::Done);
+    bus.runFor(3s);
+    EXPECT_NEAR(bus.servo(2).position, 3'500, 3) << "Z";
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 3) << "X";
+    EXPECT_NE(bus.perform({gains(1), enable(1)}), Outcome::Done) << "Y has no address";
+}
+
+TEST_P(YRestarted, GivesYItsAddressAndLeavesTheOthersAlone) {
+    ASSERT_TRUE(scanAgain());
+    bus.runFor(1s);
+    const std::size_t from = bus.sent.size();
+    ASSERT_TRUE(readdress());
+    EXPECT_EQ(bus.last<Readdressed>()->module.address, BusAddress(2));
+    EXPECT_EQ(bus.last<Readdressed>()->module.group, GroupPlace{}) << "as after a restart";
+    EXPECT_EQ(bus.sends("AA 00 21 02 FF 22", from), 1U) << "once";
+    EXPECT_EQ(bus.sends("AA FF 0F", from), 0U) << "nobody is reset";
+    bus.runFor(6s);
+    for (const std::uint8_t i : {0, 1, 2}) {
+        EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
+        EXPECT_GE(bus.lastSample(i)->time, bus.now - 1s) << "module " << int{i} << " is live";
+    }
+    EXPECT_EQ(bus.servo(0).gains.kp, 200);
+    EXPECT_EQ(bus.servo(2).gains.kp, 200);
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 3);
+    EXPECT_NEAR(bus.servo(2).position, 3'000, 3);
+    EXPECT_EQ(bus.servo(1).gains.kp, 0) << "N1: what it lost is not sent again unasked";
+    EXPECT_FALSE(bus.servo(1).servoOn);
+    ASSERT_EQ(bus.perform({gains(1), enable(1), loadMove(1, 500), start(1)}), Outcome::Done);
+    bus.runFor(3s);
+    EXPECT_NEAR(bus.servo(1).position, 500, 3);
+}
+
+TEST_P(YRestarted, IsToldFromTheChainThatWasKnownWhenTheProgramIsNew) {
+    EngineConfig known = config();
+    known.known = bus.last<ChainFound>()->modules;
+    bus.newHost(known);
+    ASSERT_TRUE(scanAgain());
+    ASSERT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
+    EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(1));
+    EXPECT_TRUE(readdress());
+}
+
+TEST_P(YRestarted, GivesNoAddressWhileAMotorMoves) {
+    ASSERT_TRUE(scanAgain());
+    ASSERT_EQ(bus.perform({enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
+    bus.runFor(200ms);
+    const std::size_t from = bus.sent.size();
+    EXPECT_FALSE(readdress());
+    EXPECT_EQ(bus.last<ReaddressFailed>()->reason, ReaddressFailed::Reason::NotNow);
+    EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
+}
+
+TEST_P(YRestarted, SaysWhenItDoesNotAnswer) {
+    ASSERT_TRUE(scanAgain());
+    bus.runFor(1s);
+    bus.losesReply = [](ByteSpan command) {
+        return command.size() > 1 && command[1] <= 2 && command[1] != 1;
+    };
+    EXPECT_FALSE(readdress());
+    EXPECT_EQ(bus.last<ReaddressFailed>()->reason, ReaddressFailed::Reason::NoAnswer);
+    EXPECT_EQ(bus.hostBaud, GetParam().baud) << "the port is back where the others listen";
+    const std::size_t samples = bus.samplesOf(0);
+    bus.runFor(1s);
+    EXPECT_GT(bus.samplesOf(0), samples);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, YRestarted,
+                         testing::Values(Case{19'200, false}, Case{19'200, true}, Case{57'600, false},
+                                         Case{115'200, false}, Case{115'200, true}),
+                         testing::PrintToStringParamName());
+
+}  // namespace
+
+}  // namespace nmc::test
