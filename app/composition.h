@@ -106,7 +106,6 @@ private:
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);
-    void told(const bus::OwedStopConfirmed& confirmed);
     void told(const CurrentLimited& current);
     void told(const PortClosed& closed);
     void told(const ServoWentOff& off);

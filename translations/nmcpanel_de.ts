@@ -2813,7 +2813,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The others keep their positions and gains when it is only given its address.</source>
-        <translation>Die anderen behalten Position und Verstärkungen, wenn es nur seine Adresse erhält.</translation>
+        <translation>Die anderen behalten Position und Reglerwerte, wenn es nur seine Adresse erhält.</translation>
     </message>
     <message>
         <source>Give module %1 its address</source>
@@ -2821,11 +2821,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Module %1 has its address again. It is off, at position 0 and without gains.</source>
-        <translation>Modul %1 hat seine Adresse wieder. Es ist aus, auf Position 0 und ohne Verstärkungen.</translation>
+        <translation>Modul %1 hat seine Adresse wieder. Es ist aus, auf Position 0 und ohne Reglerwerte.</translation>
     </message>
     <message>
         <source>The other modules are as they were. Send its gains and home it before you use it.</source>
-        <translation>Die anderen Module sind, wie sie waren. Vor dem Benutzen seine Verstärkungen senden und die Referenzfahrt machen.</translation>
+        <translation>Die anderen Module sind, wie sie waren. Vor dem Benutzen seine Reglerwerte senden und die Referenzfahrt machen.</translation>
     </message>
     <message>
         <source>Module %1 was not given its address. No motor moved by it.</source>

@@ -103,6 +103,11 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     module.owed = OwedStop{StopTarget(module.belief, manner), first};
 }
 
+void Chain::hurryOwed(ModuleIndex index, TimePoint now) {
+    if (auto& owed = at(index).owed)
+        owed->due = now;
+}
+
 void Chain::welcome(ModuleIndex index, TimePoint now) {
     ModuleInfo info = at(index).belief.info();
     info.group = GroupPlace{};

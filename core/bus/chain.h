@@ -82,6 +82,9 @@ public:
     /// Owes the module a stop, from now on. The cause of one that is owed already stays.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
+    /// The module was heard of after a silence: what is owed to it is due at once.
+    void hurryOwed(ModuleIndex module, TimePoint now);
+
     /// The module has its address again after a restart: nothing that was known of it holds.
     void welcome(ModuleIndex module, TimePoint now);
 

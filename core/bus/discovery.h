@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
     }
+    [[nodiscard]] std::size_t seen() const { return std::max(m_modules.size(), m_look.addresses().size()); }
     /// Those that were seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {

@@ -95,6 +95,8 @@ public:
     [[nodiscard]] const LinkStatistics& statistics() const { return m_line.statistics(); }
     /// Modules a stop would reach now: those that answer.
     [[nodiscard]] std::size_t stopReach() const { return m_chain.schedule().answering(); }
+    /// A stop waits for a search that has seen somebody: it may still reach him.
+    [[nodiscard]] bool stopMayStillReach() const { return m_stop.waits() && m_search.seen() > 0; }
     /// Some motor moves, or may.
     [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves(); }
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md

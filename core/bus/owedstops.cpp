@@ -20,11 +20,6 @@ constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void OwedStops::hurry(ModuleIndex module, TimePoint now) {
-    if (auto& owed = m_chain.at(module).owed)
-        owed->due = now;
-}
-
 bool OwedStops::untold() const {
     return std::any_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
         return module.owed && module.owed->target.stopOwed() && !blindly(module.belief.info().index);

@@ -20,8 +20,6 @@ public:
 
     /// Somebody looks for the chain: questions would be in his way, so stops go out blindly.
     void setBlind(bool blind) { m_blind = blind; }
-    /// Its module was heard of after a silence.
-    void hurry(ModuleIndex module, TimePoint now);
     /// A module that answers has not been told yet.
     [[nodiscard]] bool untold() const;
 

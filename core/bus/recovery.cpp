@@ -205,6 +205,7 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
     if (m_chain.answers(module))
         return;
     m_chain.schedule().recover(module, now);
+    m_chain.hurryOwed(module, now);
     m_lost = false;
     m_events.emplace_back(ModuleSilence{module, false});
 }

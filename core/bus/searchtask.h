@@ -21,6 +21,8 @@ public:
     void beginAgain();
     [[nodiscard]] bool active() const { return m_discovery.has_value(); }
 
+    /// How many modules it has seen so far.
+    [[nodiscard]] std::size_t seen() const { return m_discovery ? m_discovery->seen() : 0; }
     /// It has begun to give addresses: none of the modules there are is what it was. Once.
     [[nodiscard]] bool takeGivesAddresses() { return std::exchange(m_givesAddresses, false); }
 

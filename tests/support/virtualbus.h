@@ -57,7 +57,8 @@ public:
     /// Called whenever time has passed, before the engine hears of it.
     std::function<void()> onTime;
 
-    /// Another program takes the place of the one before, which ended without a word: nothing is known any more.
+    /// Another program takes the place of the one before, which ended without a word: nothing is known any
+    /// more.
     void newHost(bus::EngineConfig config = {}) {
         std::destroy_at(&engine);
         std::construct_at(&engine, config);

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "bus/engine.h"
+#include "bus/engineconfig.h"
 #include "link/connection/buschannel.h"
 #include "link/connection/crashguard.h"
 #include "link/connection/loopguard.h"

@@ -19,6 +19,8 @@ namespace {
 constexpr Duration kStatisticsEvery = std::chrono::milliseconds(100);
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
+/// Where the chain is still being looked for, and has answered: no longer than a search takes.
+constexpr Duration kCloseInSearchTimeout = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -49,6 +51,7 @@ std::optional<PortError> BusSession::converse() {
         if (const auto heard = hearGuards(now); !heard)
             return heard.error();
         if (m_channel.requests.closeWanted() && !m_closeBy) {
+            m_closeAsked = now;
             m_closeBy = now + kCloseTimeout;
             m_engine.stopAll(now);
         }
@@ -63,6 +66,8 @@ std::optional<PortError> BusSession::converse() {
         if (stopped && std::exchange(m_restartWhenStopped, false))
             m_engine.restart(now);
         publishRecords();
+        if (m_closeBy && now >= *m_closeBy && m_engine.stopMayStillReach())
+            m_closeBy = std::max(*m_closeBy, m_closeAsked + kCloseInSearchTimeout);
         if (m_closeBy && (stopped || now >= *m_closeBy))
             return std::nullopt;
 

@@ -70,6 +70,7 @@ private:
     bool m_engineRecords = false;
     bool m_restartWhenStopped = false;
     std::optional<TimePoint> m_closeBy;
+    TimePoint m_closeAsked;
     TimePoint m_published;
 };
 

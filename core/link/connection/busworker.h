@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bus/engine.h"
+#include "bus/engineconfig.h"
 #include "bus/types.h"
 #include "link/connection/busloop.h"
 
