@@ -1,45 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Deliberate breakages of the bus engine and of the port, as by a careless change. A test must notice each."""
-from dataclasses import dataclass
-
-
-@dataclass(frozen=True)
-class Edit:
-    """`old` is in `file` exactly once and becomes `new`."""
-    file: str
-    old: str
-    new: str
-
-
-@dataclass(frozen=True)
-class Mutant:
-    name: str
-    breaks: str  # the rule, and where it is written
-    edits: tuple[Edit, ...]
-    suite: str = "engine"  # whose tests must notice it, of run_mutants.py
-
+from mutant import Edit, Mutant
+from stopmutants import STOPS
 
 RESYNC = (
     Mutant("no-flush-in-a-resync", "link.md 2.2: 16 nulls, or a module goes on waiting for the rest of a packet", (
-        Edit("core/bus/enginerecovery.cpp",
+        Edit("core/bus/recovery.cpp",
              "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "{Line::Pause{m_quarantine}, DiscardInput{},"),
     )),
     Mutant("no-quarantine", "link.md 2.2: a late reply is waited out, or it answers the next command", (
-        Edit("core/bus/enginerecovery.cpp",
+        Edit("core/bus/recovery.cpp",
              "{Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{},",
              "{DiscardInput{}, Line::Nulls{},"),
     )),
     Mutant("no-challenge", "link.md 2.2: after a resync nothing is believed before two right answers", (
-        Edit("core/bus/enginedispatch.cpp",
-             "    if (m_doubt) {\n",
-             "    if (m_doubt && !m_doubt->wasSilent)\n        m_doubt.reset();\n    if (m_doubt) {\n"),
+        Edit("core/bus/recovery.cpp",
+             "    return challenge();",
+             "    if (!m_doubt->wasSilent) {\n"
+             "        m_doubt.reset();\n"
+             "        return Again{};\n"
+             "    }\n"
+             "    return challenge();"),
     )),
     Mutant("one-answer-ends-a-doubt", "link.md 2.2: a second challenge, of another length", (
-        Edit("core/bus/enginerecovery.cpp", "constexpr unsigned kPasses = 2;", "constexpr unsigned kPasses = 1;"),
+        Edit("core/bus/recovery.cpp", "constexpr unsigned kPasses = 2;", "constexpr unsigned kPasses = 1;"),
     )),
     Mutant("items-not-defined-anew", "faults.md F-43: replies may have another length after a doubt", (
-        Edit("core/bus/enginerecovery.cpp", "belief(module).forgetItems();", ";"),
+        Edit("core/bus/recovery.cpp", "belief.forgetItems();", "{}"),
     )),
 )
 
@@ -99,8 +87,18 @@ BELIEVING = (
 COMMANDS = (
     Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is asked first, or two modules get it", (
         Edit("core/bus/discovery.cpp",
-             "return enter(Phase::Probe);",
-             "return m_setAttempts < 3 ? enter(Phase::Set) : enter(Phase::Probe);"),
+             "set.encode(), {}}, 0, Quarantine::Brief);",
+             "set.encode(), {}}, 1, Quarantine::Brief);"),
+    )),
+    Mutant("address-number-sent-twice", "link.md 2.3: whoever took it may only not have been heard", (
+        Edit("core/bus/discovery.cpp",
+             "    const SetAddress set{BusAddress(++m_number), kEverybody, false};",
+             "    m_number = static_cast<std::uint8_t>(m_modules.size() + 1);\n"
+             "    const SetAddress set{BusAddress(m_number), kEverybody, false};"),
+    )),
+    Mutant("states-kept-through-new-addresses", "link.md 2.6: one that was reset is off, and stays off", (
+        Edit("core/bus/engine.cpp",
+             "    if (m_search.takeGivesAddresses())\n        m_chain.forgetStates();\n", ""),
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
         Edit("core/bus/gate.cpp",
@@ -113,14 +111,14 @@ COMMANDS = (
              "        case CommandCode::StartMotion:\n            return {AfterSilence::Repeat, 2};\n"),
     )),
     Mutant("blind-retry-of-a-refused-start", "faults.md F-09: that it was refused is the module's word alone", (
-        Edit("core/bus/engineoutcome.cpp",
-             "return !isStart(work) && work.refusals < work.refusedAttempts;",
-             "return work.refusals < work.refusedAttempts;"),
+        Edit("core/bus/operationtask.cpp",
+             "        ask.refusedAttempts = 1;\n        ask.refusedBefore",
+             "        ask.refusedBefore"),
     )),
     Mutant("start-without-all-loads", "faults.md M-26: the start is withheld when one member refused its load", (
-        Edit("core/bus/engineoutcome.cpp",
-             "    if (end.result == ReplyResult::Accepted) {\n        m_attempts = 0;",
-             "    if (!unanswered(end.result)) {\n        m_attempts = 0;"),
+        Edit("core/bus/operationtask.cpp",
+             "    if (end.result == ReplyResult::Accepted)\n        return accept();",
+             "    if (!unanswered(end.result))\n        return accept();"),
     )),
     Mutant("reset-position-in-motion", "faults.md M-19: never sent while the motor moves", (
         Edit("core/bus/gate.cpp",
@@ -139,56 +137,6 @@ COMMANDS = (
     )),
 )
 
-STOPPING = (
-    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link in doubt, or the stop is swallowed", (
-        Edit("core/bus/enginestop.cpp",
-             "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
-             "script.insert(script.end(), {Line::Pause{kAfterNulls}});"),
-        Edit("core/bus/enginerecovery.cpp",
-             "line.run({Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}}, now);",
-             "line.run({Line::Pause{kAfterNulls}, DiscardInput{}}, now);"),
-    )),
-    Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
-        Edit("core/bus/engine.cpp",
-             "m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;",
-             "m_blindStopsDue = !suspect && line.busy();"),
-        Edit("core/bus/enginedispatch.cpp",
-             "    if (std::exchange(m_suspect, false))\n        return flushBuffers(now);\n    const auto ask",
-             "    if (m_suspect)\n        return resync(now);\n    const auto ask"),
-    )),
-    Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
-        Edit("core/bus/engine.cpp",
-             "    m_blindStopsDue = suspect || line.busy() || m_modules.size() > 1;\n    interrupt(now);\n",
-             "    m_blindStopsDue = suspect;\n"),
-    )),
-    Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
-        Edit("core/bus/engine.cpp",
-             "void Engine::Private::stopAll(TimePoint now) {\n    cancelOperations();\n",
-             "void Engine::Private::stopAll(TimePoint now) {\n"),
-    )),
-    Mutant("one-look-after-a-stop", "link.md 2.6: confirmed twice", (
-        Edit("core/bus/stoprun.cpp", "} else if (target.confirmed == 2) {",
-             "} else if (target.confirmed >= 1) {"),
-    )),
-    Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
-        Edit("core/bus/stoprun.cpp",
-             "            if (belief.mayBeOn())\n                return ServoCommand(",
-             "            if (true)\n                return ServoCommand("),
-    )),
-    Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
-        Edit("core/bus/enginestop.cpp",
-             "std::all_of(stops.begin(), stops.end(), everybody);",
-             "true;"),
-    )),
-    Mutant("hold-without-an-end", "README: hold to move ends when the evidence stops coming", (
-        Edit("core/bus/holdlane.cpp", "    if (!m_wanted || now < m_until)\n", "    if (true)\n"),
-    )),
-    Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
-        Edit("core/bus/engineoutcome.cpp", "    m_guards.push_back({module, ServoCommand(servo::StopMotor{",
-             "    static_cast<void>(Step{module, ServoCommand(servo::StopMotor{"),
-    )),
-)
-
 LOSING = (
     Mutant("silent-module-at-the-full-rate", "faults.md F-10: a silent module is asked ever more rarely", (
         Edit("core/bus/pollschedule.cpp",
@@ -196,10 +144,10 @@ LOSING = (
              "    return TimePoint{};\n"),
     )),
     Mutant("lost-link-never-told", "faults.md F-11: silence of all is one cause, told once", (
-        Edit("core/bus/enginerecovery.cpp", "    events.emplace_back(LinkLost{});\n", ""),
+        Edit("core/bus/recovery.cpp", "    if (!m_givenUp)\n        m_events.emplace_back(LinkLost{});\n", ""),
     )),
     Mutant("no-stops-on-a-dead-line", "faults.md F-11: commands may still arrive", (
-        Edit("core/bus/enginerecovery.cpp", "m_lostBursts = kLostBursts;", "m_lostBursts = 0;"),
+        Edit("core/bus/engine.cpp", "    if (findings.allLost)\n        onLinkLost();\n", ""),
     )),
     Mutant("health-never-lost", "link.md 2.5: LOST from 100 on", (
         Edit("core/bus/health.cpp", "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (false)"),
@@ -209,59 +157,73 @@ LOSING = (
              "if (m_level == LinkHealth::Lost || m_bucket >= kLost)", "if (m_bucket >= kLost)"),
     )),
     Mutant("restarted-module-is-only-silent", "faults.md F-15: it is told that it lost everything", (
-        Edit("core/bus/enginerecovery.cpp",
-             "if (unanswered(end.result) || !end.report.identity || explained) {",
-             "if (true) {"),
+        Edit("core/bus/restartsearch.cpp",
+             "    if (unanswered(end.result) || m_chain.anyRestarted())\n",
+             "    if (true)\n"),
+    )),
+    Mutant("restart-named-at-once", "faults.md F-15: who it is follows from who still answers", (
+        Edit("core/bus/restartsearch.cpp", "    if (m_others.empty()) {", "    if (true) {"),
     )),
     Mutant("restarted-module-gets-its-address-back", "faults.md F-15: never brought back unasked", (
-        Edit("core/bus/enginerecovery.cpp",
-             "    restarted->belief.setRestarted();\n",
-             "    if (m_look == Look::None)\n"
-             "        return line.run({Line::Packet{toPacket({BusAddress(0),\n"
-             "            SetAddress{restarted->belief.info().address, BusAddress(0xFF), false}.encode()})},\n"
-             "            Line::Pause{kAfterNulls + line.timing().adapter()}, DiscardInput{}}, now);\n"
-             "    restarted->belief.setRestarted();\n"),
+        Edit("core/bus/restartsearch.cpp",
+             "        name();\n",
+             "        name();\n"
+             "        for (const Chain::Module& module : m_chain.modules())\n"
+             "            if (module.belief.restarted() && !m_quiet)\n"
+             "                return Line::Script{\n"
+             "                    Line::Packet{toPacket({BusAddress(0),\n"
+             "                        SetAddress{module.belief.info().address, BusAddress(0xFF), false}.encode()})},\n"
+             "                    Line::Lag{kAfterNulls}, DiscardInput{}};\n"),
     )),
     Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at the rate that it does not hear", (
-        Edit("core/bus/enginerecovery.cpp", "    if (quiet)\n        giveUp(now);\n", ""),
+        Edit("core/bus/restartsearch.cpp", "    m_quiet = quiet;\n", ""),
     )),
 )
 
 GROUPS = (
     Mutant("old-leader-stays", "faults.md F-44: never two leaders of a group", (
-        Edit("core/bus/enginegroup.cpp", "        steps.push_back(stepTo(info.index, {info.group->group, false}));\n", ""),
+        Edit("core/bus/groupwork.cpp", "        steps.push_back(stepTo(info.index, {info.group->group, false}));\n", ""),
     )),
     Mutant("group-start-blindly-repeated", "link.md 2.3: no second start on a doubt", (
-        Edit("core/bus/enginegroup.cpp", "    work.silentRepeats = 0;\n", "    work.silentRepeats = 2;\n"),
+        Edit("core/bus/groupwork.cpp", "    ask.silentRepeats = 0;\n", "    ask.silentRepeats = 2;\n"),
     )),
     Mutant("leader-speaks-for-all", "faults.md M-27: only a look tells what the other members did", (
         Edit("core/bus/grouprun.cpp", "        at(leader).outcome = MemberOutcome::Done;\n",
              "        for (Member& member : m_members)\n            member.outcome = MemberOutcome::Done;\n"),
     )),
     Mutant("half-a-group-goes-on", "faults.md M-27: a group that started in part is stopped", (
-        Edit("core/bus/enginegroup.cpp", "        stopMembers(members);\n", "        ;\n"),
+        Edit("core/bus/groupwork.cpp", "    if (run.partly())\n        m_halfStarted = members;\n", ""),
     )),
     Mutant("command-to-an-unknown-group", "a module whose group is not known may be a member", (
-        Edit("core/bus/enginegroup.cpp", "        if (!info.group || (everybody",
+        Edit("core/bus/groupwork.cpp", "        if (!info.group || (everybody",
              "        if (!info.group)\n            continue;\n        if ((everybody"),
     )),
     Mutant("refused-load-leaves-the-old-one", "faults.md M-26: what waits is not what was asked for", (
         Edit("core/bus/engineoutcome.cpp", "            module.belief.forgetLoad();\n", "            ;\n"),
     )),
     Mutant("rate-changed-for-group-ff-only", "protocol.md 1: a module is in exactly one group", (
-        Edit("core/bus/enginerate.cpp", "        groups.emplace_back(module.belief.info().group->group);\n", ""),
+        Edit("core/bus/ratetask.cpp", "        groups.emplace_back(module.belief.info().group->group);\n", ""),
     )),
     Mutant("no-way-back-from-a-rate", "faults.md F-24: those that followed are brought back", (
-        Edit("core/bus/enginerate.cpp", "RateChange::WayBack::Wanted", "RateChange::WayBack::None"),
+        Edit("core/bus/ratetask.cpp", "RateChange::WayBack::Wanted", "RateChange::WayBack::None"),
     )),
     Mutant("stop-waits-for-the-rate", "faults.md N7: a stop is never queued", (
-        Edit("core/bus/enginerate.cpp", "    if (!m_rateChange)\n        return;\n    m_abandoned", "    return;\n    m_abandoned"),
+        Edit("core/bus/ratetask.cpp", "    if (m_change)\n        m_abandoned", "    if (false)\n        m_abandoned"),
     )),
     Mutant("stop-at-one-rate-only", "in the midst of a change nobody knows who is at which rate", (
-        Edit("core/bus/enginerate.cpp", "    if (m_stop) {\n        m_blindStops", "    if (false) {\n        m_blindStops"),
+        Edit("core/bus/ratetask.cpp",
+             "stops = m_stop.blindStops();\n    if (m_stop.active())\n        m_stop.onBlindSent();\n",
+             "stops{};\n"),
     )),
     Mutant("rate-changed-with-a-leader", "faults.md F-26: its answer would come at the new rate", (
-        Edit("core/bus/enginerate.cpp", "return b.info().group->leader; })", "return false && b.info().group->leader; })"),
+        Edit("core/bus/ratetask.cpp", "return b.info().group->leader; })", "return false && b.info().group->leader; })"),
+    )),
+    Mutant("rate-change-without-an-end", "a connect in the midst of a change ends it, and says so", (
+        Edit("core/bus/ratetask.cpp",
+             "        if (const auto dropped = std::exchange(*change, std::nullopt))\n"
+             "            m_events.emplace_back(RateChangeFailed{\n"
+             "                RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});",
+             "        change->reset();"),
     )),
 )
 
@@ -272,4 +234,4 @@ PORT = (
     ), "link"),
 )
 
-MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPPING + LOSING + GROUPS + PORT
+MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPS + LOSING + GROUPS + PORT

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Deliberate breakages of the promise that a stop always acts, and that nothing is called stopped before it is."""
+from mutant import Edit, Mutant
+
+STOPPING = (
+    Mutant("no-nulls-before-a-stop", "link.md 2.6: nulls first on a link in doubt, or the stop is swallowed", (
+        Edit("core/bus/stoptask.cpp",
+             "script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});",
+             "script.emplace_back(Line::Pause{kAfterNulls});"),
+        Edit("core/bus/recovery.cpp",
+             "Line::Script{Line::Nulls{}, Line::Pause{kAfterNulls}, DiscardInput{}};",
+             "Line::Script{Line::Pause{kAfterNulls}, DiscardInput{}};"),
+    )),
+    Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop goes past everything", (
+        Edit("core/bus/engine.cpp", "turn(m_wayBack, m_stop);", "turn(m_wayBack, m_recovery, m_stop);"),
+    )),
+    Mutant("stop-behind-a-reply", "link.md 2.6: a stop may pre-empt a reply in flight", (
+        Edit("core/bus/engine.cpp",
+             "        m_stop.begin(now);\n        interrupt(now);\n",
+             "        m_stop.begin(now);\n"),
+    )),
+    Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
+        Edit("core/bus/engine.cpp",
+             "void Engine::stopAll(TimePoint now) {\n    dropWork();\n",
+             "void Engine::stopAll(TimePoint now) {\n    m_hold.clear();\n"),
+    )),
+    Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
+        Edit("core/bus/stoptarget.cpp",
+             "            if (belief.mayBeOn())\n                return ServoCommand(",
+             "            if (true)\n                return ServoCommand("),
+    )),
+    Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
+        Edit("core/bus/chain.cpp",
+             "return belief(s.module).info().group == GroupPlace{} && answers(s.module);",
+             "return answers(s.module);"),
+    )),
+    Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
+        Edit("core/bus/engineoutcome.cpp",
+             "    halt(module, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);",
+             "    static_cast<void>(off);\n    dropWork();"),
+    )),
+)
+
+# In every phase, as long as the port is open.
+ALWAYS = (
+    Mutant("no-stop-while-looking-again", "issue 13, 1: the chain that was known last is told at once", (
+        Edit("core/bus/engine.cpp",
+             "    if (!m_chain.empty()) {\n        if (m_search.active()",
+             "    if (!m_chain.empty() && !m_search.active()) {\n        if (m_search.active()"),
+    )),
+    Mutant("no-stop-after-a-search-in-vain", "issue 13, 1: the chain that was known last may still hear", (
+        Edit("core/bus/engine.cpp",
+             "    if (!m_chain.empty()) {\n        if (m_search.active()",
+             "    if (!m_chain.empty() && (m_connected || m_search.active())) {\n        if (m_search.active()"),
+        Edit("core/bus/engine.cpp",
+             "        m_stop.begin(now);  // nobody",
+             "        m_events.emplace_back(StopFinished{});  // nobody"),
+    )),
+    Mutant("no-nulls-after-a-search", "issue 13, 1: whoever was looked for may have heard half of something", (
+        Edit("core/bus/engine.cpp",
+             "        if (m_search.active() || !m_connected)\n            m_recovery.doubtLine();\n", ""),
+    )),
+    Mutant("stop-at-the-rate-of-the-port", "issue 13, 1: at the rate at which the chain was known", (
+        Edit("core/bus/stoptask.cpp",
+             "    if (strayed)\n        script.emplace_back(SetHostBaud{m_chain.rate()});\n", ""),
+        Edit("core/bus/stoptask.cpp",
+             "    if (m_line.baud() != m_chain.rate())\n        return Line::toRate(m_chain.rate());\n", ""),
+    )),
+    Mutant("second-connect-swallows-a-stop", "engine.h: a stop ends in exactly one StopFinished", (
+        Edit("core/bus/stoptask.h",
+             "    /// The search is over;",
+             "    void drop() { m_run.reset(), m_blind.clear(), m_asked = nullptr, m_waiting = false; }\n"
+             "    /// The search is over;"),
+        Edit("core/bus/engine.cpp",
+             "    if (m_stop.running()) {", "    m_stop.drop();\n    if (m_stop.running()) {"),
+    )),
+    Mutant("chain-forgotten-at-connect", "issue 13, 1: it is kept until another one is found", (
+        Edit("core/bus/engine.cpp",
+             "        interrupt(now);\n        m_recovery.reset();\n",
+             "        interrupt(now);\n        m_chain = Chain();\n        m_recovery.reset();\n"),
+    )),
+)
+
+# What is said of it, and when.
+REPORTING = (
+    Mutant("one-look-after-a-stop", "link.md 2.6: confirmed twice", (
+        Edit("core/bus/stoptarget.h", "return m_confirmed >= 2;", "return m_confirmed >= 1;"),
+    )),
+    Mutant("stop-given-up-after-one-silence", "link.md 2.6: repeated while its module may still answer", (
+        Edit("core/bus/stoprun.cpp",
+             "asked.silences() >= kSilences && (target->wasSilent || now - m_began >= kSilentFor);",
+             "asked.silences() > 0;"),
+    )),
+    Mutant("stop-over-with-the-first-answer", "link.md 2.6: repeated until confirmed", (
+        Edit("core/bus/stoprun.h",
+             "return !givenUp && !stop.stopped();", "return !givenUp && !stop.heard();"),
+    )),
+    Mutant("stopped-when-told", "issue 13, 2: stopped is who was seen at rest", (
+        Edit("core/bus/stoprun.h",
+             "return !givenUp && !stop.stopped();", "return !givenUp && !stop.heard();"),
+        Edit("core/bus/stoprun.cpp", "(target.stop.stopped() ", "(target.stop.heard() "),
+    )),
+    Mutant("unconfirmed-counts-as-stopped", "issue 13, 2: told, but its rest is not seen", (
+        Edit("core/bus/stoprun.cpp", "(target.stop.stopped() ", "(target.stop.heard() "),
+    )),
+    Mutant("silent-counts-as-stopped", "issue 13, 2: who does not answer is not reached", (
+        Edit("core/bus/stoprun.cpp",
+             "(target.stop.stopped() ", "(target.stop.stopped() || target.stop.silences() > 0 "),
+    )),
+    Mutant("moving-servo-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
+        Edit("core/bus/stoptarget.cpp",
+             "            if (!report.servoStatus().moveDone() ||",
+             "            return true;\n            if (!report.servoStatus().moveDone() ||"),
+    )),
+    Mutant("moving-stepper-counts-as-stopped", "issue 13, 2: one that moves on is not confirmed", (
+        Edit("core/bus/stoptarget.cpp", "return !report.stepStatus().moving();", "return true;"),
+    )),
+    Mutant("restarted-module-in-no-list", "issue 13, 2: one of three, for each module", (
+        Edit("core/bus/stoprun.cpp", "    event.unreached = m_restarted;\n", ""),
+    )),
+)
+
+# A stop of one module, until it is confirmed.
+OWING = (
+    Mutant("owed-stop-dropped-after-four-tries", "issue 13, 3: never", (
+        Edit("core/bus/owedstops.cpp",
+             "    const bool looked = ",
+             "    if (owed->target.silences() > kAtOnce) {\n"
+             "        owed.reset();\n"
+             "        return {};\n"
+             "    }\n"
+             "    const bool looked = "),
+    )),
+    Mutant("owed-stop-dropped-when-its-module-is-silent", "issue 13, 3: sent again, blindly", (
+        Edit("core/bus/owedstops.cpp",
+             "        module.owed->due = now + kBlindEvery;\n",
+             "        if (!m_chain.answers(index)) {\n"
+             "            module.owed.reset();\n"
+             "            continue;\n"
+             "        }\n"
+             "        module.owed->due = now + kBlindEvery;\n"),
+    )),
+    Mutant("owed-stop-dropped-when-the-link-is-lost", "issue 13, 3: commands may still arrive", (
+        Edit("core/bus/engine.cpp",
+             "    for (const Step& stop : m_chain.stops())\n"
+             "        m_chain.owe(stop.module, StopCause::LinkGivenUp);\n",
+             "    for (Chain::Module& module : m_chain.modules())\n"
+             "        module.owed.reset();\n"),
+    )),
+    Mutant("owed-stop-dropped-by-a-connect", "issue 13, 3: it goes on while a chain is looked for", (
+        Edit("core/bus/engine.cpp",
+             "    m_owed.setBlind(true);\n",
+             "    m_owed.setBlind(true);\n"
+             "    for (Chain::Module& module : m_chain.modules())\n"
+             "        module.owed.reset();\n"),
+    )),
+    Mutant("owed-stop-dropped-with-its-chain", "issue 13, 3: whoever is found where it was is owed it still", (
+        Edit("core/bus/engine.cpp",
+             "    if (found.attached)\n        for (const Chain::Module& module : before",
+             "    if (false)\n        for (const Chain::Module& module : before"),
+    )),
+    Mutant("owed-stop-over-when-answered", "issue 13, 3: ended by a confirmation only", (
+        Edit("core/bus/owedstops.cpp",
+             "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
+    )),
+    Mutant("owed-stop-behind-the-quarantine", "link.md 2.6: it does not wait for late answers", (
+        Edit("core/bus/engine.cpp",
+             "    if (m_recovery.resyncing() && m_owed.untold())\n        interrupt(now);\n", ""),
+    )),
+    Mutant("hold-without-an-end", "README: hold to move ends when the evidence stops coming", (
+        Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
+    )),
+    Mutant("hold-that-owes-nothing", "README: hold to move ends with a stop", (
+        Edit("core/bus/holdtask.cpp",
+             "told && m_chain.has(told->module))", "told && false && m_chain.has(told->module))"),
+    )),
+    Mutant("press-that-is-over-moves-again", "holdlane.h: its late evidence moves nothing", (
+        Edit("core/bus/holdlane.h", "press <= *m_over;", "press < *m_over;"),
+    )),
+    Mutant("press-that-was-refused-moves-later", "holdlane.h: over before it began", (
+        Edit("core/bus/engine.cpp", "        return m_hold.refuse(hold);", "        return;"),
+    )),
+)
+
+STOPS = STOPPING + ALWAYS + REPORTING + OWING
