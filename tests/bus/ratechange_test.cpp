@@ -245,6 +245,20 @@ TEST(ChainRate, OutlivesStopsInARow) {
     }
 }
 
+TEST(ChainRate, EndsItsChangeWhenTheChainIsLookedForMeanwhile) {
+    for (const bool restart : {false, true}) {
+        RateBus bus(servos(2));
+        makeReady(bus);
+        bus.engine.changeRate(115'200, bus.now);
+        bus.runFor(15ms);
+        ASSERT_FALSE(bus.ended());
+        ASSERT_TRUE(restart ? bus.restart() : bus.connect());
+        ASSERT_TRUE(bus.ended());
+        EXPECT_EQ(bus.failure().reason, Reason::Interrupted);
+        EXPECT_EQ(bus.failure().wanted, 115'200U);
+    }
+}
+
 TEST(ChainRate, IsTheSameForAllAgainWhenTheWayBackIsNotHeard) {
     RateBus bus(servos(3), {}, withFaults());
     makeReady(bus);

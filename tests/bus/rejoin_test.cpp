@@ -70,7 +70,7 @@ public:
     }
     void SetUp() override {
         ASSERT_TRUE(bus.connect());
-        for (const std::uint8_t i : {0, 1, 2})
+        for (std::uint8_t i = 0; i < 3; ++i)
             ASSERT_EQ(bus.perform({gains(i), enable(i), loadMove(i, 1'000 * (i + 1)), start(i)}),
                       Outcome::Done);
         bus.runFor(3s);
@@ -114,7 +114,7 @@ TEST_P(YRestarted, GivesYItsAddressAndLeavesTheOthersAlone) {
     EXPECT_EQ(bus.sends("AA 00 21 02 FF 22", from), 1U) << "once";
     EXPECT_EQ(bus.sends("AA FF 0F", from), 0U) << "nobody is reset";
     bus.runFor(6s);
-    for (const std::uint8_t i : {0, 1, 2}) {
+    for (std::uint8_t i = 0; i < 3; ++i) {
         EXPECT_EQ(bus.chain.snapshot(ModuleIndex(i), bus.now).address, i + 1);
         EXPECT_GE(bus.lastSample(i)->time, bus.now - 1s) << "module " << int{i} << " is live";
     }

@@ -8,6 +8,7 @@
 #include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/port.h"
 
 namespace nmc {
 namespace {
@@ -65,6 +66,38 @@ TEST(BusWorker, StopsTheMotorsBeforeItCloses) {
     ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
     EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
     EXPECT_FALSE(connection.worker().isOpen());
+}
+
+/// A motor that another program left running, and a window that is closed before the chain is found: as soon
+/// as it is, it is told to stop, and only then the port is let go.
+TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    {
+        Port host(sim.terminal().toStdString());
+        host.setRate(B19200);
+        const auto command = [&host](std::vector<std::uint8_t> bytes) {
+            std::uint8_t sum = 0;
+            for (std::size_t i = 1; i < bytes.size(); ++i)
+                sum = static_cast<std::uint8_t>(sum + bytes[i]);
+            bytes.push_back(sum);
+            host.write(bytes);
+            (void)host.read(2, 1'000);
+        };
+        command({0xAA, 0x00, 0x21, 0x01, 0xFF});
+        command({0xAA, 0x01, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xA0, 0x0F, 1, 0});  // gains
+        command({0xAA, 0x01, 0x17, 0x05});                            // amplifier, servo on
+        command({0xAA, 0x01, 0x94, 0xB6, 0, 0, 1, 0, 100, 0, 0, 0});  // velocity 1, start
+    }
+    ASSERT_GT(sim.state(1)[QStringLiteral("command_velocity")].toDouble(), 0.01);
+    Connection connection;
+    connection.openSerial(sim.terminal());
+    // Its first answer, in the middle of the search for the others.
+    ASSERT_TRUE(connection.waitUntil([&] { return connection.store().link().found > 0; }));
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
+    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
+    EXPECT_LT(std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()), 0.01);
 }
 
 TEST(BusWorker, CanBeOpenedAgainAndDestroyedWhileOpen) {

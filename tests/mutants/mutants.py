@@ -176,7 +176,7 @@ LOSING = (
              "                    Line::Lag{kAfterNulls}, DiscardInput{}};\n"),
     )),
     Mutant("noise-for-a-restarted-module", "faults.md F-16: no more packets at the rate that it does not hear", (
-        Edit("core/bus/restartsearch.cpp", "    m_quiet = quiet;\n", ""),
+        Edit("core/bus/restartsearch.cpp", "    m_quiet = m_chain.rate() != kPowerUpBaud;\n", "    m_quiet = false;\n"),
     )),
 )
 
