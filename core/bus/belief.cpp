@@ -180,6 +180,14 @@ bool Belief::mayMove() const {
     return m_velocityGoal || m_pwmMayRun || !servo::StatusByte{m_status}.moveDone();
 }
 
+bool Belief::seenMoving() const {
+    if (!m_statusTime)
+        return true;
+    if (m_info.identity.type == ModuleType::Step)
+        return step::StatusByte{m_status}.moving();
+    return m_pwmMayRun || !servo::StatusByte{m_status}.moveDone() || m_velocity.value_or(0) != 0;
+}
+
 bool Belief::powered() const {
     return servo::StatusByte{m_status}.powerOn();  // the same bit on both chips
 }

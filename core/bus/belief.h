@@ -72,6 +72,8 @@ public:
     /// Measured velocity, counts per tick, when the newest status had it.
     [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_velocity; }
     [[nodiscard]] bool powered() const;
+    /// The last status shows a motion, whatever it was told. True when there is none.
+    [[nodiscard]] bool seenMoving() const;
     /// Whether a Stop Motor must be expected to find something to stop, for the order of a stop.
     [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
 

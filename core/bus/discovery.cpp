@@ -43,7 +43,33 @@ Discovery::Discovery(const EngineConfig& config, Start start)
       m_progress(
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
 
+bool Discovery::resume() {
+    switch (m_phase) {
+        case Phase::Set:
+            if (!givesAddresses())
+                return false;
+            m_phase = Phase::Probe;  // the number that went out last may have been heard
+            [[fallthrough]];
+        case Phase::Probe:
+        case Phase::Recheck:
+        case Phase::Identify:
+            m_resumed = givesAddresses();
+            return m_resumed;
+        case Phase::Look:
+        case Phase::Restart:
+        case Phase::ChangeRate:
+        case Phase::Define:
+        case Phase::Confirm:
+        case Phase::Done:
+        case Phase::Failed:
+            break;
+    }
+    return false;
+}
+
 Discovery::Next Discovery::next() {
+    if (std::exchange(m_resumed, false))
+        return Line::toRate(kPowerUpBaud);
     switch (m_phase) {
         case Phase::Look:
             return look();

@@ -42,6 +42,10 @@ public:
 
     /// Once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress();
+    /// What was under way on the line is gone, and the port may be at another rate. True when it goes on
+    /// where it was: in the midst of giving addresses a look would take those that have one for the whole
+    /// chain.
+    [[nodiscard]] bool resume();
     /// The first address has been given.
     [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
     /// What a module without an address says it is, where one answers beside the chain.
@@ -108,6 +112,7 @@ private:
     unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
     std::vector<BusAddress> m_unheard;
     bool m_heardNoise = false;
+    bool m_resumed = false;  ///< the port has to be taken to the rate of power-up first
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;

@@ -27,6 +27,9 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
         m_events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, m_config.baud});
         return;
     }
+    // One that gives addresses goes on: another look would take those that have one for the whole chain.
+    if (start == Discovery::Start::Look && m_search.givesAddresses())
+        return;
     dropWork();
     m_rate.drop();
     m_readdress.drop();
@@ -88,6 +91,7 @@ void Engine::release(TimePoint now) {
 }
 
 void Engine::stopAll(TimePoint now) {
+    m_hold.clear();
     dropWork();
     m_chain.schedule().unfocus();
     if (!m_chain.empty()) {
@@ -342,6 +346,8 @@ void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
 
 /// Something is wrong with a motion: its module stops, and what was to come is dropped.
 void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
+    if (m_hold.holds(module))
+        m_hold.clear();
     dropWork();
     m_chain.owe(module, cause, manner);
 }
@@ -365,6 +371,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
 /// All motors are stopped, and then nothing is asked any more.
 void Engine::goQuiet(TimePoint now) {
     m_connected = false;
+    m_hold.clear();
     dropWork();
     m_rate.drop();
     m_readdress.drop();
@@ -375,10 +382,10 @@ void Engine::goQuiet(TimePoint now) {
         m_stop.begin(now);
 }
 
-/// Nothing that was asked for is begun any more.
+/// Nothing that was asked for is begun any more, and a motor that is held is owed its stop.
 void Engine::dropWork() {
     m_operations.cancel();
-    m_hold.clear();
+    m_hold.release();
     if (m_again && m_again->task != &m_search)
         m_again.reset();
     for (Work& work : m_works)
@@ -396,7 +403,7 @@ void Engine::interrupt(TimePoint now) {
     m_wayBack.interrupted();
     if (m_search.active()) {
         m_again.reset();
-        m_search.beginAgain();
+        m_search.interrupted();
     }
 }
 

@@ -29,6 +29,9 @@ public:
     [[nodiscard]] std::optional<TimePoint> expiry() const { return m_lane.deadline(); }
     /// Somebody else stops the motor.
     void clear();
+    [[nodiscard]] bool holds(ModuleIndex module) const {
+        return m_lane.wanted() && m_lane.wanted()->module == module;
+    }
     [[nodiscard]] bool active() const { return m_lane.wanted().has_value(); }
 
     [[nodiscard]] bool wants(TimePoint now) const override;

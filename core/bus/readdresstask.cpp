@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bus/readdresstask.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/baud.h"
@@ -9,7 +10,11 @@ namespace nmc::bus {
 
 void ReaddressTask::begin(ModuleIndex module, bool busy) {
     const bool restarted = m_chain.has(module) && m_chain.belief(module).restarted();
-    if (!restarted || busy || active() || m_chain.anythingMoves()) {
+    const auto moves = [&](const Chain::Module& m) {
+        return !m.belief.restarted() && m_chain.answers(m.belief.info().index) && m.belief.seenMoving();
+    };
+    const auto& modules = m_chain.modules();
+    if (!restarted || busy || active() || std::any_of(modules.begin(), modules.end(), moves)) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }

@@ -8,11 +8,12 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_start = start;
     m_ended.reset();
     m_givesAddresses = false;
-    beginAgain();
+    m_discovery.emplace(m_config, m_start);
 }
 
-void SearchTask::beginAgain() {
-    m_discovery.emplace(m_config, m_start);
+void SearchTask::interrupted() {
+    if (m_discovery && !m_discovery->resume())
+        m_discovery.emplace(m_config, m_start);
 }
 
 Next SearchTask::next(TimePoint /*now*/) {

@@ -17,8 +17,10 @@ public:
     explicit SearchTask(std::vector<Event>& events) : m_events(events) {}
 
     void begin(const EngineConfig& config, Discovery::Start start);
-    /// What was under way on the line is gone: all over again.
-    void beginAgain();
+    /// What was under way on the line is gone: on from there, or all over again.
+    void interrupted();
+    /// It has given addresses, and goes on with that.
+    [[nodiscard]] bool givesAddresses() const { return m_discovery && m_discovery->givesAddresses(); }
     [[nodiscard]] bool active() const { return m_discovery.has_value(); }
 
     /// How many modules it has seen so far.

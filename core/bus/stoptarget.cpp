@@ -9,6 +9,9 @@ namespace nmc::bus {
 
 namespace {
 
+/// So many stops in a row that are not answered, and the module is looked at.
+constexpr unsigned kStopsInVain = 2;
+
 [[nodiscard]] bool standsStill(const StatusReport& report, ModuleType type,
                                const std::optional<std::int32_t>& before) {
     switch (type) {
@@ -54,7 +57,8 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
                 return ServoCommand(servoStop(StopManner::Off));
             return std::nullopt;
         case ModuleType::Step:
-            if (belief.mayBeOn() || belief.mayMove())
+            // Of one that nothing is known of, a stop would lower AMP_EN: it is looked at first.
+            if (belief.mayBeOn() || (belief.statusTime() && belief.mayMove()))
                 return StepCommand(stepStop(manner, belief.mayBeOn()));
             return std::nullopt;
         case ModuleType::Adc:
@@ -99,7 +103,8 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
         ++m_silences;
         m_confirmed = 0;
         // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
-        m_stopOwed = m_stop && !m_asksStop;
+        m_inVain = m_asksStop ? m_inVain + 1 : 0;
+        m_stopOwed = m_stop && m_inVain < kStopsInVain;
         return;
     }
     m_heard = true;

@@ -76,6 +76,7 @@ private:
     bool m_stopOwed;
     bool m_asksStop = false;  ///< the question under way
     bool m_second = false;    ///< layouts take turns
+    unsigned m_inVain = 0;    ///< stops in a row that were not answered
     bool m_heard = false;
     unsigned m_silences = 0;
     unsigned m_confirmed = 0;

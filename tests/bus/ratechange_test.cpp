@@ -247,7 +247,7 @@ TEST(ChainRate, OutlivesStopsInARow) {
 
 TEST(ChainRate, EndsItsChangeWhenTheChainIsLookedForMeanwhile) {
     for (const bool restart : {false, true}) {
-        RateBus bus(servos(2));
+        RateBus bus(servos(3));
         makeReady(bus);
         bus.engine.changeRate(115'200, bus.now);
         bus.runFor(15ms);

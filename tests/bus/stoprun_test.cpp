@@ -245,7 +245,7 @@ TEST(StopRun, WithoutAConnectionEndsAtOnce) {
     EXPECT_EQ(bus.count<StopFinished>(), 1U);
 }
 
-TEST(StopRun, DuringARestartIsConfirmedAfterIt) {
+TEST(StopRun, DuringARestartIsConfirmed) {
     VirtualBus bus(servos(2));
     bus.engine.restart(bus.now);
     bus.engine.stopAll(bus.now);
@@ -256,8 +256,9 @@ TEST(StopRun, DuringARestartIsConfirmedAfterIt) {
     bus.runFor(400ms);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 2; }, 5s));
-    EXPECT_EQ(bus.count<ChainFound>(), 2U);
-    EXPECT_EQ(bus.last<StopFinished>()->stopped.size(), 2U);
+    EXPECT_EQ(bus.count<ChainFound>(), 1U) << "now there is a chain that is known";
+    EXPECT_EQ(bus.last<StopFinished>()->stopped.size() + bus.last<StopFinished>()->unreached.size(), 2U);
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() == 2; }, 10s)) << "and the restart goes on";
 }
 
 TEST(StopRun, IsNoLinkError) {

@@ -145,8 +145,9 @@ private:
         m_stopPending = true;
     }
     void newConnection() {
+        // A stop that is under way goes on, so what is on is still there to be stopped.
         for (Asked& asked : m_asked)
-            asked = {};
+            asked = {{}, false, asked.on};
         m_connecting = true;
     }
     void pass(Duration time);

@@ -75,20 +75,26 @@ TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
     {
         Port host(sim.terminal().toStdString());
         host.setRate(B19200);
-        const auto command = [&host](std::vector<std::uint8_t> bytes) {
+        const auto answers = [&host](std::vector<std::uint8_t> bytes) {
             std::uint8_t sum = 0;
             for (std::size_t i = 1; i < bytes.size(); ++i)
                 sum = static_cast<std::uint8_t>(sum + bytes[i]);
             bytes.push_back(sum);
             host.write(bytes);
-            (void)host.read(2, 1'000);
+            return !host.read(2, 1'000).empty();
         };
-        command({0xAA, 0x00, 0x21, 0x01, 0xFF});
-        command({0xAA, 0x01, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xA0, 0x0F, 1, 0});  // gains
-        command({0xAA, 0x01, 0x17, 0x05});                            // amplifier, servo on
-        command({0xAA, 0x01, 0x94, 0xB6, 0, 0, 1, 0, 100, 0, 0, 0});  // velocity 1, start
+        // Deaf for some ms after power-up, then addressed once.
+        host.write(std::vector<std::uint8_t>(16, 0));
+        ASSERT_TRUE(answers({0xAA, 0x00, 0x0E}) || answers({0xAA, 0x00, 0x0E}));
+        ASSERT_TRUE(answers({0xAA, 0x00, 0x21, 0x01, 0xFF}));
+        ASSERT_TRUE(answers({0xAA, 0x01, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xA0, 0x0F, 1, 0}));
+        ASSERT_TRUE(answers({0xAA, 0x01, 0x17, 0x05})) << "amplifier and servo on";
+        ASSERT_TRUE(answers({0xAA, 0x01, 0x94, 0xB6, 0, 0, 1, 0, 100, 0, 0, 0})) << "velocity 1, now";
     }
-    ASSERT_GT(sim.state(1)[QStringLiteral("command_velocity")].toDouble(), 0.01);
+    const auto runs = [&sim] {
+        return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;
+    };
+    ASSERT_TRUE(QTest::qWaitFor(runs, 20'000));
     Connection connection;
     connection.openSerial(sim.terminal());
     // Its first answer, in the middle of the search for the others.
@@ -97,7 +103,7 @@ TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
     ASSERT_TRUE(connection.waitFor<PortClosed>());
     ASSERT_NE(connection.news<bus::StopFinished>(), nullptr);
     EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 1U);
-    EXPECT_LT(std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()), 0.01);
+    EXPECT_FALSE(runs());
 }
 
 TEST(BusWorker, CanBeOpenedAgainAndDestroyedWhileOpen) {

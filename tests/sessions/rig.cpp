@@ -118,6 +118,7 @@ void Rig::submit(std::variant<GroupChange, GroupCommand> what) {
 void Rig::hold(const HoldToMove& hold, Duration time, bool lapses) {
     m_oath.forget();
     m_hand = Hand{hold, bus.now, bus.now + time, lapses, wire.size()};
+    m_hand->hold.press = ++m_presses;
     moveHand();
 }
 

@@ -143,6 +143,7 @@ private:
     StopOath m_oath;
     OwedOath m_owed;
     std::optional<Hand> m_hand;
+    std::uint32_t m_presses = 0;
     bool m_searching = false;
     bool m_foundNobody = false;
     unsigned m_rateChanges = 0;

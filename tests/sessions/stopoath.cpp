@@ -200,10 +200,12 @@ void StopOath::checkTold(const Run& run) {
     const TimePoint first = firstDue(run);
     const Duration byte = byteTimeAtBaud(run.baud);
     const auto modules = static_cast<Duration::rep>(run.modules.size());
-    // Asked for again, it may begin anew.
+    // Asked for again, it may begin anew. Where what a module was told is not known, or an answer was late,
+    // it is looked at first.
     const TimePoint last = first + (run.asked - run.began) + 5ms +
                            static_cast<Duration::rep>(kNullBytes) * byte +
-                           modules * (static_cast<Duration::rep>(kLongestExchange) * byte + 2ms);
+                           2 * modules * (static_cast<Duration::rep>(kLongestExchange) * byte + 2ms) +
+                           modules * (m_rig->world.latency + 10ms);
     for (std::size_t i = 0; i < run.modules.size(); ++i) {
         const Module& module = run.modules[i];
         if (!module.on || !module.hears)

@@ -112,10 +112,16 @@ TEST(Texts, Power) {
 TEST(Texts, Restarted) {
     const Message m = texts::restarted({ModuleIndex(1), false}, 3);
     EXPECT_EQ(m.headline, u"Module 2 restarted: its position and gains are lost."_s);
-    EXPECT_EQ(m.body, u"Its motor is off. Module 3 may not answer until module 2 has its address again."_s);
-    EXPECT_EQ(verbs(m), QStringList{u"Restart the network…"_s});
-    EXPECT_EQ(texts::restarted({ModuleIndex(2), false}, 3).body, u"Its motor is off."_s)
+    EXPECT_EQ(m.body,
+              u"Its motor is off. Module 3 may not answer until module 2 has its address again. The others "
+              u"keep their "
+              u"positions and gains when it is only given its address."_s);
+    EXPECT_EQ(verbs(m), (QStringList{u"Give module 2 its address"_s, u"Restart the network…"_s}));
+    EXPECT_FALSE(texts::restarted({ModuleIndex(2), false}, 3).body.contains(u"may not answer"_s))
         << "there is no module nearer the PC";
+    EXPECT_EQ(verbs(texts::restarted({ModuleIndex(2), true}, 3)),
+              (QStringList{u"Scan again"_s, u"Restart the network…"_s}))
+        << "at another rate the chain has to be found again first";
     EXPECT_TRUE(texts::restarted({ModuleIndex(2), true}, 3).body.contains(u"nothing is sent any more"_s));
 }
 
