@@ -21,9 +21,6 @@ struct EngineConfig {
     Duration resetWait = std::chrono::milliseconds(25);
     /// Held motion ends this long after the last hold().
     Duration holdTimeout = std::chrono::milliseconds(250);
-    /// Nothing but No Operation and Read Status is sent, and stops that somebody asks for: a chain that is
-    /// there is attached to, and left to whoever runs it.
-    bool readOnly = false;
     /// The chain that was known at this port last, so that its modules keep their places when one is missing
     /// (rejoin.h). Empty: nothing is known.
     std::vector<ModuleInfo> known{};
