@@ -44,6 +44,7 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     ASSERT_TRUE(panel.waitFor(found)) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
     EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is where it was";
+    EXPECT_TRUE(store.link().modules[1].silent) << "STOP ALL does not reach it";
 
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
     ASSERT_TRUE(press(panel, restarted, QStringLiteral("address")));

@@ -174,6 +174,7 @@ void BusStore::note(const bus::ModuleRestarted& restarted) {
         m_link.phase = LinkPhase::Lost;
     if (!known(restarted.module))
         return;
+    m_link.modules[restarted.module.value()].silent = true;
     m_link.modules[restarted.module.value()].restarted();
     m_records[restarted.module.value()].feed.doubt();
     doubtGains(restarted.module);
