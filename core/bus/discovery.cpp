@@ -48,7 +48,11 @@ bool Discovery::resume() {
         case Phase::Set:
             if (!givesAddresses())
                 return false;
-            m_phase = Phase::Probe;  // the number that went out last may have been heard
+            // The number that went out last may have been heard, unless that is settled already.
+            if (std::none_of(m_modules.begin(), m_modules.end(),
+                             [&](const ModuleInfo& m) { return m.address == BusAddress(m_number); }) &&
+                std::find(m_unheard.begin(), m_unheard.end(), BusAddress(m_number)) == m_unheard.end())
+                m_phase = Phase::Probe;
             [[fallthrough]];
         case Phase::Probe:
         case Phase::Recheck:
