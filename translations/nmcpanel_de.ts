@@ -1208,6 +1208,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>So arbeitet ein Zweidraht-Adapter; diese Module brauchen einen Vollduplex-Adapter (4 Drähte) oder ein abgeschaltetes Echo.</translation>
     </message>
     <message>
+        <source>No module at %1 has an address yet.</source>
+        <translation>Noch kein Modul an %1 hat eine Adresse.</translation>
+    </message>
+    <message>
+        <source>A read-only connection changes nothing, so it gives no addresses. Connect without read-only.</source>
+        <translation>Eine Verbindung nur zum Lesen ändert nichts und vergibt daher keine Adressen. Ohne „nur lesen“ verbinden.</translation>
+    </message>
+    <message>
         <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
         <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Austausche gingen schief.</translation>
     </message>

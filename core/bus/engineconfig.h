@@ -24,6 +24,9 @@ struct EngineConfig {
     /// The chain that was known at this port last, so that its modules keep their places when one is missing
     /// (rejoin.h). Empty: nothing is known.
     std::vector<ModuleInfo> known{};
+    /// Looks at a chain that has its addresses and changes nothing: No Operation and Read Status only, and a
+    /// stop where somebody asks for one (faults.md H-02).
+    bool readOnly = false;
 };
 
 }  // namespace nmc::bus

@@ -154,15 +154,18 @@ struct ChainFound {
     /// Of `modules`: those of the chain known before that do not answer at their address. ModuleSilence
     /// follows for each, or ModuleRestarted.
     std::vector<ModuleIndex> absent{};
+    /// As EngineConfig::readOnly.
+    bool readOnly = false;
 };
 
 enum class ConnectFailure : std::uint8_t {
     NobodyAnswers,
-    RateChange,  ///< some module did not answer at the new rate
-    Garbled,     ///< answers came but could not be read
-    Collision,   ///< two modules answer at one address
-    HeldLow,     ///< nothing but zero bytes: the line is held low
-    Echo,        ///< the adapter returns what is sent
+    RateChange,   ///< some module did not answer at the new rate
+    Garbled,      ///< answers came but could not be read
+    Collision,    ///< two modules answer at one address
+    HeldLow,      ///< nothing but zero bytes: the line is held low
+    Echo,         ///< the adapter returns what is sent
+    Unaddressed,  ///< modules without addresses, and a read-only connection gives none
 };
 
 struct ConnectFailed {

@@ -63,6 +63,12 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
                 "That is how a 2-wire adapter works; these modules need a full-duplex (4-wire) one, or its "
                 "echo switched off.");
             break;
+        case bus::ConnectFailure::Unaddressed:
+            m.headline = Texts::tr("No module at %1 has an address yet.").arg(portName(port));
+            m.body = Texts::tr(
+                "A read-only connection changes nothing, so it gives no addresses. Connect without "
+                "read-only.");
+            break;
     }
     m.details = Texts::tr("Port %1, %2 Bd").arg(port).arg(failed.baud);
     return m;
