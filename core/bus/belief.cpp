@@ -33,6 +33,7 @@ struct Belief::Sent {
         b.m_stepLoad.reset();
     }
     void operator()(const servo::StopMotor& stop) const {
+        b.m_amplifierOff = b.m_amplifierOff && !stop.amplifierEnable;
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
         b.m_lastMotion = latched;
@@ -71,6 +72,7 @@ struct Belief::Executed {
             b.started(*b.m_starting);
     }
     void operator()(const servo::StopMotor& stop) const {
+        b.m_amplifierOff = !stop.amplifierEnable;
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
         b.m_velocityGoal = false;

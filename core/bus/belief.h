@@ -63,6 +63,8 @@ public:
     [[nodiscard]] bool on() const { return m_on; }
     /// Same, or a command that could have switched it on was sent since.
     [[nodiscard]] bool mayBeOn() const { return m_on || m_mayEnable; }
+    /// PIC-SERVO: AMP_EN was taken low, and not high since: raising it would let a servo that is on leap.
+    [[nodiscard]] bool amplifierOff() const { return m_amplifierOff; }
     /// PIC-SERVO with the servo off whose PWM output may be other than 0.
     [[nodiscard]] bool pwmMayRun() const { return m_pwmMayRun; }
     /// The same where nobody here knows what it was told before: a stop must reckon with it.
@@ -107,6 +109,7 @@ private:
     std::optional<TimePoint> m_before;  ///< the status before the last one
     bool m_on = false;
     bool m_mayEnable = false;
+    bool m_amplifierOff = false;
     bool m_pwmMayRun = false;
     bool m_pwmUnknown = false;
     bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0

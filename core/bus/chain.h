@@ -64,7 +64,8 @@ public:
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] bool anyRestarted() const;
     /// Its addresses are given anew: whoever answers there may be what it was, or has just been reset and is
-    /// off, and a stop would switch it on. So each is looked at before it is told anything.
+    /// off, and a stop would switch it on. So each is looked at before it is told anything;
+    /// StopTarget::stop() says what is told to one that does not answer.
     void forgetStates();
 
     /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status

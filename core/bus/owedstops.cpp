@@ -59,7 +59,7 @@ Next OwedStops::next(TimePoint now) {
         return Idle{};
     if (auto nulls = m_recovery.flush())
         return std::move(*nulls);
-    const StopTarget::Question question = asked->owed->target.next();
+    const StopTarget::Question question = asked->owed->target.next(asked->belief);
     const ModuleIndex module = asked->belief.info().index;
     Ask ask = question.stop ? m_chain.command(Purpose::Stop, {module, *question.stop})
                             : m_chain.status(Purpose::Stop, module, question.items);
@@ -79,11 +79,13 @@ Next OwedStops::blindScript(TimePoint now) {
         if (!module.owed || !blindly(index) || module.owed->due > now)
             continue;
         module.owed->due = now + kBlindEvery;
-        if (const auto& stop = module.owed->target.stop())
+        if (const auto stop = module.owed->target.stop(module.belief))
             stops.push_back({index, *stop});
     }
     if (stops.empty())
         return Again{};
+    for (const Step& stop : stops)  // nothing is answered before the script is over
+        m_chain.tell(stop.module, stop.command, m_line.latchTime(0, now));
     const std::uint32_t here = m_line.baud();
     Line::Script script{Line::Gap{}};
     if (here != m_chain.rate())

@@ -25,11 +25,11 @@ void StopRun::restart(const Chain& chain) {
     });
 }
 
-std::vector<Step> StopRun::blindStops() const {
+std::vector<Step> StopRun::blindStops(const Chain& chain) const {
     std::vector<Step> steps;
     for (const Target& target : m_targets)
-        if (target.stop.stop())
-            steps.push_back({target.stop.module(), *target.stop.stop()});
+        if (const auto stop = target.stop.stop(chain.belief(target.stop.module())))
+            steps.push_back({target.stop.module(), *stop});
     return steps;
 }
 
@@ -38,7 +38,7 @@ StopTarget* StopRun::next(TimePoint now) {
         return nullptr;
     Target* first = nullptr;
     const auto rank = [](const Target& t) {
-        return std::tuple(t.stop.silences(), !t.stop.stopOwed(), t.asks);
+        return std::tuple(t.stop.silences(), !t.stop.unknown(), !t.stop.stopOwed(), t.asks);
     };
     for (Target& target : m_targets)
         if (target.open() && (first == nullptr || rank(target) < rank(*first)))

@@ -29,12 +29,12 @@ constexpr unsigned kStopsInVain = 2;
     return true;
 }
 
-[[nodiscard]] servo::StopMotor servoStop(StopManner manner) {
+[[nodiscard]] servo::StopMotor servoStop(StopManner manner, bool amplifier) {
     switch (manner) {
         case StopManner::Abruptly:
-            return {true, servo::StopManner::Abruptly, {}};
+            return {amplifier, servo::StopManner::Abruptly, {}};
         case StopManner::Smoothly:
-            return {true, servo::StopManner::Smoothly, {}};
+            return {amplifier, servo::StopManner::Smoothly, {}};
         case StopManner::Off:
             break;
     }
@@ -52,9 +52,9 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
     switch (belief.info().identity.type) {
         case ModuleType::Servo:
             if (belief.mayBeOn())
-                return ServoCommand(servoStop(manner));
+                return ServoCommand(servoStop(manner, !belief.amplifierOff()));
             if (belief.pwmMayRun() || belief.pwmUnknown())
-                return ServoCommand(servoStop(StopManner::Off));
+                return ServoCommand(servoStop(StopManner::Off, false));
             return std::nullopt;
         case ModuleType::Step:
             // Of one that nothing is known of, a stop would lower AMP_EN: it is looked at first.
@@ -83,17 +83,33 @@ StatusItems standstillItems(ModuleType type, bool second) {
     return kIdentityItems;
 }
 
+std::optional<ModuleCommand> StopTarget::stop(const Belief& belief) const {
+    if (m_silences == 0 || belief.statusTime())
+        return stopFor(belief, m_manner);
+    switch (m_type) {
+        case ModuleType::Servo:
+            return ServoCommand(servoStop(StopManner::Off, false));
+        case ModuleType::Step:
+            return StepCommand(stepStop(StopManner::Off, false));
+        case ModuleType::Adc:
+        case ModuleType::Io:
+            break;
+    }
+    return std::nullopt;
+}
+
 StopTarget::StopTarget(const Belief& belief, StopManner manner)
     : m_module(belief.info().index),
       m_type(belief.info().identity.type),
       m_manner(manner),
-      m_stop(stopFor(belief, manner)),
-      m_stopOwed(m_stop.has_value()) {}
+      m_stopOwed(stopFor(belief, manner).has_value()),
+      m_unknown(!belief.statusTime() && !m_stopOwed) {}
 
-StopTarget::Question StopTarget::next() {
-    m_asksStop = m_stopOwed;
+StopTarget::Question StopTarget::next(const Belief& belief) {
+    const auto toTell = m_stopOwed ? stop(belief) : std::nullopt;
+    m_asksStop = m_stopOwed = toTell.has_value();
     if (m_asksStop)
-        return {m_stop, {}};
+        return {toTell, {}};
     m_second = !m_second;
     return {std::nullopt, standstillItems(m_type, m_second)};
 }
@@ -104,7 +120,7 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
         m_confirmed = 0;
         // Its stop may not have arrived either. But one that only does not hear stops still says how it is.
         m_inVain = m_asksStop ? m_inVain + 1 : 0;
-        m_stopOwed = m_stop && m_inVain < kStopsInVain;
+        m_stopOwed = stop(belief) && m_inVain < kStopsInVain;
         return;
     }
     m_heard = true;
@@ -121,24 +137,24 @@ void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePo
     const bool still =
         standsStill(report, belief.info().identity.type, m_confirmed > 0 ? m_position : std::nullopt);
     m_position = report.position;
-    m_stop = stopFor(belief, m_manner);
+    m_unknown = !belief.statusTime();
     m_confirmed = still ? m_confirmed + 1 : 0;
     const bool neverTold = !m_lastStop;
     const Duration patience = m_manner == StopManner::Smoothly ? kSmoothPatience : kPatience;
     const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
     // After blind stops, and when it moves on: told again, if it is still on now.
-    if (m_stop && (neverTold || movesOn)) {
+    if (stop(belief) && (neverTold || movesOn)) {
         m_stopOwed = true;
         m_confirmed = 0;
     }
 }
 
-void StopTarget::onBlindSent(std::optional<TimePoint> latched) {
+void StopTarget::onBlindSent(std::optional<Blind> certain) {
     m_stopOwed = false;
-    m_blind = latched;
+    m_blind = std::move(certain);
 }
 
-std::optional<TimePoint> StopTarget::takeBlind() {
+std::optional<StopTarget::Blind> StopTarget::takeBlind() {
     return std::exchange(m_blind, std::nullopt);
 }
 

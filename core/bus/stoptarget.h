@@ -38,9 +38,13 @@ public:
     explicit StopTarget(const Belief& belief, StopManner manner = StopManner::Abruptly);
 
     [[nodiscard]] ModuleIndex module() const { return m_module; }
-    /// What it has to be told, if it is on.
-    [[nodiscard]] const std::optional<ModuleCommand>& stop() const { return m_stop; }
+    /// What it has to be told, if it is on by now: somebody may have switched it off meanwhile. One of which
+    /// nothing is known, and that does not say, is told to switch off: that ends whatever it does, and never
+    /// switches anything on.
+    [[nodiscard]] std::optional<ModuleCommand> stop(const Belief& belief) const;
     [[nodiscard]] bool stopOwed() const { return m_stopOwed; }
+    /// Nobody knows yet whether it has to be told.
+    [[nodiscard]] bool unknown() const { return m_unknown; }
     /// It was seen at rest, twice.
     [[nodiscard]] bool stopped() const { return m_confirmed >= 2; }
     /// It was seen at rest, once.
@@ -55,16 +59,20 @@ public:
         std::optional<ModuleCommand> stop;
         StatusItems items;
     };
-    [[nodiscard]] Question next();
+    [[nodiscard]] Question next(const Belief& belief);
     /// What came of it; `belief` has the answer already.
     void onReply(const ReplyEnd& end, const Belief& belief, TimePoint now);
 
     /// Its stop went out without waiting for an answer: it is looked at before it is told again, since an
-    /// abrupt stop may have tripped the servo, which a second one would switch on. `latched`: when it was
-    /// carried out, as far as that is certain.
-    void onBlindSent(std::optional<TimePoint> latched);
-    /// When a stop that was sent blind was latched, once.
-    [[nodiscard]] std::optional<TimePoint> takeBlind();
+    /// abrupt stop may have tripped the servo, which a second one would switch on. `certain`: it is, when it
+    /// was carried out.
+    struct Blind {
+        ModuleCommand stop;
+        TimePoint latched;
+    };
+    void onBlindSent(std::optional<Blind> certain);
+    /// The stop that was sent blind, where it is certain when that was latched; once.
+    [[nodiscard]] std::optional<Blind> takeBlind();
 
 private:
     void onLook(const StatusReport& report, const Belief& belief, TimePoint now);
@@ -72,8 +80,8 @@ private:
     ModuleIndex m_module;
     ModuleType m_type;
     StopManner m_manner;
-    std::optional<ModuleCommand> m_stop;
     bool m_stopOwed;
+    bool m_unknown;
     bool m_asksStop = false;  ///< the question under way
     bool m_second = false;    ///< layouts take turns
     unsigned m_inVain = 0;    ///< stops in a row that were not answered
@@ -81,7 +89,7 @@ private:
     unsigned m_silences = 0;
     unsigned m_confirmed = 0;
     std::optional<std::int32_t> m_position;
-    std::optional<TimePoint> m_blind;
+    std::optional<Blind> m_blind;
     std::optional<TimePoint> m_lastStop;  ///< that was answered
 };
 

@@ -35,7 +35,7 @@ void StopTask::onSearchOver(TimePoint now) {
 }
 
 std::vector<Step> StopTask::blindStops() const {
-    return m_run ? m_run->blindStops() : std::vector<Step>{};
+    return m_run ? m_run->blindStops(m_chain) : std::vector<Step>{};
 }
 
 void StopTask::onBlindSent() {
@@ -56,7 +56,7 @@ Next StopTask::next(TimePoint now) {
         finish(now);
         return Again{};
     }
-    const StopTarget::Question question = m_asked->next();
+    const StopTarget::Question question = m_asked->next(m_chain.belief(m_asked->module()));
     Ask ask = question.stop ? m_chain.command(Purpose::Stop, {m_asked->module(), *question.stop})
                             : m_chain.status(Purpose::Stop, m_asked->module(), question.items);
     ask.reported = question.stop.has_value();
@@ -78,7 +78,7 @@ Line::Script StopTask::blindScript() {
         m_recovery.flushed();
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});
     }
-    m_blind = m_run->blindStops();
+    m_blind = m_run->blindStops(m_chain);
     const Line::Script packets = m_chain.stopScript(m_blind);
     script.insert(script.end(), packets.begin(), packets.end());
     const Duration underWay = byteTimeAtBaud(m_chain.rate()) * static_cast<Duration::rep>(kMaxReply);
@@ -94,7 +94,8 @@ void StopTask::noteBlindStops() {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
         m_chain.tell(steps[i].module, steps[i].command, latched);
         if (StopTarget* target = m_run->find(steps[i].module))
-            target->onBlindSent(m_blindHeard ? std::optional(latched) : std::nullopt);
+            target->onBlindSent(m_blindHeard ? std::optional(StopTarget::Blind{steps[i].command, latched})
+                                             : std::nullopt);
     }
 }
 
@@ -103,9 +104,8 @@ void StopTask::noteBlindStops() {
 void StopTask::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     if (m_asked == nullptr)
         return;
-    const auto stop = m_asked->stop();
-    if (const auto blind = m_asked->takeBlind(); blind && stop)
-        m_events.emplace_back(CommandExecuted{*ask.module, *blind, *stop});
+    if (const auto blind = m_asked->takeBlind())
+        m_events.emplace_back(CommandExecuted{*ask.module, blind->latched, blind->stop});
 }
 
 Line::Script StopTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

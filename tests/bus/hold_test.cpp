@@ -231,6 +231,18 @@ TEST_F(Hold, APressThatCameDuringAStopIsOverBeforeItBegan) {
     EXPECT_EQ(bus.sends("AA 01 94", from), 0U);
 }
 
+TEST_F(Hold, ItsEndDoesNotSwitchOnWhatWasSwitchedOffMeanwhile) {
+    enableFirst();
+    bus.engine.hold(forward(0), bus.now);
+    bus.runFor(100ms);
+    ASSERT_GT(bus.servo(0).velocity, 0.5);
+    // "Motor off" is on its way when the button comes up.
+    bus.engine.submit({OperationId(9), {motorOff(0)}}, bus.now);
+    bus.engine.release(bus.now);
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+}
+
 TEST(HoldLane, KnowsAPressByItsNumber) {
     const TimePoint t{};
     HoldLane lane(250ms);

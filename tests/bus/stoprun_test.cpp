@@ -227,6 +227,22 @@ TEST(StopRun, DoesNotSwitchATrippedServoOnAgain) {
     ASSERT_TRUE(stopped);
 }
 
+TEST(StopRun, RaisesNoAmplifierThatIsOff) {
+    // AMP_EN low, and then a move: the servo is on, its command has gone 2000 counts ahead, and the motor,
+    // which has no current, stands (DS-V 5.2). With AMP_EN high it would leap there.
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), motorOff(0), loadMove(0, 2'000), start(0)}), Outcome::Done);
+    bus.runFor(2s);
+    ASSERT_TRUE(bus.servo(0).servoOn);
+    ASSERT_EQ(bus.servo(0).position, 0);
+    const auto stopped = bus.stopAll();
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.servo(0).position, 0);
+    ASSERT_TRUE(stopped);
+    EXPECT_THAT(numbers(stopped->stopped), ElementsAre(0));
+}
+
 TEST(StopRun, EndsOnceWhenAskedForTwice) {
     VirtualBus bus(servos(2));
     ASSERT_TRUE(bus.connect());

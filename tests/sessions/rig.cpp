@@ -265,6 +265,13 @@ bool Rig::isOn(std::uint8_t place) {
     return truth.servo.servoOn || truth.servo.pwm != 0;
 }
 
+bool Rig::resetOnTheWay(std::uint8_t place) {
+    if (wire.empty() || wire.back().code() != CommandCode::HardReset || lineFree + kServoTick <= bus.now)
+        return false;
+    const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
+    return wire.back().address() == truth.address || wire.back().address() == truth.group;
+}
+
 bool Rig::atRest(std::uint8_t place) {
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
     if (truth.step)

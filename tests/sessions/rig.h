@@ -91,6 +91,8 @@ public:
     [[nodiscard]] std::size_t size() const { return bus.chain.moduleCount(); }
     /// The motor has current, or turns by command.
     [[nodiscard]] bool isOn(std::uint8_t place);
+    /// The packet that is leaving resets it: it is off, and without an address, before another one can come.
+    [[nodiscard]] bool resetOnTheWay(std::uint8_t place);
     [[nodiscard]] bool atRest(std::uint8_t place);
     [[nodiscard]] double shaft(std::uint8_t place);
     /// A command to its address at that rate arrives and is understood.

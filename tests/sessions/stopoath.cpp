@@ -63,7 +63,8 @@ void StopOath::asked() {
         run.judgeWire = !m_rig->rateChanging() && m_ownStops == 0;
         for (const auto& m : known->modules) {
             const bool there = m.place != KnownChain::kNowhere;
-            run.modules.push_back({m.place, m.address, there && m_rig->isOn(m.place),
+            run.modules.push_back({m.place, m.address,
+                                   there && m_rig->isOn(m.place) && !m_rig->resetOnTheWay(m.place),
                                    there && m_rig->hears(m.place, m.address, known->baud)});
         }
         m_resting = run;
