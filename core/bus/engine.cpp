@@ -97,10 +97,10 @@ bool Engine::stopUnasked(TimePoint now) {
 }
 
 void Engine::stopAll(TimePoint now) {
-    m_stopAsked = true;
     m_hold.clear();
     dropWork();
     m_chain.schedule().unfocus();
+    m_stopAsked = true;
     if (!m_chain.empty()) {
         if (m_search.active() || !m_connected)
             m_recovery.doubtLine();
