@@ -23,10 +23,13 @@ namespace {
 
 }  // namespace
 
-Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate)
-    : m_rate(rate), m_schedule(modules.size()) {
-    for (const ModuleInfo& info : modules)
+Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly)
+    : m_rate(rate), m_readOnly(readOnly), m_schedule(modules.size()) {
+    for (const ModuleInfo& info : modules) {
         m_modules.emplace_back(info);
+        if (readOnly)
+            m_modules.back().belief.forgetItems();
+    }
 }
 
 bool Chain::anythingMoves() const {
@@ -57,6 +60,10 @@ Ask Chain::command(Purpose purpose, const Step& step) const {
     ask.purpose = purpose;
     ask.module = step.module;
     ask.request = {module.info().address, payload, layoutOf(module, payload)};
+    if (m_readOnly && payload.code != CommandCode::ReadStatus) {
+        ask.request.reply.items = {};
+        ask.request.framing = Framing::Open;  // its length hangs on what another host has defined
+    }
     ask.command = step.command;
     ask.silentRepeats = rule.silentRepeats;
     ask.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
@@ -65,8 +72,8 @@ Ask Chain::command(Purpose purpose, const Step& step) const {
 }
 
 Ask Chain::status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const {
-    if (items)
-        return command(purpose, {module, ServoCommand(ReadStatus{*items})});
+    if (items || m_readOnly)
+        return command(purpose, {module, ServoCommand(ReadStatus{items.value_or(kStandingItems)})});
     if (!belief(module).items())
         return command(purpose, {module, ServoCommand(DefineStatus{kStandingItems})});
     return command(purpose, {module, ServoCommand(Nop{})});
@@ -81,7 +88,8 @@ ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const 
     const ModuleType type = module.info().identity.type;
     if (payload.code == CommandCode::ReadStatus || payload.code == CommandCode::DefineStatus)
         return {type, StatusItems(payload.data[0])};
-    return {type, module.items().value_or(kStandingItems)};
+    // What another host has defined may be anything.
+    return {type, module.items().value_or(m_readOnly ? kAllItems : kStandingItems)};
 }
 
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
@@ -99,6 +107,8 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     Module& module = at(index);
     if (module.belief.restarted())
         return;  // off by itself, and without an address
+    if (m_readOnly && cause != StopCause::StopAll)
+        return;  // nobody asked
     const StopCause first = module.owed ? module.owed->cause : cause;
     module.owed = OwedStop{StopTarget(module.belief, manner), first};
 }
@@ -126,6 +136,8 @@ std::vector<Step> Chain::stops() const {
 
 std::vector<std::uint8_t> Chain::stopBurst() const {
     std::vector<std::uint8_t> burst;
+    if (m_readOnly)
+        return burst;
     const auto pause = static_cast<std::size_t>(kTurnaround / byteTimeAtBaud(m_rate)) + 1;
     for (const Step& stop : stops()) {
         if (burst.empty())

@@ -43,7 +43,9 @@ public:
     };
 
     Chain() = default;
-    Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate);
+    /// `readOnly`: as EngineConfig::readOnly. What replies have in them is for others to define, and no stop
+    /// is owed or lies ready but that somebody asked for.
+    Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly);
 
     [[nodiscard]] bool empty() const { return m_modules.empty(); }
     [[nodiscard]] std::size_t size() const { return m_modules.size(); }
@@ -69,7 +71,8 @@ public:
     void forgetStates();
 
     /// How to ask a module: a command with the repeats that the retry table grants (link.md 2.3), Read Status
-    /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question.
+    /// with `items`, or No Operation. While the defined items are in doubt, defining them is the question;
+    /// a chain that is only looked at is asked for the standing ones each time.
     [[nodiscard]] Ask command(Purpose purpose, const Step& step) const;
     [[nodiscard]] Ask status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const;
     /// A status that is newer than whatever was sent, of another length than the last one, so that two of
@@ -80,7 +83,8 @@ public:
     /// The command goes out, and will be latched then: all that watch the module must reckon with it.
     void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
-    /// Owes the module a stop, from now on. The cause of one that is owed already stays.
+    /// Owes the module a stop, from now on. The cause of one that is owed already stays. On a read-only
+    /// connection only what is left of a stop of all.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard of after a silence: what is owed to it is due at once.
@@ -91,8 +95,7 @@ public:
 
     /// What would have to be told to whom for nothing to move any more.
     [[nodiscard]] std::vector<Step> stops() const;
-    /// The same as bytes that need no answer, nulls first, one byte taking `byteTime`; empty when nothing is
-    /// on.
+    /// The same as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
     /// Packets with these stops, one to all where that is the same, and the pauses after them.
     [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
@@ -100,6 +103,7 @@ public:
 private:
     std::vector<Module> m_modules;
     std::uint32_t m_rate = kPowerUpBaud;
+    bool m_readOnly = false;
     PollSchedule m_schedule;
 };
 

@@ -91,11 +91,16 @@ Discovery::Next Discovery::next() {
         case Phase::ChangeRate:
             return changeRate();
         case Phase::Define:
-            return askModule(DefineStatus{kStandingItems}.encode(), kStandingItems, 2);
+            return askModule(m_config.readOnly ? ReadStatus{kStandingItems}.encode()
+                                               : DefineStatus{kStandingItems}.encode(),
+                             kStandingItems, 2);
         case Phase::Confirm:
             return askModule(ReadStatus{kAllItems}.encode(), kAllItems, 2);
-        case Phase::Done:
-            return ChainFound{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
+        case Phase::Done: {
+            ChainFound found{m_modules, rate(), m_attached, m_attached && m_look.unaddressed()};
+            found.readOnly = m_config.readOnly;
+            return found;
+        }
         case Phase::Failed:
             break;
     }
@@ -125,6 +130,9 @@ Discovery::Next Discovery::lookedUp() {
         for (const BusAddress address : m_look.addresses())
             m_modules.push_back({indexOf(m_modules.size()), address, {}, {}});
         enter(Phase::Identify, ConnectStage::Identifying);
+    } else if (m_config.readOnly) {
+        fail(ConnectFailure::Unaddressed);
+        return m_failure;
     } else {
         enter(Phase::Set, ConnectStage::Addressing);
     }

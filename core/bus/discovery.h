@@ -23,10 +23,11 @@ namespace nmc::bus {
 }
 
 /// Finds the chain: the one that is there, left as it is (chainlook.h); or a fresh one, which it gives
-/// addresses (DS-V 4.1, protocol.md 1), after a Hard Reset where that is wanted. Ends with three replies of
-/// different items from each module, which two modules at one address do not survive. Says what to do next
-/// and is told what came of it; repeats within one question, and the resync before them, are the engine's.
-/// Pure.
+/// addresses (DS-V 4.1, protocol.md 1), after a Hard Reset where that is wanted. Of a read-only connection
+/// only the former, to be begun with a look, and with Read Status in the place of Define Status. Ends with
+/// three replies of different items from each module, which two modules at one address do not survive. Says
+/// what to do next and is told what came of it; repeats within one question, and the resync before them, are
+/// the engine's. Pure.
 class Discovery {
 public:
     static constexpr std::uint8_t kMaxModules = 32;

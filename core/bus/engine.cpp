@@ -18,7 +18,7 @@ void Engine::connect(TimePoint now) {
 }
 
 void Engine::restart(TimePoint now) {
-    begin(Discovery::Start::Restart, now);
+    begin(m_config.readOnly ? Discovery::Start::Look : Discovery::Start::Restart, now);
 }
 
 /// The chain that is known stays until another one is found: a stop must reach somebody.
@@ -52,9 +52,9 @@ void Engine::submit(Operation operation, TimePoint now) {
         m_events.emplace_back(rejected(operation, Outcome::Done));
         return;
     }
-    const OperationFinished cancelled = rejected(operation, Outcome::Cancelled);
+    const OperationFinished refused = rejected(operation, refusal());
     if (!accepting() || !m_operations.submit(std::move(operation))) {
-        m_events.emplace_back(cancelled);
+        m_events.emplace_back(refused);
         return;
     }
     proceed(now);
@@ -62,7 +62,7 @@ void Engine::submit(Operation operation, TimePoint now) {
 
 void Engine::submit(const GroupOperation& operation, TimePoint now) {
     if (!accepting() || !m_operations.submit(operation)) {
-        m_events.emplace_back(GroupFinished{operation.id, Outcome::Cancelled, operation.what, {}, false});
+        m_events.emplace_back(GroupFinished{operation.id, refusal(), operation.what, {}, false});
         return;
     }
     proceed(now);
@@ -90,10 +90,17 @@ void Engine::release(TimePoint now) {
     proceed(now);
 }
 
+bool Engine::stopUnasked(TimePoint now) {
+    if (!m_config.readOnly)
+        stopAll(now);
+    return !m_config.readOnly;
+}
+
 void Engine::stopAll(TimePoint now) {
     m_hold.clear();
     dropWork();
     m_chain.schedule().unfocus();
+    m_stopAsked = true;
     if (!m_chain.empty()) {
         if (m_search.active() || !m_connected)
             m_recovery.doubtLine();
@@ -127,7 +134,7 @@ void Engine::watch(const std::vector<ModuleIndex>& modules) {
 
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
     m_chain.schedule().unfocus();
-    if (module && accepting())
+    if (module && settled())
         m_chain.schedule().focus(*module, now);
 }
 
@@ -185,6 +192,9 @@ void Engine::proceed(TimePoint now) {
 bool Engine::dispatch(TimePoint now) {
     if (m_line.idle())
         m_recovery.onFree();
+    m_stopAsked = m_stopAsked && (m_stop.active() || m_owed.due());
+    if (m_config.readOnly)
+        m_line.permit(m_stopAsked ? Line::Permit::QuestionsAndStops : Line::Permit::Questions);
     const bool live = m_connected || m_search.active();
     const auto turn = [&](auto&... tasks) {
         Turn taken = Turn::Nobody;
@@ -284,7 +294,7 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
             m_chain.schedule().lose(module.belief.info().index, now);
         // Who was seen at all can be told to stop.
         if (m_stop.waits())
-            m_chain = Chain(ended.discovery.modules(), m_line.baud());
+            m_chain = Chain(ended.discovery.modules(), m_line.baud(), m_config.readOnly);
         m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
     }
     m_stop.onSearchOver(now);
@@ -304,12 +314,12 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
         found.modules = rejoined->modules;
         found.absent = rejoined->absent;
     }
-    const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud));
+    const Chain before = std::exchange(m_chain, Chain(found.modules, found.baud, found.readOnly));
     m_connected = true;
     m_recovery.reset();
     m_line.statistics() = {};  // the silence at the end of the chain was no error
     for (Chain::Module& module : m_chain.modules()) {
-        if (knownType(module.belief.info().identity.type))
+        if (knownType(module.belief.info().identity.type) && !found.readOnly)
             module.belief.onExecuted(ServoCommand(DefineStatus{kStandingItems}));
         if (found.attached)
             module.belief.attach();
@@ -368,7 +378,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
     m_chain.schedule().retire(*what.module);
 }
 
-/// All motors are stopped, and then nothing is asked any more.
+/// All motors are stopped, where that is ours to do, and then nothing is asked any more.
 void Engine::goQuiet(TimePoint now) {
     m_connected = false;
     m_hold.clear();
@@ -378,7 +388,7 @@ void Engine::goQuiet(TimePoint now) {
     m_again.reset();
     m_restartSearch.cancel();
     m_recovery.giveUp();
-    if (!m_stop.active())
+    if (!m_stop.active() && !m_config.readOnly)
         m_stop.begin(now);
 }
 

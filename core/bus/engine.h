@@ -32,6 +32,11 @@ namespace nmc::bus {
 /// Sans-I/O: bytes and time points in; output, samples and events out. It owns no thread, port or clock.
 /// After every call the caller does what takeOutput() says, in order, and arms a timer for nextDeadline().
 /// One thread (the bus thread, or a test).
+///
+/// With EngineConfig::readOnly it looks and changes nothing, for as long as it lives. No Operation, Read
+/// Status and nulls are all that goes out, whatever happens, and Stop Motor once stopAll() was called and
+/// until each module has confirmed. Submit, changeRate, readdress and hold end at once as refused (Forbidden,
+/// NotNow). It stops nobody of its own accord and suspects no motion, since each is somebody else's.
 class Engine {
 public:
     explicit Engine(EngineConfig config);
@@ -40,10 +45,12 @@ public:
 
     /// Finds the chain: one that has its addresses, at any rate, is left as it is (ChainFound::attached;
     /// nulls and No Operation only, until it is found); a fresh one is given addresses and the configured
-    /// rate. Then polls. Ends in ChainFound or ConnectFailed.
+    /// rate, or with EngineConfig::readOnly is ConnectFailure::Unaddressed. Then polls. Ends in ChainFound or
+    /// ConnectFailed.
     void connect(TimePoint now);
     /// Restarts the network (Hard Reset at every rate a chain may have been left at) and gives addresses.
-    /// Positions and gains of the modules are lost.
+    /// Positions and gains of the modules are lost. A read-only connection only looks for the chain anew, as
+    /// connect() does, and ends so: ChainFound::attached and ::readOnly say that nothing was reset.
     void restart(TimePoint now);
 
     /// Queues an operation behind those before it. It ends in exactly one OperationFinished.
@@ -71,6 +78,11 @@ public:
     /// on is stopped abruptly and keeps holding; one that is off stays off (link.md 2.6). Repeated until each
     /// module confirmed twice or does not answer; ends in exactly one StopFinished, also when called again.
     void stopAll(TimePoint now);
+    /// The same where nobody has asked for it: nobody is there any more who could, or the machine sleeps.
+    /// False: a read-only connection stops nobody unasked. A stop that was asked for goes on.
+    bool stopUnasked(TimePoint now);
+    /// A stop of all has not run its course yet.
+    [[nodiscard]] bool stopping() const { return m_stop.active(); }
 
     /// Something happened to this machine, a suspend say: the link is checked before anything is believed.
     void distrust(TimePoint now);
@@ -99,8 +111,11 @@ public:
     [[nodiscard]] bool stopMayStillReach() const { return m_stop.waits() && m_search.seen() > 0; }
     /// Some motor moves, or may.
     [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves(); }
+    /// The same, where stopUnasked() would stop it.
+    [[nodiscard]] bool answersForMotion() const { return !m_config.readOnly && anythingMoves(); }
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md
-    /// 2.6); empty when nothing is on. Changes only with a command or a status.
+    /// 2.6); empty when nothing is on, and on a read-only connection. Changes only with a command or a
+    /// status.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const { return m_chain.stopBurst(); }
     /// The rate at which the chain hears that; the port may be at another one, in a search say.
     [[nodiscard]] std::uint32_t stopBurstBaud() const { return m_chain.rate(); }
@@ -123,7 +138,13 @@ private:
     };
 
     void begin(Discovery::Start start, TimePoint now);
-    [[nodiscard]] bool accepting() const { return m_connected && !m_search.active() && !m_stop.active(); }
+    [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
+    /// What changes a module may be asked for now.
+    [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
+    /// How it ends otherwise.
+    [[nodiscard]] Outcome refusal() const {
+        return m_config.readOnly ? Outcome::Forbidden : Outcome::Cancelled;
+    }
 
     // ---- what is next ----
     void proceed(TimePoint now);
@@ -168,6 +189,7 @@ private:
     /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
     /// nor once the link has been given up: then only stops go out.
     bool m_connected = false;
+    bool m_stopAsked = false;  ///< by stopAll(), and some module has not confirmed yet
     std::vector<ModuleIndex> m_watched;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
 

@@ -25,7 +25,8 @@ struct EngineConfig {
     /// (rejoin.h). Empty: nothing is known.
     std::vector<ModuleInfo> known{};
     /// Looks at a chain that has its addresses and changes nothing: No Operation and Read Status only, and a
-    /// stop where somebody asks for one (faults.md H-02).
+    /// stop where somebody asks for one (faults.md H-02). Of such a stop everything holds that is true of
+    /// any: what is not confirmed is owed, and repeated until it is. Line::Permit keeps it.
     bool readOnly = false;
 };
 

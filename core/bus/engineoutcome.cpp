@@ -154,7 +154,7 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
     m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status});
     const auto reason = m_chain.at(module).watch.onReport(trusted);
-    if (!reason)
+    if (!reason || m_config.readOnly)
         return;
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});
     // A motor that runs the wrong way would run on with its servo on.

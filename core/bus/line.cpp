@@ -119,7 +119,18 @@ std::vector<Line::Unanswered> Line::takeUnanswered() {
     return std::exchange(m_unanswered, {});
 }
 
+bool Line::mayLeave(ByteSpan bytes) const {
+    const auto frame = parsePacket(bytes);
+    if (m_permit == Permit::Everything || !frame)
+        return true;  // what is no packet is nulls
+    const CommandCode code = frame->payload.code;
+    return code == CommandCode::Nop || code == CommandCode::ReadStatus ||
+           (code == CommandCode::StopMotor && m_permit == Permit::QuestionsAndStops);
+}
+
 void Line::send(ByteSpan bytes, TimePoint now) {
+    if (!mayLeave(bytes))
+        return;
     m_free = std::max(now, m_free) + m_timing.bytes(bytes.size());
     m_output.emplace_back(Send{{bytes.begin(), bytes.end()}});
     if (m_recording && !m_pending)

@@ -55,6 +55,15 @@ public:
 
     Line(Duration latency, Duration margin) { m_timing.latency = latency, m_timing.margin = margin; }
 
+    /// What may leave, nulls always. Everything passes here, so this is where a read-only connection keeps
+    /// its word (EngineConfig::readOnly): any other packet is dropped, and its exchange ends in silence.
+    enum class Permit : std::uint8_t {
+        Everything,
+        Questions,         ///< No Operation and Read Status, which change nothing
+        QuestionsAndStops  ///< and Stop Motor
+    };
+    void permit(Permit what) { m_permit = what; }
+
     /// The line must be ready for these two.
     void begin(const Request& request, TimePoint now);
     void run(Script script, TimePoint now);
@@ -113,6 +122,7 @@ private:
         TimePoint until;
     };
 
+    [[nodiscard]] bool mayLeave(ByteSpan bytes) const;
     void send(ByteSpan bytes, TimePoint now);
     void advanceScript(TimePoint now);
     void perform(const Action& action, TimePoint now);
@@ -126,6 +136,7 @@ private:
     void drop(std::size_t count);
 
     LineTiming m_timing;
+    Permit m_permit = Permit::Everything;
     std::uint32_t m_baud = kPowerUpBaud;
     TimePoint m_free;  ///< when the last byte handed over has left
     std::optional<Done> m_done;

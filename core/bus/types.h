@@ -68,7 +68,8 @@ enum class Outcome : std::uint8_t {
     Done,
     Refused,    ///< the module answered with the communication-error bit, every time
     NoAnswer,   ///< the command may or may not have been carried out
-    Forbidden,  ///< the command gate: the chip does not allow it in its present state; nothing was sent
+    Forbidden,  ///< the command gate: the chip does not allow it in its present state; or the connection is
+                ///< read-only. Nothing was sent
     Cancelled,  ///< overtaken by a stop, or the connection ended
 };
 
@@ -219,7 +220,7 @@ struct RateChanged {
 struct RateChangeFailed {
     enum class Reason : std::uint8_t {
         NoSuchRate,
-        NotNow,         ///< something moves, or is about to; not connected
+        NotNow,         ///< something moves, or is about to; not connected; read-only
         Missing,        ///< `modules` do not answer, and would be left behind
         GroupsUnknown,  ///< `modules` may be in groups that are not known here, and would not hear it
         Leader,         ///< `modules` lead a group: their answers would come at once and at the new rate
@@ -281,8 +282,8 @@ struct LinkLost {};
 /// How far the link is to be trusted (link.md 2.5).
 enum class LinkHealth : std::uint8_t { Good, Doubtful, Lost };
 
-/// Of the whole bus, or of one module. Lost is final: the motors concerned were stopped and are not asked any
-/// more; another connect() is needed.
+/// Of the whole bus, or of one module. Lost is final: the motors concerned were stopped (not by a read-only
+/// connection) and are not asked any more; another connect() is needed.
 struct HealthChanged {
     LinkHealth health;
     unsigned wrong = 0;  ///< of the last `of` exchanges
@@ -295,7 +296,7 @@ struct HealthChanged {
 struct ModuleRestarted {
     ModuleIndex module;
     /// The bus runs at another rate than the restarted module, to which its traffic is noise: motors were
-    /// stopped and polling ended.
+    /// stopped (not by a read-only connection) and polling ended.
     bool quiet = false;
 };
 
@@ -308,7 +309,7 @@ struct Readdressed {
 /// The module has not been given its address.
 struct ReaddressFailed {
     enum class Reason : std::uint8_t {
-        NotNow,  ///< something moves, or is under way; or the module has not restarted
+        NotNow,  ///< something moves, or is under way; the module has not restarted; read-only
         NoAnswer,
     };
     ModuleIndex module;

@@ -4,8 +4,7 @@
 
 #include <set>
 
-#include "tests/bus/steps.h"
-#include "tests/support/virtualbus.h"
+#include "tests/bus/leftbehind.h"
 
 namespace nmc::test {
 
@@ -14,31 +13,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kOnePerTick = 65'536;
 constexpr ModuleIdentity kStepper{ModuleType::Step, 1};
-
-[[nodiscard]] EngineConfig atRate(std::uint32_t baud) {
-    EngineConfig config;
-    config.baud = baud;
-    return config;
-}
-
-/// The first program: it gives addresses, runs the first motor in velocity mode, and is gone.
-class LeftBehind {
-public:
-    explicit LeftBehind(std::size_t modules, std::uint32_t baud) : bus(servos(modules), atRate(baud)) {
-        EXPECT_TRUE(bus.connect());
-        EXPECT_FALSE(bus.last<ChainFound>()->attached);
-        EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), Outcome::Done);
-        bus.runFor(500ms);
-        bus.newHost();
-        bus.events.clear();
-        bus.sent.clear();
-    }
-    [[nodiscard]] double commandVelocity() { return bus.servo(0).commandVelocity; }
-
-    VirtualBus bus;
-};
 
 [[nodiscard]] std::uint8_t commandOf(const VirtualBus::Sent& sent) {
     return sent.bytes.size() > 2 && sent.bytes[0] == 0xAA ? sent.bytes[2] : std::uint8_t{0x0E};

@@ -54,6 +54,43 @@ TEST(Line, GivesUpAtTheTimeout) {
     EXPECT_TRUE(line.idle());
 }
 
+TEST(Line, LetsNothingLeaveThatIsNotPermitted) {
+    const auto packetOf = [](const auto& command) { return toPacket({BusAddress(1), command.encode()}); };
+    const auto leaves = [](Line::Permit permit, const PacketBytes& packet) {
+        Line line(4ms, 10ms);
+        line.permit(permit);
+        line.run({Line::Nulls{}, Line::Packet{packet}}, TimePoint(1s));
+        const std::vector<Output> output = line.takeOutput();
+        EXPECT_EQ(std::get<Send>(output.at(0)).bytes, std::vector<std::uint8_t>(kNullCount, 0));
+        return output.size() == 2;
+    };
+    const PacketBytes stop = packetOf(servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+    for (const auto permit :
+         {Line::Permit::Everything, Line::Permit::Questions, Line::Permit::QuestionsAndStops}) {
+        const bool all = permit == Line::Permit::Everything;
+        EXPECT_TRUE(leaves(permit, packetOf(Nop{})));
+        EXPECT_TRUE(leaves(permit, packetOf(ReadStatus{kAllItems})));
+        EXPECT_EQ(leaves(permit, stop), permit != Line::Permit::Questions);
+        EXPECT_EQ(leaves(permit, packetOf(DefineStatus{kPoll})), all);
+        EXPECT_EQ(leaves(permit, packetOf(SetAddress{BusAddress(1)})), all);
+        EXPECT_EQ(leaves(permit, packetOf(StartMotion{})), all);
+        EXPECT_EQ(leaves(permit, packetOf(servo::LoadTrajectory{})), all);
+        EXPECT_EQ(leaves(permit, packetOf(servo::SetGain{})), all);
+        EXPECT_EQ(leaves(permit, packetOf(SetBaud{5})), all);
+        EXPECT_EQ(leaves(permit, packetOf(HardReset{})), all);
+    }
+}
+
+TEST(Line, EndsAnExchangeThatIsNotPermittedInSilence) {
+    Line line(4ms, 10ms);
+    line.permit(Line::Permit::Questions);
+    line.begin({BusAddress(1), DefineStatus{kPoll}.encode(), {ModuleType::Servo, kPoll}}, TimePoint(1s));
+    EXPECT_TRUE(line.takeOutput().empty());
+    const auto end = endOf(line);
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->result, ReplyResult::Silent);
+}
+
 TEST(Line, ReckonsFromWhatIsStillLeaving) {
     Line line(4ms, 10ms);
     const TimePoint now(1s);

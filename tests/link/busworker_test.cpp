@@ -7,8 +7,7 @@
 
 #include "link/connection/simulatortransport.h"
 #include "tests/link/connection.h"
-#include "tests/support/nmcsimprocess.h"
-#include "tests/support/port.h"
+#include "tests/link/otherhost.h"
 
 namespace nmc {
 namespace {
@@ -72,29 +71,11 @@ TEST(BusWorker, StopsTheMotorsBeforeItCloses) {
 /// as it is, it is told to stop, and only then the port is let go.
 TEST(BusWorker, StopsAMotorThatItHasOnlySeenBeforeItCloses) {
     NmcsimProcess sim(QStringLiteral("servo"));
-    {
-        Port host(sim.terminal().toStdString());
-        host.setRate(B19200);
-        const auto answers = [&host](std::vector<std::uint8_t> bytes) {
-            std::uint8_t sum = 0;
-            for (std::size_t i = 1; i < bytes.size(); ++i)
-                sum = static_cast<std::uint8_t>(sum + bytes[i]);
-            bytes.push_back(sum);
-            host.write(bytes);
-            return !host.read(2, 1'000).empty();
-        };
-        // Deaf for some ms after power-up, then addressed once.
-        host.write(std::vector<std::uint8_t>(16, 0));
-        ASSERT_TRUE(answers({0xAA, 0x00, 0x0E}) || answers({0xAA, 0x00, 0x0E}));
-        ASSERT_TRUE(answers({0xAA, 0x00, 0x21, 0x01, 0xFF}));
-        ASSERT_TRUE(answers({0xAA, 0x01, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xA0, 0x0F, 1, 0}));
-        ASSERT_TRUE(answers({0xAA, 0x01, 0x17, 0x05})) << "amplifier and servo on";
-        ASSERT_TRUE(answers({0xAA, 0x01, 0x94, 0xB6, 0, 0, 1, 0, 100, 0, 0, 0})) << "velocity 1, now";
-    }
+    ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 1));
     const auto runs = [&sim] {
         return std::abs(sim.state(1)[QStringLiteral("command_velocity")].toDouble()) > 0.01;
     };
-    ASSERT_TRUE(QTest::qWaitFor(runs, 20'000));
+    ASSERT_TRUE(runs());
     Connection connection;
     connection.openSerial(sim.terminal());
     // Its first answer, in the middle of the search for the others.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves a motor through the real worker and the real serial port, says "moving", waits for a line on standard
 // input, and then dies in the way and in the thread that the arguments name:
-//   crasher TERMINAL gui|bus|close segv|abort|overflow|kill [BAUD trapezoid|velocity|hold|group NMCGUARD
-//   REPORT]
-// With a guardian it says "stopped" when it hears that the guardian has stopped the motors while it lived,
-// and "unguarded" when it has none any more.
+//   crasher TERMINAL gui|bus|close segv|abort|overflow|kill [BAUD trapezoid|velocity|hold|group|look
+//   NMCGUARD REPORT]
+// With "look" it moves nothing, but looks at what another program moves. With a guardian it says "stopped"
+// when it hears that the guardian has stopped the motors while it lived, and "unguarded" when it has none any
+// more.
 #include <unistd.h>
 #include <QCoreApplication>
 #include <QSocketNotifier>
@@ -117,12 +118,22 @@ int main(int argc, char** argv) {
     Connection connection;
     if (guarded)
         connection.worker().addGuard(guard);
+    const std::string_view motion = guarded ? argv[5] : "trapezoid";
+    bus::EngineConfig config;
+    config.readOnly = motion == "look";
+    if (guarded)
+        config.baud = static_cast<std::uint32_t>(std::atoi(argv[4]));
     connection.open([argv] { return std::make_unique<Mine>(QString::fromLocal8Bit(argv[1]), argv[3]); },
-                    guarded ? static_cast<std::uint32_t>(std::atoi(argv[4])) : 19'200U);
-    if (!connection.waitFor<bus::ChainFound>() ||
-        connection.carryOut(gainsAndEnable(1)) != bus::Outcome::Done ||
-        !setGoing(connection, guarded ? argv[5] : "trapezoid", hold) ||
-        !connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; }))
+                    config);
+    if (!connection.waitFor<bus::ChainFound>())
+        return 3;
+    const bool goes =
+        config.readOnly
+            ? connection.waitUntil([&] { return connection.store().movingMotors() > 0; })
+            : connection.carryOut(gainsAndEnable(1)) == bus::Outcome::Done &&
+                  setGoing(connection, motion, hold) &&
+                  connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; });
+    if (!goes)
         return 3;
     QObject::connect(&connection.store(), &BusStore::happened, [](const StoreEvent& event) {
         if (std::holds_alternative<GuardianStopped>(event))

@@ -13,7 +13,7 @@
 #include "link/connection/processguard.h"
 #include "link/guardian/guardreport.h"
 #include "tests/link/connection.h"
-#include "tests/support/nmcsimprocess.h"
+#include "tests/link/otherhost.h"
 
 namespace nmc {
 namespace {
@@ -146,6 +146,49 @@ INSTANTIATE_TEST_SUITE_P(H02, Guarded,
                              return std::string(std::get<0>(way.param)) + '_' +
                                     std::to_string(std::get<1>(way.param));
                          });
+
+/// One that only looks at what another program has left in motion.
+class ReadOnlyPanel : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(testing_support::leaveRunning(sim, 2, 8));
+        before = testing_support::changes(sim);
+    }
+    void expectUndisturbed(Panel& panel) {
+        ASSERT_TRUE(QTest::qWaitFor([&panel] { return panel.guardIsGone(); }, kPatienceMs));
+        EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
+        EXPECT_EQ(testing_support::changes(sim), before);
+        EXPECT_TRUE(panel.reports().empty());
+    }
+
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+    QJsonArray before;
+};
+
+class ReadOnlyPanelThatDies : public ReadOnlyPanel, public testing::WithParamInterface<const char*> {};
+
+TEST_P(ReadOnlyPanelThatDies, LeavesMotorsAlone) {
+    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("bus"), QLatin1String(GetParam())});
+    panel.goOn();
+    ASSERT_TRUE(panel.ends());
+    EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
+    expectUndisturbed(panel);
+}
+
+INSTANTIATE_TEST_SUITE_P(H02, ReadOnlyPanelThatDies, testing::Values("kill", "segv", "abort"),
+                         [](const auto& how) { return std::string(how.param); });
+
+TEST_F(ReadOnlyPanel, LeavesMotorsAloneWhileItIsHalted) {
+    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
+    panel.send(SIGSTOP);
+    ASSERT_TRUE(testing_support::passes(sim, 1.0)) << "far longer than a guardian bears elsewhere";
+    EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
+    panel.send(SIGCONT);
+    panel.goOn();
+    ASSERT_TRUE(panel.ends());
+    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
+    expectUndisturbed(panel);
+}
 
 TEST(GuardedPanel, GoesOnWithoutItsGuardianAndSaysSo) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));

@@ -16,6 +16,7 @@
 
 #include "tests/link/connection.h"
 #include "tests/link/gatedtransport.h"
+#include "tests/link/otherhost.h"
 
 namespace nmc {
 namespace {
@@ -139,6 +140,27 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
     emit logind.PrepareForSleep(false);  // and is opened again
     ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
     EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
+}
+
+/// What moves there is for somebody else to stop.
+TEST_F(H05_SleepInhibitor, LetsTheComputerSleepOverAReadOnlyConnection) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 8));
+    bus::EngineConfig config;
+    config.readOnly = true;
+    Connection connection;
+    SleepInhibitor inhibitor(address);
+    inhibitor.follow(connection.store());
+    QSignalSpy stopWanted(&inhibitor, &SleepInhibitor::stopWanted);
+    connection.open([&sim] { return std::make_unique<SerialTransport>(sim.terminal()); }, config);
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_TRUE(connection.waitUntil([&] { return connection.store().movingMotors() > 0; }));
+    // On the same way to logind, behind whatever was asked before.
+    SleepInhibitor next(address);
+    next.setMoving(true);
+    ASSERT_TRUE(connection.waitUntil([this] { return logind.asked() > 0; }));
+    EXPECT_EQ(logind.asked(), 1);
+    EXPECT_EQ(stopWanted.count(), 0);
 }
 
 /// A motor that cannot be reached does not keep the computer from its sleep for longer than the stop took.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Deliberate breakages of the bus engine and of the port, as by a careless change. A test must notice each."""
 from mutant import Edit, Mutant
+from readonlymutants import READ_ONLY
 from stopmutants import STOPS
 
 RESYNC = (
@@ -234,4 +235,4 @@ PORT = (
     ), "link"),
 )
 
-MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPS + LOSING + GROUPS + PORT
+MUTANTS = RESYNC + BELIEVING + COMMANDS + STOPS + READ_ONLY + LOSING + GROUPS + PORT

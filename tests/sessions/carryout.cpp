@@ -26,7 +26,8 @@ public:
             m_rig.run(act.pause);
         }
         m_rig.runBytes(m_plan.bytes, kQuietLine);
-        m_rig.stopAll();
+        if (m_plan.stops)
+            m_rig.stopAll();
         follow();
         m_rig.runToRest();
         m_rig.expectEnds();
@@ -61,7 +62,7 @@ void Session::begin() {
         case Prologue::LeftBehind:
             m_rig.replaceEngine(m_plan.formerBaud);
             connected(m_rig.size());
-            m_rig.replaceEngine(m_plan.world.baud);
+            m_rig.replaceEngine(m_plan.world.baud, m_plan.world.readOnly);
             return m_rig.connect();
         case Prologue::Nobody:
             connected(m_rig.size());

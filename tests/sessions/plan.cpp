@@ -158,6 +158,16 @@ Plan makePlan(std::uint64_t seed) {
     return Maker(seed).make(seed);
 }
 
+Plan makeReadOnlyPlan(std::uint64_t seed) {
+    Plan plan = makePlan(seed);
+    plan.world.readOnly = true;
+    plan.prologue = Prologue::LeftBehind;
+    plan.stops = seed % 3 == 0;
+    if (!plan.stops && plan.follow == Follow::StopAgain)
+        plan.follow = Follow::Nothing;
+    return plan;
+}
+
 std::string toText(const Plan& plan) {
     constexpr std::array kPrologues{"fresh",  "running", "left behind", "holding",
                                     "nobody", "in vain", "lost"};
@@ -168,15 +178,16 @@ std::string toText(const Plan& plan) {
         text << (module.type == ModuleType::Step ? "step" : "servo@" + std::to_string(int{module.version}))
              << ",";
     text << " " << plan.world.baud << " Bd, latency " << plan.world.latency / 1ms << " ms"
-         << (plan.world.deafWhenAddressInputRises ? ", deaf" : "") << "; "
+         << (plan.world.deafWhenAddressInputRises ? ", deaf" : "")
+         << (plan.world.readOnly ? ", read-only" : "") << "; "
          << kPrologues.at(static_cast<std::size_t>(plan.prologue));
     if (plan.prologue == Prologue::LeftBehind)
         text << " at " << plan.formerBaud;
     for (const Act& act : plan.acts)
         text << "; " << toText(act) << " m" << int{act.module} << " v" << act.value << " for "
              << act.time / 1ms << " ms, then " << act.pause / 1ms << " ms";
-    text << "; after " << plan.bytes << " bytes STOP; after " << plan.followBytes << " bytes "
-         << kFollows.at(static_cast<std::size_t>(plan.follow));
+    text << "; after " << plan.bytes << " bytes " << (plan.stops ? "STOP" : "no stop") << "; after "
+         << plan.followBytes << " bytes " << kFollows.at(static_cast<std::size_t>(plan.follow));
     return text.str();
 }
 

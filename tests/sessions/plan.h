@@ -69,11 +69,15 @@ struct Plan {
     std::uint32_t formerBaud = 19'200;  ///< of the program before
     std::vector<Act> acts;
     std::uint64_t bytes = 0;  ///< that cross the wire between the last act and the stop
+    bool stops = true;
     Follow follow = Follow::Nothing;
     std::uint64_t followBytes = 0;  ///< between the stop and that
 };
 
 [[nodiscard]] Plan makePlan(std::uint64_t seed);
+/// The same, but that the operator finds what another program has left behind, and only looks; a stop is
+/// asked for in every third.
+[[nodiscard]] Plan makeReadOnlyPlan(std::uint64_t seed);
 [[nodiscard]] std::string toText(const Plan& plan);
 
 /// Carries it out; `rig` is made of plan.world. Then everything is let come to its end.

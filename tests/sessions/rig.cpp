@@ -46,6 +46,7 @@ sim::ChainOptions Rig::optionsOf(const World& world) {
 EngineConfig Rig::configOf(const World& world) {
     EngineConfig config;
     config.baud = world.baud;
+    config.readOnly = world.readOnly;
     config.adapterLatency = std::max<Duration>(config.adapterLatency, world.latency);
     return config;
 }
@@ -56,6 +57,7 @@ Rig::Rig(const World& w)
       everOn(w.chain.size()),
       m_oath(*this),
       m_owed(*this),
+      m_look(*this),
       m_deafUntil(w.chain.size()),
       m_driven(w.chain.size()) {
     bus.adapterDelay = w.latency;
@@ -74,7 +76,7 @@ Rig::~Rig() {
 
 void Rig::begin(bool asRestart) {
     m_searching = true;  // one that is under way is replaced, and has no end of its own
-    restartAsked = asRestart;
+    restartAsked = asRestart && !world.readOnly;
     asRestart ? bus.engine.restart(bus.now) : bus.engine.connect(bus.now);
     settle();
 }
@@ -144,6 +146,7 @@ void Rig::stopAll() {
     observe();
     situations.insert(situation());
     m_oath.asked();
+    m_look.stopAsked();
     m_owed.forget();
     bus.engine.stopAll(bus.now);
     settle();
@@ -167,9 +170,10 @@ std::string Rig::situation() const {
     return m_foundNobody ? "a search in vain" : "a chain that is well";
 }
 
-void Rig::replaceEngine(std::uint32_t baud) {
+void Rig::replaceEngine(std::uint32_t baud, bool readOnly) {
     expectEnds();
     world.baud = baud;
+    world.readOnly = readOnly;
     bus.newHost(configOf(world));
     bus.events.clear();
     bus.sent.clear();
@@ -183,12 +187,14 @@ void Rig::replaceEngine(std::uint32_t baud) {
     m_rateChanges = m_rateEnds = 0;
     m_seen = 0;
     restartAsked = lost = false;
+    m_look.begin();
 }
 
 void Rig::powerCycle(std::uint8_t place) {
     m_powerCycled = true;
     m_oath.forget();
     m_owed.forget();
+    m_look.onPowerCycle(place);
     m_deafUntil[place] = std::max(m_deafUntil[place], bus.now + kRestarting);
     faultsUntil = std::max(faultsUntil, bus.now + kRestarting);
     bus.chain.powerCycle(ModuleIndex(place), bus.now);
@@ -254,6 +260,8 @@ void Rig::expectEnds() {
     if (m_rateEnds != m_rateChanges)
         complain("finished: " + std::to_string(m_rateEnds) + " ends of " + std::to_string(m_rateChanges) +
                  " changes of rate");
+    if (world.readOnly)
+        m_look.check();
 }
 
 // ---- Truth ----
@@ -314,6 +322,8 @@ void Rig::note(ByteSpan bytes) {
         }
         m_oath.onSent(item);
         m_owed.onSent(item);
+        if (world.readOnly)
+            m_look.onSent(item);
         wire.push_back(std::move(item));
     }
 }
@@ -341,15 +351,17 @@ void Rig::handle(const Event& event) {
     } else if (const auto* silence = std::get_if<ModuleSilence>(&event)) {
         lost = lost && silence->silent;
     } else if (const auto* restarted = std::get_if<ModuleRestarted>(&event)) {
-        if (restarted->quiet)
+        if (restarted->quiet && !world.readOnly)
             m_oath.stopsByItself();
     } else if (const auto* health = std::get_if<HealthChanged>(&event)) {
-        if (health->health == LinkHealth::Lost && !health->module)
+        if (health->health == LinkHealth::Lost && !health->module && !world.readOnly)
             m_oath.stopsByItself();
     } else if (const auto* finished = std::get_if<StopFinished>(&event)) {
         m_oath.onFinished(*finished);
     }
     m_owed.onEvent(event);
+    if (world.readOnly)
+        m_look.onEvent(event);
 }
 
 void Rig::searchEnded(bool found) {

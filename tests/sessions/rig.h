@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/faults/faultybus.h"
+#include "tests/sessions/lookoath.h"
 #include "tests/sessions/owedoath.h"
 #include "tests/sessions/stopoath.h"
 #include "tests/sessions/wire.h"
@@ -21,6 +22,7 @@ struct World {
     std::uint32_t baud = 19'200;
     Duration latency{};  ///< of the adapter
     bool deafWhenAddressInputRises = false;
+    bool readOnly = false;  ///< the operator only looks
     std::uint64_t seed = 1;
 };
 
@@ -36,8 +38,8 @@ struct KnownChain {
 };
 
 /// Engine and simulator, whatever is done to them, and what can be seen of that from outside: the wire, the
-/// events, the motors. The oaths (stopoath.h, owedoath.h) are held against all of it, all the time; what is
-/// found broken is in `complaints`.
+/// events, the motors. The oaths (stopoath.h, owedoath.h, and where it is read-only lookoath.h) are held
+/// against all of it, all the time; what is found broken is in `complaints`.
 class Rig {
 public:
     explicit Rig(const World& world);
@@ -56,7 +58,7 @@ public:
     void hold(const bus::HoldToMove& hold, Duration time, bool lapses);
     void stopAll();
     /// Another program takes over: a new engine, which knows nothing.
-    void replaceEngine(std::uint32_t baud);
+    void replaceEngine(std::uint32_t baud, bool readOnly = false);
 
     // What befalls the chain.
     void powerCycle(std::uint8_t place);
@@ -144,6 +146,7 @@ private:
 
     StopOath m_oath;
     OwedOath m_owed;
+    LookOath m_look;
     std::optional<Hand> m_hand;
     std::uint32_t m_presses = 0;
     bool m_searching = false;

@@ -27,6 +27,8 @@ namespace nmc {
 /// All public members belong to one thread, the GUI's, but for stopAll() and close(), which may be called
 /// from any and from a signal handler. As long as a connection is open that thread must call beat() every
 /// Heartbeat::kInterval: motors that move are stopped when it has not for 2 s (link/connection/heartbeat.h).
+/// A read-only connection (EngineConfig::readOnly) stops them at stopAll() only: neither then nor when it is
+/// closed, nor through a guard.
 class BusLoop {
 public:
     using TransportFactory = std::function<std::unique_ptr<Transport>()>;

@@ -53,7 +53,7 @@ std::optional<PortError> BusSession::converse() {
         if (m_channel.requests.closeWanted() && !m_closeBy) {
             m_closeAsked = now;
             m_closeBy = now + kCloseTimeout;
-            m_engine.stopAll(now);
+            m_engine.stopUnasked(now);
         }
         takeRequests(now);
         watchOver(now);
@@ -62,13 +62,13 @@ std::optional<PortError> BusSession::converse() {
         tellGuards();
         if (const auto performed = perform(m_engine.takeOutput()); !performed)
             return performed.error();
-        const bool stopped = publishEvents();
-        if (stopped && std::exchange(m_restartWhenStopped, false))
+        publishEvents();
+        if (!m_engine.stopping() && std::exchange(m_restartWhenStopped, false))
             m_engine.restart(now);
         publishRecords();
         if (m_closeBy && now >= *m_closeBy && m_engine.stopMayStillReach())
             m_closeBy = std::max(*m_closeBy, m_closeAsked + kCloseInSearchTimeout);
-        if (m_closeBy && (stopped || now >= *m_closeBy))
+        if (m_closeBy && (!m_engine.stopping() || now >= *m_closeBy))
             return std::nullopt;
 
         const auto until = nextTurn(now);
@@ -82,7 +82,7 @@ std::optional<PortError> BusSession::converse() {
 }
 
 std::optional<TimePoint> BusSession::nextTurn(TimePoint now) const {
-    const bool moving = m_engine.anythingMoves();
+    const bool moving = m_engine.answersForMotion();
     std::optional<TimePoint> next = m_engine.nextDeadline();
     for (const auto& other : {m_closeBy, m_channel.heartbeat.deadline(moving),
                               moving ? std::optional(now + LoopGuard::kBeatEvery) : std::nullopt})
@@ -132,22 +132,19 @@ void BusSession::search(RequestBox::Search how, TimePoint now) {
             m_engine.connect(now);
             break;
         case RequestBox::Search::Restart:
-            m_restartWhenStopped = m_engine.anythingMoves();
-            if (m_restartWhenStopped)
-                m_engine.stopAll(now);
-            else
+            m_restartWhenStopped = m_engine.answersForMotion() && m_engine.stopUnasked(now);
+            if (!m_restartWhenStopped)
                 m_engine.restart(now);
             break;
     }
 }
 
 void BusSession::watchOver(TimePoint now) {
-    if (m_channel.heartbeat.missed(now, m_engine.anythingMoves()))
-        m_engine.stopAll(now);
+    if (m_channel.heartbeat.missed(now, m_engine.answersForMotion()))
+        m_engine.stopUnasked(now);
     if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
         m_engine.distrust(now);
-        m_engine.stopAll(now);
-        m_channel.post(MachineSlept{*slept});
+        m_channel.post(MachineSlept{*slept, m_engine.stopUnasked(now)});
     }
 }
 
@@ -162,7 +159,7 @@ tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
     if (!stoodStill)
         return {};
     m_engine.distrust(now);
-    m_engine.stopAll(now);
+    m_engine.stopUnasked(now);
     m_channel.post(GuardianStopped{});
     return m_transport.setBaud(m_portBaud);
 }
@@ -172,7 +169,7 @@ void BusSession::tellGuards() {
     if (auto burst = m_engine.changedStopBurst())
         news.burst = std::move(*burst);
     news.baud = m_engine.stopBurstBaud();
-    news.moving = m_engine.anythingMoves();
+    news.moving = m_engine.answersForMotion();
     if (news == m_guarded)
         return;
     m_guarded = std::move(news);
@@ -201,14 +198,11 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
     return {};
 }
 
-bool BusSession::publishEvents() {
-    bool stopped = false;
+void BusSession::publishEvents() {
     for (bus::Event& event : m_engine.takeEvents()) {
-        stopped = stopped || std::holds_alternative<bus::StopFinished>(event);
         m_open.onEvent(event);
         m_channel.post(std::move(event));
     }
-    return stopped;
 }
 
 /// When nothing is to happen for long, they would be old for as long.

@@ -45,14 +45,13 @@ private:
     void takeRequests(TimePoint now);
     void take(BusRequest& request, TimePoint now);
     void search(RequestBox::Search how, TimePoint now);
-    /// Stops the motors when nobody else can see to it.
+    /// Stops the motors when nobody else can see to it, as the engine lets it (Engine::stopUnasked).
     void watchOver(TimePoint now);
     /// What the guards have to tell.
     tl::expected<void, PortError> hearGuards(TimePoint now);
     void tellGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
-    /// Returns true when a stop has finished.
-    bool publishEvents();
+    void publishEvents();
     void publishStatistics(TimePoint now, std::optional<TimePoint> next);
     void publishRecords();
     /// When something is to be done even if nothing arrives.

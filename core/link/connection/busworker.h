@@ -17,7 +17,8 @@ namespace nmc {
 /// The bus loop (link/connection/busloop.h) as an object of the GUI thread: says by a signal that there is
 /// something to take, and beats for as long as the event loop turns. All public members belong to the GUI
 /// thread but for stopAll() and close(), which may be called from any and from a signal handler. What is
-/// asked and told can be logged (link/connection/linklog.h).
+/// asked and told can be logged (link/connection/linklog.h). A read-only connection stops motors at stopAll()
+/// only.
 class BusWorker : public QObject {
     Q_OBJECT
 

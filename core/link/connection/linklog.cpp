@@ -78,7 +78,7 @@ struct EventLine {
     std::string operator()(const bus::ChainFound& chain) const {
         return "chain found: modules " + std::to_string(chain.modules.size()) + ", " +
                std::to_string(chain.baud) + " Bd" + (chain.attached ? ", left as it is" : "") +
-               (chain.unaddressed ? ", one without an address" : "");
+               (chain.unaddressed ? ", one without an address" : "") + (chain.readOnly ? ", read-only" : "");
     }
     std::string operator()(const bus::ConnectFailed& failed) const {
         return "connecting failed: reason " + number(failed.reason) + ", modules " + list(failed.modules) +

@@ -27,8 +27,11 @@ SleepInhibitor::~SleepInhibitor() {
 }
 
 void SleepInhibitor::follow(const BusStore& store) {
-    connect(&store, &BusStore::linkChanged, this, [this, &store] { setMoving(store.movingMotors() > 0); });
+    connect(&store, &BusStore::linkChanged, this,
+            [this, &store] { setMoving(!m_readOnly && store.movingMotors() > 0); });
     connect(&store, &BusStore::happened, this, [this](const StoreEvent& event) {
+        if (const auto* found = std::get_if<bus::ChainFound>(&event))
+            m_readOnly = found->readOnly;
         if (std::holds_alternative<bus::StopFinished>(event))
             stopFinished();
     });

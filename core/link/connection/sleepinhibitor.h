@@ -15,8 +15,8 @@ class BusStore;
 /// Has the computer wait with its sleep until the motors stand, by a lock of logind
 /// (org.freedesktop.login1.Manager.Inhibit). It is taken while anything moves, and it is of the kind "delay":
 /// a lid that is shut goes past a "block", and a computer that stays awake in a bag helps nobody, but nothing
-/// goes past the delay before its time is up, 5 s usually, and that is enough to stop. Without logind, or
-/// without D-Bus, all of this does nothing. GUI thread.
+/// goes past the delay before its time is up, 5 s usually, and that is enough to stop. Without logind or
+/// D-Bus, and on a read-only connection, all of this does nothing. GUI thread.
 class SleepInhibitor : public QObject {
     Q_OBJECT
 
@@ -48,6 +48,7 @@ private:
     QString m_address;
     QDBusConnection m_bus{QString()};
     bool m_connected = false;
+    bool m_readOnly = false;  ///< what moves is for others to stop
     bool m_moving = false;
     bool m_sleeping = false;  ///< the computer is, or is about to
     bool m_asked = false;     ///< for the lock, and not answered yet

@@ -31,9 +31,10 @@ struct PanelFroze {
     bool stopped = false;  ///< motors moved, so they were stopped after Heartbeat::kStopAfter
 };
 
-/// The computer was suspended and has woken; motors were told to stop.
+/// The computer was suspended and has woken.
 struct MachineSlept {
     Duration length{};
+    bool stopped = true;  ///< motors were told to stop; not by a read-only connection
 };
 
 /// The bus thread stood still while something moved, and the guardian stopped the motors.

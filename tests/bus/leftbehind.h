@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+
+[[nodiscard]] inline bus::EngineConfig atRate(std::uint32_t baud) {
+    bus::EngineConfig config;
+    config.baud = baud;
+    return config;
+}
+
+/// The first program: it gives addresses, runs the first motor in velocity mode, one count per tick, and is
+/// gone. Another one, with `next` for its configuration, takes its place.
+class LeftBehind {
+public:
+    LeftBehind(std::size_t modules, std::uint32_t baud, const bus::EngineConfig& next = {})
+        : bus(servos(modules), atRate(baud)) {
+        constexpr std::uint32_t kOnePerTick = 65'536;
+        EXPECT_TRUE(bus.connect());
+        EXPECT_FALSE(bus.last<bus::ChainFound>()->attached);
+        EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), bus::Outcome::Done);
+        bus.runFor(std::chrono::milliseconds(500));
+        bus.newHost(next);
+        bus.events.clear();
+        bus.sent.clear();
+    }
+    [[nodiscard]] double commandVelocity() { return bus.servo(0).commandVelocity; }
+
+    VirtualBus bus;
+};
+
+}  // namespace nmc::test

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// H-02: a read-only connection over the real serial path. What another program has set in motion runs on
+// through everything that stops motors elsewhere; nmcsim is the witness.
+#include <gtest/gtest.h>
+
+#include <QJsonDocument>
+#include <QTimer>
+#include <atomic>
+
+#include "tests/link/connection.h"
+#include "tests/link/otherhost.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+using namespace std::chrono_literals;
+
+class H02_ReadOnly : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 2, 8));
+        before = changes(sim);
+    }
+    void open(Connection& connection) {
+        bus::EngineConfig config;
+        config.readOnly = true;
+        connection.open([this] { return std::make_unique<SerialTransport>(sim.terminal()); }, config);
+    }
+    void look(Connection& connection) {
+        open(connection);
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+        EXPECT_TRUE(connection.news<bus::ChainFound>()->readOnly);
+        ASSERT_TRUE(connection.waitUntil([&] { return connection.store().movingMotors() > 0; }));
+    }
+    [[nodiscard]] double velocity() { return sim.state(2)[QStringLiteral("command_velocity")].toDouble(); }
+    void expectUndisturbed() {
+        EXPECT_NEAR(velocity(), 8.0, 0.01);
+        EXPECT_EQ(changes(sim), before);
+        expectNoViolations();
+    }
+    void expectNoViolations() {
+        const QJsonArray violations = sim.violations();
+        EXPECT_TRUE(violations.isEmpty()) << QJsonDocument(violations).toJson().toStdString();
+    }
+
+    NmcsimProcess sim{QStringLiteral("servo,servo")};
+    QJsonArray before;
+};
+
+TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosed) {
+    Connection connection;
+    ASSERT_NO_FATAL_FAILURE(look(connection));
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    EXPECT_FALSE(connection.news<PortClosed>()->error.has_value());
+    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
+    expectUndisturbed();
+}
+
+TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenItIsClosedInASearch) {
+    Connection connection;
+    open(connection);
+    ASSERT_TRUE(connection.waitUntil([&] { return connection.store().link().found > 0; }));
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
+    expectUndisturbed();
+}
+
+TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenThePanelFreezes) {
+    Connection connection;
+    ASSERT_NO_FATAL_FAILURE(look(connection));
+    // A slot that does not return for longer than motors run on elsewhere: no event of this thread is
+    // handled.
+    bool frozen = false;
+    QTimer::singleShot(0, [&] {
+        const auto now = [this] {
+            return sim.control(QStringLiteral("stats"))[QStringLiteral("time")].toDouble();
+        };
+        const double until = now() + toSeconds(Heartbeat::kStopAfter) + 0.5;
+        while (now() < until) {
+        }
+        frozen = true;
+    });
+    ASSERT_TRUE(connection.waitUntil([&] { return frozen; }));
+    ASSERT_TRUE(connection.waitFor<PanelFroze>());
+    EXPECT_FALSE(connection.news<PanelFroze>()->stopped);
+    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
+    expectUndisturbed();
+}
+
+TEST_F(H02_ReadOnly, LeavesMotorsAloneWhenTheMachineSlept) {
+    std::atomic<Duration::rep> asleep{0};
+    Connection connection;
+    connection.worker().setSleepClock([&asleep] { return Duration(asleep.load()); });
+    ASSERT_NO_FATAL_FAILURE(look(connection));
+    asleep = Duration(2h).count();
+    ASSERT_TRUE(connection.waitFor<MachineSlept>());
+    EXPECT_FALSE(connection.news<MachineSlept>()->stopped);
+    // What was asked for after it is the last word of this connection.
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
+    expectUndisturbed();
+}
+
+TEST_F(H02_ReadOnly, RefusesCommandsAndDoesNotRestartTheNetwork) {
+    Connection connection;
+    ASSERT_NO_FATAL_FAILURE(look(connection));
+    EXPECT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Forbidden);
+    connection.worker().changeRate(57'600);
+    ASSERT_TRUE(connection.waitFor<bus::RateChangeFailed>());
+    connection.forgetNews();
+    connection.worker().restart();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    EXPECT_TRUE(connection.news<bus::ChainFound>()->attached);
+    EXPECT_EQ(connection.count<bus::StopFinished>(), 0);
+    expectUndisturbed();
+}
+
+/// A stop that was asked for goes before the close that comes right behind it.
+TEST_F(H02_ReadOnly, StopsWhenItIsAskedToAndThenCloses) {
+    Connection connection;
+    ASSERT_NO_FATAL_FAILURE(look(connection));
+    connection.worker().stopAll();
+    connection.worker().close();
+    ASSERT_TRUE(connection.waitFor<PortClosed>());
+    ASSERT_EQ(connection.count<bus::StopFinished>(), 1);
+    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 2U);
+    EXPECT_NEAR(velocity(), 0.0, 0.01);
+    EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
+    expectNoViolations();
+}
+
+}  // namespace
+}  // namespace nmc
