@@ -27,7 +27,9 @@ SleepInhibitor::~SleepInhibitor() {
 }
 
 void SleepInhibitor::follow(const BusStore& store) {
-    connect(&store, &BusStore::linkChanged, this, [this, &store] { setMoving(store.movingMotors() > 0); });
+    // What moves on a line that is only looked at is not for us to stop.
+    connect(&store, &BusStore::linkChanged, this,
+            [this, &store] { setMoving(!store.link().readOnly && store.movingMotors() > 0); });
     connect(&store, &BusStore::happened, this, [this](const StoreEvent& event) {
         if (std::holds_alternative<bus::StopFinished>(event))
             stopFinished();

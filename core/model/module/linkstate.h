@@ -18,6 +18,8 @@ struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
     std::string port;  ///< as the user chose it
     bool simulated = false;
+    /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).
+    bool readOnly = false;
     std::uint32_t baud = 0;
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
     std::uint8_t found = 0;            ///< modules found so far while connecting
