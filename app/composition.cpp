@@ -104,7 +104,7 @@ void Composition::show(const Start& start) {
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
-        connectTo(*start.port, start.baud);
+        connectTo({*start.port, start.baud, start.readOnly});
     }
 }
 
@@ -136,7 +136,11 @@ void Composition::wireWindow() {
     connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
     connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
     connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
-    connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
+    connect(&m_window, &MainWindow::connectRequested, this,
+            [this](const QString& port, quint32 baud, bool readOnly) {
+                connectTo({port, baud, readOnly});
+            });
+    connect(&m_window, &MainWindow::connectFullyRequested, this, &Composition::connectFully);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
@@ -194,13 +198,13 @@ void Composition::wireStore() {
     connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
 }
 
-void Composition::connectTo(const QString& port, quint32 baud) {
-    if (m_ports.mayConnect(port, baud))
-        connectAnyway(port, baud);
+void Composition::connectTo(const ConnectTarget& target) {
+    if (m_ports.mayConnect(target))
+        connectAnyway(target);
 }
 
-void Composition::connectAnyway(const QString& port, quint32 baud) {
-    m_openNext = Target{port, baud};
+void Composition::connectAnyway(const ConnectTarget& target) {
+    m_openNext = target;
     if (m_worker.isOpen()) {
         m_procedures.stopAll();
         m_worker.close();  // PortClosed opens the next
@@ -208,11 +212,12 @@ void Composition::connectAnyway(const QString& port, quint32 baud) {
         openNow(*std::exchange(m_openNext, std::nullopt));
 }
 
-void Composition::openNow(const Target& target) {
+void Composition::openNow(const ConnectTarget& target) {
     m_target = target;
     const QString port = target.port;
     bus::EngineConfig config;
     config.baud = target.baud;
+    config.readOnly = target.readOnly;
     BusWorker::TransportFactory factory;
     if (isSimulator(port)) {
         config.adapterLatency = Duration::zero();
@@ -224,15 +229,29 @@ void Composition::openNow(const Target& target) {
     } else {
         config.adapterLatency = m_ports.adapterLatency(port);
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
-        m_ports.opening(port, target.baud);
+        m_ports.opening(target);
     }
     m_window.endMessage(texts::key::port());
-    m_motionMarker.begin(port, target.baud, isSimulator(port));
-    m_store.begin(port, isSimulator(port), target.baud);
+    m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
+    m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
     m_worker.open(std::move(factory), config);
     m_frameTimer.start();
     m_figuresTimer.start();
+}
+
+void Composition::connectFully() {
+    if (m_target)
+        connectTo({m_target->port, m_target->baud, false});
+}
+
+void Composition::lookFirst(const QString& key) {
+    if (m_worker.isOpen())
+        return m_window.showMessage(texts::openAlready());  // closing that one might stop the motors
+    for (const MotionMarker::Left& left : m_motionMarker.left())
+        if (texts::key::endedWhileMoving(left.file) == key)
+            m_window.choosePort(left.port, left.baud);
+    m_window.connectReadOnly();
 }
 
 void Composition::disconnectFromPort() {
@@ -249,20 +268,24 @@ void Composition::act(const QString& key, const QString& action) {
     if (m_machine.act(action))
         ;  // done
     else if (action == texts::action::kRetry && m_target)
-        return connectTo(m_target->port, m_target->baud);  // over when the chain is found
+        return connectTo(*m_target);  // over when the chain is found
     else if (action == texts::action::kScanAgain || action == texts::action::kReconnect)
         return scanAgain();
     else if (action == texts::action::kConnectOffered && m_ports.offered()) {
-        const PortController::Offer offer = *m_ports.offered();
+        const ConnectTarget offer = *m_ports.offered();
         m_window.choosePort(offer.port, offer.baud);
         if (m_troublePort)
             m_troublePort = offer.port;  // the same adapter by another name
-        connectAnyway(offer.port, offer.baud);
+        connectAnyway(offer);
     } else if (action == texts::action::kHow) {
         m_window.showMessage(texts::latencyCure(m_ports.latencyFile()));
     } else if (action == texts::action::kUseSimulator) {
         m_window.choosePort(kSimulatorPort, kPowerUpBaud);
-        return connectTo(kSimulatorPort, kPowerUpBaud);
+        return connectTo({kSimulatorPort, kPowerUpBaud});
+    } else if (action == texts::action::kConnectFully) {
+        connectFully();
+    } else if (action == texts::action::kLookFirst) {
+        return lookFirst(key);  // until somebody has looked, or seen it stand
     } else if (action == texts::action::kLookedAt) {
         for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
             if (texts::key::endedWhileMoving(left.file) == key)
@@ -302,7 +325,7 @@ void Composition::scanAgain() {
             return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
         m_worker.connectAgain();
     } else if (m_target) {
-        connectTo(m_target->port, m_target->baud);
+        connectTo(*m_target);
     }
     m_window.endMessage(texts::key::port());
 }

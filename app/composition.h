@@ -48,19 +48,18 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct Target {
-        QString port;
-        quint32 baud = 0;
-    };
-
     void quit();
     void wireWindow();
     void wireChain();
     void wireStore();
-    void connectTo(const QString& port, quint32 baud);
+    void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
-    void connectAnyway(const QString& port, quint32 baud);
-    void openNow(const Target& target);
+    void connectAnyway(const ConnectTarget& target);
+    void openNow(const ConnectTarget& target);
+    /// To the port that is open read-only.
+    void connectFully();
+    /// At the motors that another session has left, as the message of this key says.
+    void lookFirst(const QString& key);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
     bus::OperationId submit(std::vector<bus::Step> steps);
@@ -133,9 +132,9 @@ private:
     SleepInhibitor m_sleep;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
-    std::optional<Target> m_target;      ///< what is connected, or was last
-    std::optional<Target> m_openNext;    ///< to be opened when the present connection has closed
-    std::vector<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
+    std::optional<ConnectTarget> m_target;    ///< what is connected, or was last
+    std::optional<ConnectTarget> m_openNext;  ///< to be opened when the present connection has closed
+    std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it
     /// Which message tells of it, with its words, which grow.
     std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
     std::map<QString, Message> m_stopMessages;

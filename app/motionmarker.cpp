@@ -76,7 +76,7 @@ MotionMarker::MotionMarker(QString folder) : m_folder(std::move(folder)) {
                 m_left.push_back(std::move(*left));
 }
 
-void MotionMarker::begin(const QString& port, quint32 baud, bool simulated) {
+void MotionMarker::begin(const QString& port, quint32 baud, bool owns) {
     // What the connection before has left moving is looked at as what another session has left.
     if (!m_own.modules.empty())
         m_left.push_back(m_own);
@@ -86,7 +86,7 @@ void MotionMarker::begin(const QString& port, quint32 baud, bool simulated) {
                              .arg(QString::fromLatin1(startOf(process).value_or("0")))
                              .arg(++m_connections);
     m_own = {QDir(m_folder).filePath(name), port, baud};
-    m_simulated = simulated;
+    m_owns = owns;
     m_pending.clear();
     m_askedAt.clear();
 }
@@ -127,7 +127,7 @@ bool MotionMarker::moves(const ModuleState& module) const {
 
 QStringList MotionMarker::update(const LinkState& link) {
     // Without modules nothing new is known: a port that was unplugged stopped no motor.
-    if (link.simulated || link.modules.empty())
+    if (!m_owns || link.modules.empty())
         return {};
     std::set<ModuleIndex> moving;
     for (const ModuleState& module : link.modules)
@@ -173,7 +173,7 @@ void MotionMarker::forget(const QString& file) {
 }
 
 void MotionMarker::write(const std::set<ModuleIndex>& moving) {
-    if (m_simulated || moving == m_own.modules)
+    if (!m_owns || moving == m_own.modules)
         return;
     m_own.modules = moving;
     if (moving.empty()) {

@@ -150,6 +150,10 @@
         <source>Let control lines inject faults into the built-in simulator.</source>
         <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einstreuen.</translation>
     </message>
+    <message>
+        <source>With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.</source>
+        <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -2955,6 +2959,46 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
         <translation>Diese Module überwachen die Verbindung nicht: Wenn das Kabel durchtrennt ist, der Adapter hängt oder dieser Rechner seinen Strom verliert, läuft ein laufender Motor weiter, und kein Programm kann ihn anhalten. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter hält die Motoren an, wenn dieses Programm abgeschossen wird, abstürzt oder hängt.</translation>
     </message>
+    <message>
+        <source>--read-only needs something to look at: --port or --simulator.</source>
+        <translation>--read-only braucht etwas zum Ansehen: --port oder --simulator.</translation>
+    </message>
+    <message>
+        <source>Looking at %1 read-only: %2 at %3 Bd, left as they were.</source>
+        <translation>Nur lesend an %1: %2 bei %3 Bd, unverändert gelassen.</translation>
+    </message>
+    <message>
+        <source>What they are doing goes on, also when this connection ends. Nothing is sent but questions; STOP ALL acts.</source>
+        <translation>Was sie tun, geht weiter, auch wenn diese Verbindung endet. Außer Fragen wird nichts gesendet; ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>A port is open already.</source>
+        <translation>Ein Port ist schon offen.</translation>
+    </message>
+    <message>
+        <source>Disconnect first; closing it may stop motors. Then look again.</source>
+        <translation>Zuerst trennen; das Schließen hält Motoren unter Umständen an. Dann noch einmal ansehen.</translation>
+    </message>
+    <message>
+        <source>Not possible in a read-only connection; nothing was sent.</source>
+        <translation>In einer Verbindung nur zum Lesen nicht möglich; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Voll verbinden</translation>
+    </message>
+    <message>
+        <source>Look first (read-only)</source>
+        <translation>Erst ansehen (nur lesen)</translation>
+    </message>
+    <message>
+        <source>This connection is read-only: nothing is sent but questions. Connect fully first.</source>
+        <translation>Diese Verbindung ist nur zum Lesen: Außer Fragen wird nichts gesendet. Zuerst voll verbinden.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, read-only</source>
+        <translation>Verbunden mit %1 bei %2 Bd, %3, nur lesend</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2993,13 +3037,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 (%2 of 255)</source>
         <translation>%1 (%2 von 255)</translation>
-    </message>
-</context>
-<context>
-    <name>nmc</name>
-    <message>
-        <source>Resets every module and gives addresses again. Asks first.</source>
-        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
 </context>
 <context>
@@ -3292,6 +3329,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
+    <message>
+        <source>Resets every module and gives addresses again. Asks first.</source>
+        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -3412,6 +3453,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+    <message>
+        <source>Connect read-&amp;only</source>
+        <translation>Nur &amp;lesend verbinden</translation>
+    </message>
+    <message>
+        <source>Other ways to connect</source>
+        <translation>Andere Arten zu verbinden</translation>
+    </message>
+    <message>
+        <source>Other ways to connect.</source>
+        <translation>Andere Arten zu verbinden.</translation>
+    </message>
+    <message>
+        <source>Opens the port and only looks: nothing is sent but questions. STOP ALL acts.</source>
+        <translation>Öffnet den Port und sieht nur zu: Außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
     </message>
 </context>
 <context>
@@ -4933,6 +4990,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>Sitzung nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — nothing is sent but questions. STOP ALL acts.</source>
+        <translation>NUR LESEN — außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Voll verbinden</translation>
+    </message>
+    <message>
+        <source>Connects to the same port so that commands can be sent. Nothing moves by it.</source>
+        <translation>Verbindet mit demselben Port so, dass Befehle gesendet werden können. Dadurch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (nur lesend)</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,7 @@ Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString&
                       "look at it before you connect; use the hardware stop if it moves. This is said until "
                       "the motor was seen at rest.")
                 .arg(portName(port)),
-        .actions = {{action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
+        .actions = {lookFirst(), {action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
 }
 
 Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
@@ -71,7 +71,8 @@ Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
             .headline = text.arg(listOfModules(modules)),
             .body = Texts::tr(
                 "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at "
-                "it before you connect; use the hardware stop if it moves.")};
+                "it before you connect; use the hardware stop if it moves."),
+            .actions = {lookFirst()}};
 }
 
 Message guardianStopped() {

@@ -61,6 +61,10 @@ inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors tha
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
 inline const QString kShowRecord = QStringLiteral("showRecord");
 inline const QString kDiscardWork = QStringLiteral("discardWork");
+inline const QString kLookFirst = QStringLiteral("lookFirst");  ///< connects read-only
+inline const QString kConnectFully = QStringLiteral("connectFully");
+/// It tells modules something, so a read-only connection has no use for it.
+[[nodiscard]] bool commands(const QString& action);
 }  // namespace action
 
 // ---- the port and the link ----
@@ -72,6 +76,12 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);
+/// Something else was to be looked at.
+[[nodiscard]] Message openAlready();
+/// What was asked for takes a command, and the connection is read-only.
+[[nodiscard]] Message onlyLooking();
+/// The message without the buttons that would send something.
+[[nodiscard]] Message withoutCommands(Message message);
 [[nodiscard]] Message linkLost(const QString& port, int movingMotors);
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
@@ -218,6 +228,7 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] QString badBaud(const QString& text);
 [[nodiscard]] QString badChain(const QString& chain, const QString& reason);
 [[nodiscard]] QString unknownOption(const QString& option);
+[[nodiscard]] QString readOnlyWithoutPort();
 [[nodiscard]] QString noDisplay();
 
 /// The keys of messages that end: for MainWindow::endMessage().
