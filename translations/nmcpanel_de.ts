@@ -103,6 +103,14 @@
         <source>Group %1</source>
         <translation>Gruppe %1</translation>
     </message>
+    <message>
+        <source>Nothing is known of this chain yet: it has %1.</source>
+        <translation>Von dieser Kette ist noch nichts bekannt: Sie hat %1.</translation>
+    </message>
+    <message>
+        <source>Compare them with the labels on the modules, the one farthest from the PC first. If all are there, take them as expected: whatever is missing or another one is noticed from then on.</source>
+        <translation>Mit den Aufschriften der Module vergleichen, das vom PC am weitesten entfernte zuerst. Sind alle da, sie als erwartet übernehmen: Von da an fällt auf, was fehlt oder ein anderes ist.</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
