@@ -95,10 +95,7 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
-    for (const MotionMarker::Left& left : m_motionMarker.left())
-        m_window.showMessage(
-            texts::endedWhileMoving({left.modules.begin(), left.modules.end()}, left.port, left.file));
-    tellGuardReports();
+    tellOfSessionsBefore();
     checkSettings();
     m_machine.start();
     m_window.showPorts(m_ports.ports());
@@ -369,12 +366,22 @@ void Composition::showFrameSoon() {
         QTimer::singleShot(0, this, &Composition::showFrame);
 }
 
-void Composition::tellGuardReports() {
+void Composition::tellOfSessionsBefore() {
+    std::map<QString, std::vector<ModuleIndex>> toldByGuardian;
     for (const GuardReport& report : takeGuardReports(guardFolder(m_settings).toStdString())) {
         std::vector<ModuleIndex> modules;
         for (const std::uint8_t address : report.modules)
             modules.emplace_back(static_cast<std::uint8_t>(address - 1));
-        m_window.showMessage(texts::guardianStoppedBefore(modules));
+        if (const MotionMarker::Left* left = m_motionMarker.lastOf(report.process))
+            toldByGuardian[left->file] = std::move(modules);
+        else
+            m_window.showMessage(texts::guardianStoppedBefore(modules));
+    }
+    for (const MotionMarker::Left& left : m_motionMarker.left()) {
+        const auto told = toldByGuardian.find(left.file);
+        m_window.showMessage(texts::endedWhileMoving(
+            {left.modules.begin(), left.modules.end()}, left.port, left.file,
+            told != toldByGuardian.end() ? std::optional(told->second) : std::nullopt));
     }
 }
 

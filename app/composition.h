@@ -114,8 +114,8 @@ private:
     void told(const GuardianStopped& stopped);
     void told(const GuardianMissing& missing);
     void checkSettings();
-    /// What guardians of panels before this one had to do.
-    void tellGuardReports();
+    /// What panels before this one left moving, and what their guardians had to do about it.
+    void tellOfSessionsBefore();
 
     QSettings& m_settings;
     ProcessGuard m_guardian;

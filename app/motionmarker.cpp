@@ -41,7 +41,7 @@ std::optional<QByteArray> startOf(qint64 process) {
     return fields[19];
 }
 
-const QRegularExpression kName(QStringLiteral(R"(^moving-(\d+)-(\d+)-\d+\.json$)"));
+const QRegularExpression kName(QStringLiteral(R"(^moving-(\d+)-(\d+)-(\d+)\.json$)"));
 
 bool isOfALiveProcess(const QString& name) {
     const QRegularExpressionMatch match = kName.match(name);
@@ -55,6 +55,9 @@ std::optional<MotionMarker::Left> read(const QString& path) {
     const QJsonObject json = QJsonDocument::fromJson(file.read(kMostBytes)).object();
     MotionMarker::Left left{path, json[QStringLiteral("port")].toString(),
                             static_cast<quint32>(json[QStringLiteral("baud")].toInt())};
+    const QRegularExpressionMatch name = kName.match(QFileInfo(path).fileName());
+    left.process = name.captured(1).toLongLong();
+    left.connection = name.captured(3).toUInt();
     for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
         if (const int n = number.toInt(); n >= 1 && n <= kMostModules)
             left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
@@ -74,6 +77,14 @@ MotionMarker::MotionMarker(QString folder) : m_folder(std::move(folder)) {
         if (kName.match(name).hasMatch() && !isOfALiveProcess(name))
             if (auto left = read(QDir(m_folder).filePath(name)))
                 m_left.push_back(std::move(*left));
+}
+
+const MotionMarker::Left* MotionMarker::lastOf(qint64 process) const {
+    const Left* last = nullptr;
+    for (const Left& left : m_left)
+        if (left.process == process && (last == nullptr || left.connection > last->connection))
+            last = &left;
+    return last;
 }
 
 void MotionMarker::begin(const QString& port, quint32 baud, bool owns) {

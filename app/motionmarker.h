@@ -23,12 +23,16 @@ public:
         QString port;
         quint32 baud = 0;
         std::set<ModuleIndex> modules{};
+        qint64 process = 0;       ///< whose session that was
+        unsigned connection = 0;  ///< of that process, counted from 1
     };
 
     /// `folder` need not be there; it is made when something moves.
     explicit MotionMarker(QString folder);
 
     [[nodiscard]] const std::vector<Left>& left() const { return m_left; }
+    /// Of the connection that this process had last; none: it had nothing moving then.
+    [[nodiscard]] const Left* lastOf(qint64 process) const;
 
     /// A port is being opened. `owns`: what moves there is this session's business. Where it is not, in the
     /// simulator or where the panel only looks, nothing is written, and nothing that others have left is over

@@ -2992,6 +2992,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>In einer Verbindung nur zum Lesen nicht möglich; nichts wurde gesendet.</translation>
     </message>
     <message>
+        <source>Motor %1 was moving, at %2.</source>
+        <translation>Motor %1 war in Bewegung, an %2.</translation>
+    </message>
+    <message>
+        <source>Motors %1 were moving, at %2.</source>
+        <translation>Die Motoren %1 waren in Bewegung, an %2.</translation>
+    </message>
+    <message>
+        <source>This is said until the motor was seen at rest.</source>
+        <translation>Diese Meldung bleibt, bis der Motor im Stillstand gesehen wurde.</translation>
+    </message>
+    <message>
         <source>Connect fully</source>
         <translation>Voll verbinden</translation>
     </message>

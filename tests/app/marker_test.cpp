@@ -132,6 +132,35 @@ TEST_F(H02_Killed, IsOverWhenTheUserHasLooked) {
     }
 }
 
+TEST_F(H02_Killed, WhatItsGuardianDidIsToldInTheSameMessageAndCanBeLookedAt) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(setGoing(sim));
+    PanelProcess killed(home.path(), sim.terminal());
+    ASSERT_TRUE(killed.marks());
+    killed.kill();
+    const QDir reports(home.filePath(QStringLiteral("nmcpanel")));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return reports.entryList({QStringLiteral("guardian-*.report")}).size() == 1; }, 20'000));
+    IntentPanel next(reports.filePath(QStringLiteral("next.ini")), {}, killed.data());
+    next.start();
+    const QString told = QStringLiteral("its guardian told module 1 to stop");
+    ASSERT_NE(next.standing(told), nullptr);
+    EXPECT_EQ(next.count(kEnded), 0) << "one event, one message";
+    const QString body = next.standing(told)->message().body;
+    EXPECT_TRUE(body.startsWith(QStringLiteral("Motor 1 was moving, at %1.").arg(sim.terminal())))
+        << body.toStdString();
+    ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
+    ASSERT_TRUE(next.waitFor([&] { return next.connected() && next.module().latest.has_value(); }));
+    EXPECT_TRUE(next.composition().store().link().readOnly);
+    ASSERT_TRUE(next.answersFor(2.0));
+    EXPECT_NE(next.standing(told), nullptr) << "to look on is not to settle it";
+    ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
+    EXPECT_NE(next.standing(QStringLiteral("A port is open already")), nullptr);
+    EXPECT_TRUE(next.connected()) << "to close it for that might stop motors";
+    ASSERT_TRUE(next.press(told, QStringLiteral("I have looked")));
+    EXPECT_EQ(next.standing(told), nullptr);
+}
+
 TEST_F(H02_Killed, AMarkThatWasTamperedWithIsNoDanger) {
     const auto leave = [this](const QString& name, const QByteArray& content) {
         QFile file(home.filePath(name));

@@ -137,9 +137,11 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// `stopped`: motors moved, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
 [[nodiscard]] Message machineSlept(double seconds);
-/// A session before ended without a stop; `file` is what it has left.
+/// A session before ended without a stop; `file` is what it has left. `toldByGuardian`: the modules that its
+/// guardian has told to stop, where it had to.
 [[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
-                                       const QString& file);
+                                       const QString& file,
+                                       const std::optional<std::vector<ModuleIndex>>& toldByGuardian = {});
 /// The session before ended so, and its guardian told these modules to stop.
 [[nodiscard]] Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules);
 /// This one stood still, and goes on.
