@@ -7,13 +7,13 @@
 #include <QFileInfo>
 #include <QWindow>
 
+#include "app/knownchain.h"
 #include "link/clock.h"
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
 #include "link/guardian/guardreport.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
-#include "widgets/chain/chainmenu.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -164,25 +164,6 @@ void Composition::wireWindow() {
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
 }
 
-void Composition::wireChain() {
-    ChainMenu& chain = m_window.chainMenu();
-    connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
-    connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
-    connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
-    const auto changeGroup = [this](const bus::GroupChange& change) {
-        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
-        m_machine.noteGroup(change);
-    };
-    connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
-    connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
-        const bus::OperationId id(++m_lastOperation);
-        if (command.action == bus::GroupCommand::Action::StartMotion)
-            m_motionMarker.asked(id, groupMembers(command.group));
-        m_worker.submit(bus::GroupOperation{id, command});
-    });
-}
-
 void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         m_window.showLink(m_store.link());
@@ -225,6 +206,7 @@ void Composition::openNow(const ConnectTarget& target) {
         };
     } else {
         config.adapterLatency = m_ports.adapterLatency(port);
+        config.known = knownChain(m_settings, port);
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }
@@ -292,7 +274,7 @@ void Composition::act(const QString& key, const QString& action) {
     } else if (action == texts::action::kClearAndStayOff) {
         clearTrip(key);
     } else if (action == texts::action::kWorkWith) {
-        acceptChain();
+        return acceptChain();  // over if it may be done now
     }
     m_window.endMessage(key);
 }
@@ -300,44 +282,6 @@ void Composition::act(const QString& key, const QString& action) {
 void Composition::endLeft(const QStringList& files) {
     for (const QString& file : files)
         m_window.endMessage(texts::key::endedWhileMoving(file));
-}
-
-/// Those that are known to be in it, and those of which nothing is known.
-std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
-    std::vector<ModuleIndex> members;
-    for (const ModuleState& module : m_store.link().modules)
-        if (!module.info.group || module.info.group->group == group)
-            members.push_back(module.info.index);
-    return members;
-}
-
-QString Composition::chainLengthKey() const {
-    return QStringLiteral("chainLength/") +
-           QString(m_target->port).replace(QLatin1Char('/'), QLatin1Char('_'));
-}
-
-void Composition::scanAgain() {
-    if (m_worker.isOpen()) {
-        if (m_procedures.anyRunning())
-            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
-        m_worker.connectAgain();
-    } else if (m_target) {
-        connectTo(*m_target);
-    }
-    m_window.endMessage(texts::key::port());
-}
-
-void Composition::acceptChain() {
-    if (m_target)
-        m_settings.setValue(chainLengthKey(), static_cast<int>(m_store.link().modules.size()));
-    m_machine.acceptChain();
-    m_window.endMessage(texts::key::port());
-}
-
-void Composition::readdress(const QString& key) {
-    for (const ModuleState& module : m_store.link().modules)
-        if (texts::key::restarted(module.info.index) == key)
-            m_worker.readdress(module.info.index);
 }
 
 void Composition::clearTrip(const QString& key) {

@@ -71,10 +71,8 @@ private:
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
     [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
-    /// Where the settings remember how long the chain at this port was.
-    [[nodiscard]] QString chainLengthKey() const;
     void scanAgain();
-    /// The modules that are there are the expected ones from now on.
+    /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
     void acceptChain();
     /// The module that the message of this key is about gets its address back.
     void readdress(const QString& key);
@@ -89,6 +87,7 @@ private:
     /// The same, of modules that were told to stop: the message says so when they are seen at rest.
     void tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
+    void noteChain(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
     void told(const bus::StopFinished& finished);

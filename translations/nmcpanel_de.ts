@@ -2972,6 +2972,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>--read-only braucht etwas zum Ansehen: --port oder --simulator.</translation>
     </message>
     <message>
+        <source>Module %1 of the chain known here does not answer. Motor state unknown.</source>
+        <translation>Modul %1 der hier bekannten Kette antwortet nicht. Motorzustand unbekannt.</translation>
+    </message>
+    <message>
+        <source>Its place is kept for it. Usually its power or the plug next to it; it is asked again all the time. If it was taken out on purpose, work with the others: then it is forgotten.</source>
+        <translation>Sein Platz bleibt ihm. Meist liegt es an seiner Versorgung oder am Stecker daneben; es wird laufend wieder gefragt. Wurde es absichtlich entfernt, mit den anderen arbeiten: Dann wird es vergessen.</translation>
+    </message>
+    <message>
+        <source>A motor is moving, so the chain stays as it is known.</source>
+        <translation>Ein Motor ist in Bewegung, die Kette bleibt daher, wie sie bekannt ist.</translation>
+    </message>
+    <message>
+        <source>To forget a module, the chain is looked for anew. Stop all motors, then try again.</source>
+        <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren anhalten, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
         <source>Looking at %1 read-only: %2 at %3 Bd, left as they were.</source>
         <translation>Nur lesend an %1: %2 bei %3 Bd, unverändert gelassen.</translation>
     </message>

@@ -89,6 +89,25 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
     return m;
 }
 
+Message moduleMissing(ModuleIndex module, int answering) {
+    return {.key = key::silent(module),
+            .severity = Severity::Fault,
+            .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
+                            .arg(moduleNumber(module)),
+            .body = Texts::tr(
+                "Its place is kept for it. Usually its power or the plug next to it; it is asked again all "
+                "the time. If it was taken out on purpose, work with the others: then it is forgotten."),
+            .actions = {scanAgain(), {action::kWorkWith, Texts::tr("Work with %1").arg(answering)}}};
+}
+
+Message chainNotAccepted() {
+    return {.key = u"chainNotAccepted"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A motor is moving, so the chain stays as it is known."),
+            .body = Texts::tr(
+                "To forget a module, the chain is looked for anew. Stop all motors, then try again.")};
+}
+
 Message connected(const bus::ChainFound& found, const QString& port) {
     const int modules = static_cast<int>(found.modules.size());
     Message m{.key = u"connected"_s};

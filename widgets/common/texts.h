@@ -72,6 +72,10 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message connectFailed(const bus::ConnectFailed& failed, const QString& port);
 /// `lastName`: the user's name of the last module that answered, may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
+/// One of the chain that was known here does not answer at its address; `answering` others do.
+[[nodiscard]] Message moduleMissing(ModuleIndex module, int answering);
+/// What is there cannot be taken as the chain while motors move: it is looked for anew then.
+[[nodiscard]] Message chainNotAccepted();
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();

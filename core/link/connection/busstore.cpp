@@ -240,6 +240,7 @@ void BusStore::note(const bus::ChainFound& chain) {
         module.readOnly = chain.readOnly;
         if (chain.attached)
             module.attached();
+        module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
     m_records.resize(chain.modules.size());

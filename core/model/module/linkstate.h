@@ -34,6 +34,10 @@ struct LinkState {
 /// Whether what this module said last may be shown as what is so now. The one rule for everything that does.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);
 
+/// It is known of this chain, and has not answered since the chain was found; nor has it been heard of as
+/// restarted.
+[[nodiscard]] bool isMissing(const ModuleState& module);
+
 /// What the status bar pulls once a second.
 struct LinkFigures {
     double exchangesPerSecond = 0;
