@@ -23,6 +23,7 @@ class CommandLine {
 const QString kPort = QStringLiteral("port");
 const QString kBaud = QStringLiteral("baud");
 const QString kSimulator = QStringLiteral("simulator");
+const QString kReadOnly = QStringLiteral("read-only");
 const QString kEnableFaults = QStringLiteral("enable-faults");
 const QString kListPorts = QStringLiteral("list-ports");
 const QString kHelp = QStringLiteral("help");
@@ -44,6 +45,9 @@ void declareOptions(QCommandLineParser& parser) {
              "the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
          CommandLine::tr("CHAIN")},
+        {kReadOnly,
+         CommandLine::tr("With --port or --simulator: only look. Nothing is sent but questions, and "
+                         "closing leaves motors as they are; STOP ALL acts.")},
         {kEnableFaults, CommandLine::tr("Let control lines inject faults into the built-in simulator.")},
         {kListPorts, CommandLine::tr("List the serial ports of this machine.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
@@ -129,6 +133,9 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
     }
     if (const auto say = readPort(parser, ports, start))
         return *say;
+    start.readOnly = parser.isSet(kReadOnly);
+    if (start.readOnly && !start.port)
+        return Say{texts::readOnlyWithoutPort(), kBadArguments};
     return start;
 }
 

@@ -20,6 +20,7 @@ struct Start {
     std::uint32_t baud = 19'200;
     bool quitAfterFirstPaint = false;  ///< for the start-up benchmark
     bool enableFaults = false;         ///< the built-in simulator takes fault lines
+    bool readOnly = false;             ///< with `port`: nothing is sent but questions
 };
 
 /// Nothing to start: text for standard output, or for standard error when the exit code is not 0.

@@ -7,13 +7,13 @@
 #include <QFileInfo>
 #include <QWindow>
 
+#include "app/knownchain.h"
 #include "link/clock.h"
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
 #include "link/guardian/guardreport.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
-#include "widgets/chain/chainmenu.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -95,16 +95,13 @@ void Composition::show(const Start& start) {
                            [this] { QTimer::singleShot(0, &m_window, [] { QCoreApplication::exit(0); }); });
         return;
     }
-    for (const MotionMarker::Left& left : m_motionMarker.left())
-        m_window.showMessage(
-            texts::endedWhileMoving({left.modules.begin(), left.modules.end()}, left.port, left.file));
-    tellGuardReports();
+    tellOfSessionsBefore();
     checkSettings();
     m_machine.start();
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
-        connectTo(*start.port, start.baud);
+        connectTo({*start.port, start.baud, start.readOnly});
     }
 }
 
@@ -136,7 +133,11 @@ void Composition::wireWindow() {
     connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
     connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
     connect(&m_ports, &PortController::told, &m_window, &MainWindow::showMessage);
-    connect(&m_window, &MainWindow::connectRequested, this, &Composition::connectTo);
+    connect(&m_window, &MainWindow::connectRequested, this,
+            [this](const QString& port, quint32 baud, bool readOnly) {
+                connectTo({port, baud, readOnly});
+            });
+    connect(&m_window, &MainWindow::connectFullyRequested, this, &Composition::connectFully);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_procedures, &ProcedureController::stopAll);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
@@ -163,25 +164,6 @@ void Composition::wireWindow() {
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
 }
 
-void Composition::wireChain() {
-    ChainMenu& chain = m_window.chainMenu();
-    connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
-    connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
-    connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
-    const auto changeGroup = [this](const bus::GroupChange& change) {
-        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
-        m_machine.noteGroup(change);
-    };
-    connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
-    connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
-        const bus::OperationId id(++m_lastOperation);
-        if (command.action == bus::GroupCommand::Action::StartMotion)
-            m_motionMarker.asked(id, groupMembers(command.group));
-        m_worker.submit(bus::GroupOperation{id, command});
-    });
-}
-
 void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         m_window.showLink(m_store.link());
@@ -194,13 +176,13 @@ void Composition::wireStore() {
     connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
 }
 
-void Composition::connectTo(const QString& port, quint32 baud) {
-    if (m_ports.mayConnect(port, baud))
-        connectAnyway(port, baud);
+void Composition::connectTo(const ConnectTarget& target) {
+    if (m_ports.mayConnect(target))
+        connectAnyway(target);
 }
 
-void Composition::connectAnyway(const QString& port, quint32 baud) {
-    m_openNext = Target{port, baud};
+void Composition::connectAnyway(const ConnectTarget& target) {
+    m_openNext = target;
     if (m_worker.isOpen()) {
         m_procedures.stopAll();
         m_worker.close();  // PortClosed opens the next
@@ -208,11 +190,12 @@ void Composition::connectAnyway(const QString& port, quint32 baud) {
         openNow(*std::exchange(m_openNext, std::nullopt));
 }
 
-void Composition::openNow(const Target& target) {
+void Composition::openNow(const ConnectTarget& target) {
     m_target = target;
     const QString port = target.port;
     bus::EngineConfig config;
     config.baud = target.baud;
+    config.readOnly = target.readOnly;
     BusWorker::TransportFactory factory;
     if (isSimulator(port)) {
         config.adapterLatency = Duration::zero();
@@ -223,16 +206,31 @@ void Composition::openNow(const Target& target) {
         };
     } else {
         config.adapterLatency = m_ports.adapterLatency(port);
+        config.known = knownChain(m_settings, port);
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
-        m_ports.opening(port, target.baud);
+        m_ports.opening(target);
     }
     m_window.endMessage(texts::key::port());
-    m_motionMarker.begin(port, target.baud, isSimulator(port));
-    m_store.begin(port, isSimulator(port), target.baud);
+    m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
+    m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
     m_worker.open(std::move(factory), config);
     m_frameTimer.start();
     m_figuresTimer.start();
+}
+
+void Composition::connectFully() {
+    if (m_target)
+        connectTo({m_target->port, m_target->baud, false});
+}
+
+void Composition::lookFirst(const QString& key) {
+    if (m_worker.isOpen())
+        return m_window.showMessage(texts::openAlready());  // closing that one might stop the motors
+    for (const MotionMarker::Left& left : m_motionMarker.left())
+        if (texts::key::endedWhileMoving(left.file) == key)
+            m_window.choosePort(left.port, left.baud);
+    m_window.connectReadOnly();
 }
 
 void Composition::disconnectFromPort() {
@@ -249,20 +247,24 @@ void Composition::act(const QString& key, const QString& action) {
     if (m_machine.act(action))
         ;  // done
     else if (action == texts::action::kRetry && m_target)
-        return connectTo(m_target->port, m_target->baud);  // over when the chain is found
+        return connectTo(*m_target);  // over when the chain is found
     else if (action == texts::action::kScanAgain || action == texts::action::kReconnect)
         return scanAgain();
     else if (action == texts::action::kConnectOffered && m_ports.offered()) {
-        const PortController::Offer offer = *m_ports.offered();
+        const ConnectTarget offer = *m_ports.offered();
         m_window.choosePort(offer.port, offer.baud);
         if (m_troublePort)
             m_troublePort = offer.port;  // the same adapter by another name
-        connectAnyway(offer.port, offer.baud);
+        connectAnyway(offer);
     } else if (action == texts::action::kHow) {
         m_window.showMessage(texts::latencyCure(m_ports.latencyFile()));
     } else if (action == texts::action::kUseSimulator) {
         m_window.choosePort(kSimulatorPort, kPowerUpBaud);
-        return connectTo(kSimulatorPort, kPowerUpBaud);
+        return connectTo({kSimulatorPort, kPowerUpBaud});
+    } else if (action == texts::action::kConnectFully) {
+        connectFully();
+    } else if (action == texts::action::kLookFirst) {
+        return lookFirst(key);  // until somebody has looked, or seen it stand
     } else if (action == texts::action::kLookedAt) {
         for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
             if (texts::key::endedWhileMoving(left.file) == key)
@@ -272,7 +274,7 @@ void Composition::act(const QString& key, const QString& action) {
     } else if (action == texts::action::kClearAndStayOff) {
         clearTrip(key);
     } else if (action == texts::action::kWorkWith) {
-        acceptChain();
+        return acceptChain();  // over if it may be done now
     }
     m_window.endMessage(key);
 }
@@ -280,44 +282,6 @@ void Composition::act(const QString& key, const QString& action) {
 void Composition::endLeft(const QStringList& files) {
     for (const QString& file : files)
         m_window.endMessage(texts::key::endedWhileMoving(file));
-}
-
-/// Those that are known to be in it, and those of which nothing is known.
-std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
-    std::vector<ModuleIndex> members;
-    for (const ModuleState& module : m_store.link().modules)
-        if (!module.info.group || module.info.group->group == group)
-            members.push_back(module.info.index);
-    return members;
-}
-
-QString Composition::chainLengthKey() const {
-    return QStringLiteral("chainLength/") +
-           QString(m_target->port).replace(QLatin1Char('/'), QLatin1Char('_'));
-}
-
-void Composition::scanAgain() {
-    if (m_worker.isOpen()) {
-        if (m_procedures.anyRunning())
-            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
-        m_worker.connectAgain();
-    } else if (m_target) {
-        connectTo(m_target->port, m_target->baud);
-    }
-    m_window.endMessage(texts::key::port());
-}
-
-void Composition::acceptChain() {
-    if (m_target)
-        m_settings.setValue(chainLengthKey(), static_cast<int>(m_store.link().modules.size()));
-    m_machine.acceptChain();
-    m_window.endMessage(texts::key::port());
-}
-
-void Composition::readdress(const QString& key) {
-    for (const ModuleState& module : m_store.link().modules)
-        if (texts::key::restarted(module.info.index) == key)
-            m_worker.readdress(module.info.index);
 }
 
 void Composition::clearTrip(const QString& key) {
@@ -346,12 +310,22 @@ void Composition::showFrameSoon() {
         QTimer::singleShot(0, this, &Composition::showFrame);
 }
 
-void Composition::tellGuardReports() {
+void Composition::tellOfSessionsBefore() {
+    std::map<QString, std::vector<ModuleIndex>> toldByGuardian;
     for (const GuardReport& report : takeGuardReports(guardFolder(m_settings).toStdString())) {
         std::vector<ModuleIndex> modules;
         for (const std::uint8_t address : report.modules)
             modules.emplace_back(static_cast<std::uint8_t>(address - 1));
-        m_window.showMessage(texts::guardianStoppedBefore(modules));
+        if (const MotionMarker::Left* left = m_motionMarker.lastOf(report.process))
+            toldByGuardian[left->file] = std::move(modules);
+        else
+            m_window.showMessage(texts::guardianStoppedBefore(modules));
+    }
+    for (const MotionMarker::Left& left : m_motionMarker.left()) {
+        const auto told = toldByGuardian.find(left.file);
+        m_window.showMessage(texts::endedWhileMoving(
+            {left.modules.begin(), left.modules.end()}, left.port, left.file,
+            told != toldByGuardian.end() ? std::optional(told->second) : std::nullopt));
     }
 }
 

@@ -48,19 +48,18 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct Target {
-        QString port;
-        quint32 baud = 0;
-    };
-
     void quit();
     void wireWindow();
     void wireChain();
     void wireStore();
-    void connectTo(const QString& port, quint32 baud);
+    void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
-    void connectAnyway(const QString& port, quint32 baud);
-    void openNow(const Target& target);
+    void connectAnyway(const ConnectTarget& target);
+    void openNow(const ConnectTarget& target);
+    /// To the port that is open read-only.
+    void connectFully();
+    /// At the motors that another session has left, as the message of this key says.
+    void lookFirst(const QString& key);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
     bus::OperationId submit(std::vector<bus::Step> steps);
@@ -72,10 +71,8 @@ private:
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
     [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
-    /// Where the settings remember how long the chain at this port was.
-    [[nodiscard]] QString chainLengthKey() const;
     void scanAgain();
-    /// The modules that are there are the expected ones from now on.
+    /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
     void acceptChain();
     /// The module that the message of this key is about gets its address back.
     void readdress(const QString& key);
@@ -90,6 +87,7 @@ private:
     /// The same, of modules that were told to stop: the message says so when they are seen at rest.
     void tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
+    void noteChain(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
     void told(const bus::StopFinished& finished);
@@ -115,8 +113,8 @@ private:
     void told(const GuardianStopped& stopped);
     void told(const GuardianMissing& missing);
     void checkSettings();
-    /// What guardians of panels before this one had to do.
-    void tellGuardReports();
+    /// What panels before this one left moving, and what their guardians had to do about it.
+    void tellOfSessionsBefore();
 
     QSettings& m_settings;
     ProcessGuard m_guardian;
@@ -133,9 +131,9 @@ private:
     SleepInhibitor m_sleep;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
-    std::optional<Target> m_target;      ///< what is connected, or was last
-    std::optional<Target> m_openNext;    ///< to be opened when the present connection has closed
-    std::vector<ModuleIndex> m_watched;  ///< what the worker polls most: panel and scope show it
+    std::optional<ConnectTarget> m_target;    ///< what is connected, or was last
+    std::optional<ConnectTarget> m_openNext;  ///< to be opened when the present connection has closed
+    std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it
     /// Which message tells of it, with its words, which grow.
     std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
     std::map<QString, Message> m_stopMessages;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the store tells, as messages for the window.
+#include <algorithm>
+
 #include "app/composition.h"
 #include "link/clock.h"
-#include "model/module/chaindiagnosis.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -74,17 +75,7 @@ void Composition::told(const bus::ChainFound& found) {
         m_window.endMessage(texts::key::gone());
         m_window.endMessage(texts::key::link());
     }
-    const int modules = static_cast<int>(found.modules.size());
-    const QString key = chainLengthKey();
-    // The machine's own word goes before what was seen at this port.
-    const auto told = static_cast<int>(expectedModules(m_machine.machine()));
-    const int expected = told > 0 ? told : m_settings.value(key, modules).toInt();
-    if (modules < expected) {
-        const std::string last =
-            m_machine.machine().axis(ModuleIndex(static_cast<std::uint8_t>(modules - 1))).name;
-        m_window.showMessage(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
-    } else if (told == 0)
-        m_settings.setValue(key, modules);
+    noteChain(found);
     m_watched.clear();
     m_window.showMessage(texts::connected(found, m_target->port));
     m_window.endMessage(texts::key::badLink());
@@ -121,6 +112,12 @@ void Composition::told(const bus::ModuleSilence& silence) {
     const ModuleState* module = m_store.module(silence.module);
     if (module == nullptr)
         return;
+    if (isMissing(*module)) {
+        const std::vector<ModuleState>& chain = m_store.link().modules;
+        const auto answering =
+            std::count_if(chain.begin(), chain.end(), [](const ModuleState& other) { return !other.silent; });
+        return m_window.showMessage(texts::moduleMissing(silence.module, static_cast<int>(answering)));
+    }
     const double seconds = toSeconds(monotonicNow() - module->latestTime);
     tellIncident(texts::moduleSilent(silence.module, seconds, module->moving()), silence.module);
 }
@@ -223,7 +220,7 @@ void Composition::told(const PanelFroze& froze) {
 }
 
 void Composition::told(const MachineSlept& slept) {
-    m_window.showMessage(texts::machineSlept(toSeconds(slept.length)));
+    m_window.showMessage(texts::machineSlept(toSeconds(slept.length), slept.stopped));
 }
 
 void Composition::told(const GuardianStopped&) {

@@ -77,7 +77,7 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
                      [](const AxisSettings& axis) { return axis.expected.has_value(); });
     // Who gives names to a chain means the chain that is there.
     if (nothingExpected && !chain().empty())
-        return acceptChain();
+        return acceptChain(chain());
     changed();
 }
 
@@ -98,8 +98,7 @@ void MachineController::noteGroup(const bus::GroupChange& change) {
     changed();
 }
 
-void MachineController::acceptChain() {
-    const std::vector<ModuleIdentity> there = chain();
+void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
     if (m_machine.axes.size() < there.size())
         m_machine.axes.resize(there.size());
     for (std::size_t i = 0; i < m_machine.axes.size(); ++i)

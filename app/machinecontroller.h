@@ -36,8 +36,8 @@ public:
     void noteSent(ModuleIndex module, const Intent& intent);
     /// The user has put a module into another group, or out of all.
     void noteGroup(const bus::GroupChange& change);
-    /// The modules that are there are the expected ones from now on.
-    void acceptChain();
+    /// These modules are the expected ones from now on.
+    void acceptChain(const std::vector<ModuleIdentity>& there);
     /// The button of a message; false: it is not one of these.
     bool act(const QString& action);
 

@@ -41,7 +41,7 @@ std::optional<QByteArray> startOf(qint64 process) {
     return fields[19];
 }
 
-const QRegularExpression kName(QStringLiteral(R"(^moving-(\d+)-(\d+)-\d+\.json$)"));
+const QRegularExpression kName(QStringLiteral(R"(^moving-(\d+)-(\d+)-(\d+)\.json$)"));
 
 bool isOfALiveProcess(const QString& name) {
     const QRegularExpressionMatch match = kName.match(name);
@@ -55,6 +55,9 @@ std::optional<MotionMarker::Left> read(const QString& path) {
     const QJsonObject json = QJsonDocument::fromJson(file.read(kMostBytes)).object();
     MotionMarker::Left left{path, json[QStringLiteral("port")].toString(),
                             static_cast<quint32>(json[QStringLiteral("baud")].toInt())};
+    const QRegularExpressionMatch name = kName.match(QFileInfo(path).fileName());
+    left.process = name.captured(1).toLongLong();
+    left.connection = name.captured(3).toUInt();
     for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
         if (const int n = number.toInt(); n >= 1 && n <= kMostModules)
             left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
@@ -76,7 +79,15 @@ MotionMarker::MotionMarker(QString folder) : m_folder(std::move(folder)) {
                 m_left.push_back(std::move(*left));
 }
 
-void MotionMarker::begin(const QString& port, quint32 baud, bool simulated) {
+const MotionMarker::Left* MotionMarker::lastOf(qint64 process) const {
+    const Left* last = nullptr;
+    for (const Left& left : m_left)
+        if (left.process == process && (last == nullptr || left.connection > last->connection))
+            last = &left;
+    return last;
+}
+
+void MotionMarker::begin(const QString& port, quint32 baud, bool owns) {
     // What the connection before has left moving is looked at as what another session has left.
     if (!m_own.modules.empty())
         m_left.push_back(m_own);
@@ -86,7 +97,7 @@ void MotionMarker::begin(const QString& port, quint32 baud, bool simulated) {
                              .arg(QString::fromLatin1(startOf(process).value_or("0")))
                              .arg(++m_connections);
     m_own = {QDir(m_folder).filePath(name), port, baud};
-    m_simulated = simulated;
+    m_owns = owns;
     m_pending.clear();
     m_askedAt.clear();
 }
@@ -127,7 +138,7 @@ bool MotionMarker::moves(const ModuleState& module) const {
 
 QStringList MotionMarker::update(const LinkState& link) {
     // Without modules nothing new is known: a port that was unplugged stopped no motor.
-    if (link.simulated || link.modules.empty())
+    if (!m_owns || link.modules.empty())
         return {};
     std::set<ModuleIndex> moving;
     for (const ModuleState& module : link.modules)
@@ -173,7 +184,7 @@ void MotionMarker::forget(const QString& file) {
 }
 
 void MotionMarker::write(const std::set<ModuleIndex>& moving) {
-    if (m_simulated || moving == m_own.modules)
+    if (!m_owns || moving == m_own.modules)
         return;
     m_own.modules = moving;
     if (moving.empty()) {

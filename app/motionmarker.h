@@ -23,15 +23,21 @@ public:
         QString port;
         quint32 baud = 0;
         std::set<ModuleIndex> modules{};
+        qint64 process = 0;       ///< whose session that was
+        unsigned connection = 0;  ///< of that process, counted from 1
     };
 
     /// `folder` need not be there; it is made when something moves.
     explicit MotionMarker(QString folder);
 
     [[nodiscard]] const std::vector<Left>& left() const { return m_left; }
+    /// Of the connection that this process had last; none: it had nothing moving then.
+    [[nodiscard]] const Left* lastOf(qint64 process) const;
 
-    /// A port is being opened.
-    void begin(const QString& port, quint32 baud, bool simulated);
+    /// A port is being opened. `owns`: what moves there is this session's business. Where it is not, in the
+    /// simulator or where the panel only looks, nothing is written, and nothing that others have left is over
+    /// by being seen.
+    void begin(const QString& port, quint32 baud, bool owns);
     /// A chain was found at it.
     void found(TimePoint now) { m_foundAt = now; }
     /// Before what may move these is sent; until it ends it counts as motion.
@@ -54,7 +60,7 @@ private:
     QString m_folder;
     std::vector<Left> m_left;
     Left m_own;
-    bool m_simulated = false;
+    bool m_owns = true;
     unsigned m_connections = 0;
     TimePoint m_foundAt;
     std::map<bus::OperationId, std::vector<ModuleIndex>> m_pending;

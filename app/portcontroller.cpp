@@ -20,19 +20,19 @@ PortController::PortController(Places places, QObject* parent)
     connect(&m_watcher, &PortWatcher::portsChanged, this, &PortController::look);
 }
 
-bool PortController::mayConnect(const QString& port, quint32 baud) {
-    if (!m_adapters.differs(port, ports()))
+bool PortController::mayConnect(const ConnectTarget& target) {
+    if (!m_adapters.differs(target.port, ports()))
         return true;
-    offer(port, baud, texts::differentAdapter(port));
+    offer(target, texts::differentAdapter(target.port));
     return false;
 }
 
-void PortController::opening(const QString& port, quint32 baud) {
-    m_open = {port, baud};
+void PortController::opening(const ConnectTarget& target) {
+    m_open = target;
     m_offer.reset();
     m_lost = false;
-    m_adapters.opened(port, ports());
-    const auto latency = latencyTimerOf(port, m_places.sysfs);
+    m_adapters.opened(target.port, ports());
+    const auto latency = latencyTimerOf(target.port, m_places.sysfs);
     m_slow = latency && *latency >= kSlow ? latency : std::nullopt;
 }
 
@@ -62,15 +62,15 @@ void PortController::look(const QList<PortEntry>& ports) {
     emit portsChanged(ports);
     if (const auto back = m_adapters.back(ports)) {
         m_lost = false;
-        offer(back->port, m_open.baud, texts::adapterBack(back->port, back->sameSerial));
+        offer({back->port, m_open.baud, m_open.readOnly}, texts::adapterBack(back->port, back->sameSerial));
     } else if (m_lost && m_adapters.differs(m_open.port, ports)) {
         m_lost = false;  // told once; the one that was lost may still come back
-        offer(m_open.port, m_open.baud, texts::differentAdapter(m_open.port));
+        offer(m_open, texts::differentAdapter(m_open.port));
     }
 }
 
-void PortController::offer(const QString& port, quint32 baud, const Message& message) {
-    m_offer = Offer{port, baud};
+void PortController::offer(const ConnectTarget& target, const Message& message) {
+    m_offer = target;
     // In place of what was said about the port before, and not as a repeat of it.
     emit ended(message.key);
     emit told(message);

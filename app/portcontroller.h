@@ -13,6 +13,13 @@
 
 namespace nmc {
 
+/// A connection as the user asked for it, and as it is made again.
+struct ConnectTarget {
+    QString port;
+    quint32 baud = 0;
+    bool readOnly = false;
+};
+
 /// Everything about ports but the connection itself: the list of them, the adapter that is lost and the one
 /// that is back, and how slow an adapter is. It offers, and never connects. GUI thread.
 class PortController : public QObject {
@@ -25,20 +32,16 @@ public:
         QString devices = QStringLiteral("/dev");
         QString sysfs = QStringLiteral("/sys");
     };
-    /// What Reconnect would connect to.
-    struct Offer {
-        QString port;
-        quint32 baud = 0;
-    };
 
     explicit PortController(Places places, QObject* parent = nullptr);
 
     [[nodiscard]] QList<PortEntry> ports() { return m_watcher.ports(); }
     /// False when another adapter is there than before: the user is asked first.
-    [[nodiscard]] bool mayConnect(const QString& port, quint32 baud);
-    [[nodiscard]] const std::optional<Offer>& offered() const { return m_offer; }
+    [[nodiscard]] bool mayConnect(const ConnectTarget& target);
+    /// What Reconnect would connect to.
+    [[nodiscard]] const std::optional<ConnectTarget>& offered() const { return m_offer; }
 
-    void opening(const QString& port, quint32 baud);
+    void opening(const ConnectTarget& target);
     void closed(const PortError& error);
 
     /// What to reckon with in time-outs (link.md 2.1).
@@ -54,13 +57,13 @@ signals:
 
 private:
     void look(const QList<PortEntry>& ports);
-    void offer(const QString& port, quint32 baud, const Message& message);
+    void offer(const ConnectTarget& target, const Message& message);
 
     Places m_places;
     PortWatcher m_watcher;
     AdapterMemory m_adapters;
-    Offer m_open;  ///< or was last
-    std::optional<Offer> m_offer;
+    ConnectTarget m_open;  ///< or was last
+    std::optional<ConnectTarget> m_offer;
     std::optional<Duration> m_slow;  ///< not yet told
     bool m_lost = false;
 };

@@ -103,6 +103,14 @@
         <source>Group %1</source>
         <translation>Gruppe %1</translation>
     </message>
+    <message>
+        <source>Nothing is known of this chain yet: it has %1.</source>
+        <translation>Von dieser Kette ist noch nichts bekannt: Sie hat %1.</translation>
+    </message>
+    <message>
+        <source>Compare them with the labels on the modules, the one farthest from the PC first. If all are there, take them as expected: whatever is missing or another one is noticed from then on.</source>
+        <translation>Mit den Aufschriften der Module vergleichen, das vom PC am weitesten entfernte zuerst. Sind alle da, sie als erwartet übernehmen: Von da an fällt auf, was fehlt oder ein anderes ist.</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -149,6 +157,10 @@
     <message>
         <source>Let control lines inject faults into the built-in simulator.</source>
         <translation>Steuerzeilen dürfen Fehler in den eingebauten Simulator einstreuen.</translation>
+    </message>
+    <message>
+        <source>With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.</source>
+        <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
     </message>
 </context>
 <context>
@@ -1246,6 +1258,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Stop all could not be pressed meanwhile. The computer was busy, or the program hung.</source>
         <translation>ALLES STOPP war währenddessen nicht möglich. Der Rechner war ausgelastet, oder das Programm hing.</translation>
+    </message>
+    <message>
+        <source>Resumed after %1: all values are read again.</source>
+        <translation>Nach %1 wieder aufgewacht: Alle Werte werden neu gelesen.</translation>
     </message>
     <message>
         <source>Resumed after %1: motors were told to stop, and all values are read again.</source>
@@ -2955,6 +2971,74 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs.</source>
         <translation>Diese Module überwachen die Verbindung nicht: Wenn das Kabel durchtrennt ist, der Adapter hängt oder dieser Rechner seinen Strom verliert, läuft ein laufender Motor weiter, und kein Programm kann ihn anhalten. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter hält die Motoren an, wenn dieses Programm abgeschossen wird, abstürzt oder hängt.</translation>
     </message>
+    <message>
+        <source>--read-only needs something to look at: --port or --simulator.</source>
+        <translation>--read-only braucht etwas zum Ansehen: --port oder --simulator.</translation>
+    </message>
+    <message>
+        <source>Module %1 of the chain known here does not answer. Motor state unknown.</source>
+        <translation>Modul %1 der hier bekannten Kette antwortet nicht. Motorzustand unbekannt.</translation>
+    </message>
+    <message>
+        <source>Its place is kept for it. Usually its power or the plug next to it; it is asked again all the time. If it was taken out on purpose, work with the others: then it is forgotten.</source>
+        <translation>Sein Platz bleibt ihm. Meist liegt es an seiner Versorgung oder am Stecker daneben; es wird laufend wieder gefragt. Wurde es absichtlich entfernt, mit den anderen arbeiten: Dann wird es vergessen.</translation>
+    </message>
+    <message>
+        <source>A motor is moving, so the chain stays as it is known.</source>
+        <translation>Ein Motor ist in Bewegung, die Kette bleibt daher, wie sie bekannt ist.</translation>
+    </message>
+    <message>
+        <source>To forget a module, the chain is looked for anew. Stop all motors, then try again.</source>
+        <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren anhalten, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Looking at %1 read-only: %2 at %3 Bd, left as they were.</source>
+        <translation>Nur lesend an %1: %2 bei %3 Bd, unverändert gelassen.</translation>
+    </message>
+    <message>
+        <source>What they are doing goes on, also when this connection ends. Nothing is sent but questions; STOP ALL acts.</source>
+        <translation>Was sie tun, geht weiter, auch wenn diese Verbindung endet. Außer Fragen wird nichts gesendet; ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>A port is open already.</source>
+        <translation>Ein Port ist schon offen.</translation>
+    </message>
+    <message>
+        <source>Disconnect first; closing it may stop motors. Then look again.</source>
+        <translation>Zuerst trennen; das Schließen hält Motoren unter Umständen an. Dann noch einmal ansehen.</translation>
+    </message>
+    <message>
+        <source>Not possible in a read-only connection; nothing was sent.</source>
+        <translation>In einer Verbindung nur zum Lesen nicht möglich; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Motor %1 was moving, at %2.</source>
+        <translation>Motor %1 war in Bewegung, an %2.</translation>
+    </message>
+    <message>
+        <source>Motors %1 were moving, at %2.</source>
+        <translation>Die Motoren %1 waren in Bewegung, an %2.</translation>
+    </message>
+    <message>
+        <source>This is said until the motor was seen at rest.</source>
+        <translation>Diese Meldung bleibt, bis der Motor im Stillstand gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Voll verbinden</translation>
+    </message>
+    <message>
+        <source>Look first (read-only)</source>
+        <translation>Erst ansehen (nur lesen)</translation>
+    </message>
+    <message>
+        <source>This connection is read-only: nothing is sent but questions. Connect fully first.</source>
+        <translation>Diese Verbindung ist nur zum Lesen: Außer Fragen wird nichts gesendet. Zuerst voll verbinden.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, read-only</source>
+        <translation>Verbunden mit %1 bei %2 Bd, %3, nur lesend</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2993,13 +3077,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 (%2 of 255)</source>
         <translation>%1 (%2 von 255)</translation>
-    </message>
-</context>
-<context>
-    <name>nmc</name>
-    <message>
-        <source>Resets every module and gives addresses again. Asks first.</source>
-        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
     </message>
 </context>
 <context>
@@ -3292,6 +3369,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
+    <message>
+        <source>Resets every module and gives addresses again. Asks first.</source>
+        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -3412,6 +3493,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+    <message>
+        <source>Connect read-&amp;only</source>
+        <translation>Nur &amp;lesend verbinden</translation>
+    </message>
+    <message>
+        <source>Other ways to connect</source>
+        <translation>Andere Arten zu verbinden</translation>
+    </message>
+    <message>
+        <source>Other ways to connect.</source>
+        <translation>Andere Arten zu verbinden.</translation>
+    </message>
+    <message>
+        <source>Opens the port and only looks: nothing is sent but questions. STOP ALL acts.</source>
+        <translation>Öffnet den Port und sieht nur zu: Außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
     </message>
 </context>
 <context>
@@ -4933,6 +5030,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>Sitzung nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — nothing is sent but questions. STOP ALL acts.</source>
+        <translation>NUR LESEN — außer Fragen wird nichts gesendet. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Voll verbinden</translation>
+    </message>
+    <message>
+        <source>Connects to the same port so that commands can be sent. Nothing moves by it.</source>
+        <translation>Verbindet mit demselben Port so, dass Befehle gesendet werden können. Dadurch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (nur lesend)</translation>
     </message>
 </context>
 <context>

@@ -307,6 +307,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
         for (const Chain::Module& module : m_chain.modules())
             known.push_back(module.belief.info());
     }
+    found.readOnly = m_config.readOnly;
     const std::vector<ModuleInfo> seen = found.modules;
     const auto rejoined =
         found.attached ? rejoin(known, seen, discovery.unaddressedIdentity()) : std::nullopt;

@@ -45,6 +45,15 @@ TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
               QStringLiteral("simulator=servo,servo@1"));
 }
 
+TEST(CommandLine, LooksOnlyWhereAskedAndAtSomething) {
+    EXPECT_FALSE(started(QStringLiteral("--port ttyUSB0")).readOnly);
+    EXPECT_TRUE(started(QStringLiteral("--port ttyUSB0 --read-only")).readOnly);
+    EXPECT_TRUE(started(QStringLiteral("--read-only --simulator")).readOnly);
+    const Say say = said(QStringLiteral("--read-only"));
+    EXPECT_EQ(say.exitCode, 2);
+    EXPECT_TRUE(say.text.contains(QStringLiteral("--port"))) << say.text.toStdString();
+}
+
 TEST(CommandLine, FaultsAreOnlyForThoseWhoAskForThem) {
     EXPECT_FALSE(started(QStringLiteral("--simulator")).enableFaults);
     EXPECT_TRUE(started(QStringLiteral("--simulator --enable-faults")).enableFaults);
@@ -59,8 +68,8 @@ TEST(CommandLine, ListsPortsWithTheirDescriptions) {
 TEST(CommandLine, ExplainsEveryOption) {
     const Say say = said(QStringLiteral("--help"));
     EXPECT_EQ(say.exitCode, 0);
-    for (const char* option :
-         {"--port", "--baud", "--simulator", "--enable-faults", "--list-ports", "--help", "--version"})
+    for (const char* option : {"--port", "--baud", "--simulator", "--read-only", "--enable-faults",
+                               "--list-ports", "--help", "--version"})
         EXPECT_TRUE(say.text.contains(QLatin1String(option))) << option;
     EXPECT_TRUE(said(QStringLiteral("--version")).text.startsWith(QStringLiteral("NMC Panel 0.")));
 }

@@ -7,9 +7,8 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
-#include "protocol/frame.h"
+#include "tests/app/othermaster.h"
 #include "tests/app/panel.h"
-#include "tests/support/port.h"
 
 namespace nmc {
 namespace {
@@ -17,36 +16,9 @@ namespace {
 using testing_support::IntentPanel;
 using testing_support::moves;
 using testing_support::NmcsimProcess;
+using testing_support::setGoing;
 
 const QString kEnded = QStringLiteral("The last session ended while motor 1 was moving.");
-
-/// As another program would: address 1, gains, servo on, and off at 4 counts/tick.
-void setGoing(const NmcsimProcess& sim) {
-    testing_support::Port port(sim.terminal().toStdString());
-    port.setRate(B19200);
-    const auto answers = [&port](const std::vector<std::uint8_t>& bytes, int ms) {
-        port.write(bytes);
-        std::vector<std::uint8_t> answer = port.read(2, ms);
-        while (answer.size() == 1)
-            answer.push_back(port.read(1, ms).at(0));
-        return answer.size() == 2;
-    };
-    // What was written before the simulator knew the rate is noise to it; nulls end it.
-    for (bool heard = false; !heard; heard = answers({0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21}, 500))
-        port.write(std::vector<std::uint8_t>(16, 0));
-    const auto command = [&answers](const ServoCommand& what) {
-        const PacketBytes bytes = toPacket({BusAddress(1), encode(what)});
-        ASSERT_TRUE(answers({bytes.begin(), bytes.end()}, 20'000));
-    };
-    command(servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}});
-    command(servo::StopMotor{true, servo::StopManner::Abruptly, {}});
-    servo::LoadTrajectory load;
-    load.velocity = CountsPerTick(4 << 16);
-    load.acceleration = CountsPerTickSquared(1'311);
-    load.profile = servo::ProfileMode::Velocity;
-    load.startNow = true;
-    command(load);
-}
 
 /// nmcpanel in a process and a home of its own, connected to a chain whose motor moves.
 class PanelProcess {
@@ -158,6 +130,35 @@ TEST_F(H02_Killed, IsOverWhenTheUserHasLooked) {
         QTest::mouseClick(looked, Qt::LeftButton);
         EXPECT_FALSE(stays(next));
     }
+}
+
+TEST_F(H02_Killed, WhatItsGuardianDidIsToldInTheSameMessageAndCanBeLookedAt) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(setGoing(sim));
+    PanelProcess killed(home.path(), sim.terminal());
+    ASSERT_TRUE(killed.marks());
+    killed.kill();
+    const QDir reports(home.filePath(QStringLiteral("nmcpanel")));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return reports.entryList({QStringLiteral("guardian-*.report")}).size() == 1; }, 20'000));
+    IntentPanel next(reports.filePath(QStringLiteral("next.ini")), {}, killed.data());
+    next.start();
+    const QString told = QStringLiteral("its guardian told module 1 to stop");
+    ASSERT_NE(next.standing(told), nullptr);
+    EXPECT_EQ(next.count(kEnded), 0) << "one event, one message";
+    const QString body = next.standing(told)->message().body;
+    EXPECT_TRUE(body.startsWith(QStringLiteral("Motor 1 was moving, at %1.").arg(sim.terminal())))
+        << body.toStdString();
+    ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
+    ASSERT_TRUE(next.waitFor([&] { return next.connected() && next.module().latest.has_value(); }));
+    EXPECT_TRUE(next.composition().store().link().readOnly);
+    ASSERT_TRUE(next.answersFor(2.0));
+    EXPECT_NE(next.standing(told), nullptr) << "to look on is not to settle it";
+    ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));
+    EXPECT_NE(next.standing(QStringLiteral("A port is open already")), nullptr);
+    EXPECT_TRUE(next.connected()) << "to close it for that might stop motors";
+    ASSERT_TRUE(next.press(told, QStringLiteral("I have looked")));
+    EXPECT_EQ(next.standing(told), nullptr);
 }
 
 TEST_F(H02_Killed, AMarkThatWasTamperedWithIsNoDanger) {

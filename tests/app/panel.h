@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -72,6 +73,18 @@ public:
             if (!row->over() && row->message().headline.contains(words))
                 return row;
         return nullptr;
+    }
+    /// Presses the button of a message, as a person does. False when there is none.
+    bool press(const QString& headline, const QString& button) {
+        const MessageRow* row = standing(headline);
+        if (row == nullptr)
+            return false;
+        for (auto* candidate : row->findChildren<QPushButton*>())
+            if (candidate->text().contains(button)) {
+                QTest::mouseClick(candidate, Qt::LeftButton);
+                return true;
+            }
+        return false;
     }
     /// The files that say which motors move, beside the settings.
     [[nodiscard]] QStringList markers() const {

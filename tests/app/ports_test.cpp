@@ -79,6 +79,31 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
 
+TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
+    Machine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1")});
+    IntentPanel panel({}, machine.places());
+    panel.start();
+    const LinkState& link = panel.composition().store().link();
+    {
+        NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), one});
+        emit panel.window().connectRequested(one, 115'200, true);
+        // Whether the chain has addresses to be looked at does not matter here.
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost; }));
+        machine.set({});
+    }
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), two});
+    machine.set({adapter(two, "A1")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(kBack) != nullptr; }));
+    ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
+    EXPECT_TRUE(panel.waitFor([&] { return link.phase != LinkPhase::Disconnected && link.readOnly; }));
+    EXPECT_EQ(link.port, two.toStdString());
+}
+
 TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     Machine machine;
     const QString port = machine.port("ttyUSB0");
@@ -127,11 +152,11 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     EXPECT_EQ(controller.adapterLatency(port), std::chrono::milliseconds(4)) << "never below";
     int told = 0;
     QObject::connect(&controller, &PortController::told, [&told] { ++told; });
-    controller.opening(port, 19'200);
+    controller.opening({port, 19'200});
     controller.noteRate(200);
     EXPECT_EQ(told, 0);
     machine.setLatency(port, "16\n");
-    controller.opening(port, 19'200);
+    controller.opening({port, 19'200});
     controller.noteRate(0);
     EXPECT_EQ(told, 0) << "nothing is known of its speed yet";
     controller.noteRate(58);

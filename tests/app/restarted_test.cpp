@@ -2,8 +2,6 @@
 // A module restarts in the middle of the chain: through the window, on nmcsim behind a terminal.
 #include <gtest/gtest.h>
 
-#include <QPushButton>
-
 #include "tests/app/panel.h"
 
 namespace nmc {
@@ -11,19 +9,6 @@ namespace {
 
 using testing_support::IntentPanel;
 using testing_support::NmcsimProcess;
-
-/// Presses the button of a message, as a person does. False when there is none.
-bool press(IntentPanel& panel, const QString& headline, const QString& button) {
-    const MessageRow* row = panel.standing(headline);
-    if (row == nullptr)
-        return false;
-    for (auto* candidate : row->findChildren<QPushButton*>())
-        if (candidate->text().contains(button)) {
-            QTest::mouseClick(candidate, Qt::LeftButton);
-            return true;
-        }
-    return false;
-}
 
 /// The order of addressing is X, Y, Z. With Y gone, Z must not become the second module: Y's controls would
 /// drive it.
@@ -37,7 +22,7 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     const QString restarted = QStringLiteral("Module 2 restarted");
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
 
-    ASSERT_TRUE(press(panel, restarted, QStringLiteral("Scan again")));
+    ASSERT_TRUE(panel.press(restarted, QStringLiteral("Scan again")));
     const auto found = [&] {
         return panel.connected() && store.link().modules.size() == 3 && store.link().modules[1].hasRestarted;
     };
@@ -47,7 +32,7 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     EXPECT_TRUE(store.link().modules[1].silent) << "STOP ALL does not reach it";
 
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
-    ASSERT_TRUE(press(panel, restarted, QStringLiteral("address")));
+    ASSERT_TRUE(panel.press(restarted, QStringLiteral("address")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("has its address again")) == 1; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_TRUE(panel.waitFor([&] {

@@ -238,6 +238,8 @@ TEST_F(Hold, ItsEndDoesNotSwitchOnWhatWasSwitchedOffMeanwhile) {
     ASSERT_GT(bus.servo(0).velocity, 0.5);
     // "Motor off" is on its way when the button comes up.
     bus.engine.submit({OperationId(9), {motorOff(0)}}, bus.now);
+    while (bus.sends("AA 01 17 02", from) == 0)
+        bus.runFor(500us);
     bus.engine.release(bus.now);
     bus.runFor(1s);
     EXPECT_FALSE(bus.servo(0).servoOn);

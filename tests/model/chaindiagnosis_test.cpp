@@ -40,9 +40,9 @@ TEST(ChainDiagnosis, WhatIsExpectedAndThereIsFine) {
     EXPECT_EQ(chain.places[1].verdict, Verdict::Fine);
 }
 
-TEST(ChainDiagnosis, AChainNobodyHasToldOfIsFineAndNew) {
+TEST(ChainDiagnosis, OfAChainNobodyHasToldOfNothingIsKnown) {
     const auto chain = diagnose({}, linkWith({kServo}));
-    EXPECT_EQ(chain.finding, Finding::Fine);
+    EXPECT_EQ(chain.finding, Finding::NothingExpected);
     EXPECT_EQ(chain.places[0].verdict, Verdict::New);
 }
 

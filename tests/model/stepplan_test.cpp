@@ -5,6 +5,8 @@
 
 #include "base/bytes.h"
 #include "bus/commandlane.h"
+#include "model/intent/homingplan.h"
+#include "model/procedure/procedures.h"
 #include "tests/model/stepfixture.h"
 
 namespace nmc {
@@ -272,6 +274,28 @@ TEST(StepPlan, AsksNothingOfAModuleThatDoesNotAnswerButToSwitchOff) {
     stepper.module.silent = true;
     EXPECT_EQ(refusalOf(stepintent::Move{kForward}, stepper.module), Refusal::Silent);
     EXPECT_EQ(refusalOf(intent::MotorOff{}, stepper.module), std::nullopt);
+}
+
+TEST(H02_ReadOnly, AStepperIsToldNothing) {
+    const StepMotion run = stepmotion::VelocityProfile{40, 4, false};
+    ModuleState module = Stepper::holding().module;
+    for (const Intent& intent :
+         std::vector<Intent>{intent::Enable{}, intent::StopSmoothly{}, intent::StopAbruptly{},
+                             intent::MotorOff{}, intent::SetAmplifier{}, intent::ResetPosition{},
+                             intent::SaveAsHome{}, intent::Home{firstRecipe(module.info.identity)},
+                             stepintent::SetParameters{Stepper::parameters()}, stepintent::SetOutputs{1},
+                             stepintent::Move{run}, stepintent::LoadMove{run}}) {
+        module.readOnly = false;
+        EXPECT_TRUE(plan(intent, module)) << "intent " << intent.index();
+        module.readOnly = true;
+        const auto planned = plan(intent, module);
+        ASSERT_FALSE(planned) << "intent " << intent.index();
+        EXPECT_EQ(planned.error(), Refusal::ReadOnly) << "intent " << intent.index();
+    }
+    for (int request = 0; request <= static_cast<int>(Request::SetOutputs); ++request)
+        EXPECT_EQ(whyNot(static_cast<Request>(request), module), Refusal::ReadOnly) << request;
+    EXPECT_EQ(whyNotFromStandstill(run, module), Refusal::ReadOnly);
+    EXPECT_EQ(procedureFor(stepintent::ChangeMotion{run}, module), nullptr);
 }
 
 }  // namespace

@@ -71,6 +71,15 @@ TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
     EXPECT_EQ(text(u"chainFinding"_s), u"All is well: 1 module."_s);
 }
 
+TEST_F(ChainWindow, OfAChainThatNobodyHasDescribedTheDoctorSaysSo) {
+    showServos({{}, {}, {}});
+    open("chainDoctorAction");
+    EXPECT_EQ(text(u"chainFinding"_s), u"Nothing is known of this chain yet: it has 3 modules."_s);
+    EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"labels"_s));
+    EXPECT_EQ(cell(2, 4), u"new"_s);
+    EXPECT_TRUE(button(u"acceptChainButton"_s)->isEnabled());
+}
+
 TEST_F(ChainWindow, ARestartAsksFirst) {
     showServos({{}});
     QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);

@@ -74,6 +74,15 @@ TEST_P(Screenshots, OfTheStepperPanel) {
     keep(u"step"_s, u"stepPages"_s);
 }
 
+TEST_P(Screenshots, OfASimulatedReadOnlySession) {
+    ModuleState module = Servo{.position = 12'345}.state();
+    module.readOnly = true;
+    LinkState link = connectedTo({module});
+    link.simulated = link.readOnly = true;
+    window->showLink(link);
+    keep(u"readonly"_s, u"servoPages"_s);
+}
+
 TEST_P(Screenshots, OfTheStepResponse) {
     showServo({.on = false});
     click(u"openStepResponseButton"_s);

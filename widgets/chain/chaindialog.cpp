@@ -50,7 +50,7 @@ void ChainDialog::openAt(Page page) {
 }
 
 void ChainDialog::showChain(const Machine& machine, const LinkState& link) {
-    m_doctor->showChain(diagnose(machine, link));
+    m_doctor->showChain(diagnose(machine, link), whyNotTold(link));
     m_groups->showLink(link);
     m_rate->showLink(link);
 }

@@ -4,7 +4,9 @@
 #include <QAction>
 #include <QMenu>
 
+#include "model/intent/intent.h"
 #include "widgets/chain/chaindialog.h"
+#include "widgets/common/words.h"
 
 namespace nmc {
 
@@ -24,8 +26,7 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, QWidget* win
       m_scan(newAction(u"scanAction"_s, tr("&Scan again"), Qt::Key_F5,
                        tr("Looks for the chain again; nothing is reset."))),
       m_restart(newAction(u"restartNetworkAction"_s,
-                          tr("&Restart the network: positions and gains are lost…"), {},
-                          tr("Resets every module and gives addresses again. Asks first."))) {
+                          tr("&Restart the network: positions and gains are lost…"), {}, {})) {
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
     connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
@@ -51,7 +52,10 @@ void ChainMenu::addTo(QMenu& menu) {
 
 void ChainMenu::refresh() {
     m_scan->setEnabled(m_link.phase == LinkPhase::Connected || m_link.phase == LinkPhase::Lost);
-    m_restart->setEnabled(m_link.phase != LinkPhase::Disconnected);
+    const auto refusal = whyNotTold(m_link);
+    m_restart->setEnabled(!refusal);
+    m_restart->setToolTip(refusal ? texts::refusal(*refusal)
+                                  : tr("Resets every module and gives addresses again. Asks first."));
     if (m_dialog != nullptr && m_dialog->isVisible())
         m_dialog->showChain(m_machine, m_link);
 }

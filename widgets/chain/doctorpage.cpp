@@ -24,7 +24,7 @@ enum Column { Address, Name, Expected, Found, Verdict, Columns };
 DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"doctorPage"_s, tr("Chain doctor"));
     build();
-    showChain({});
+    showChain({}, Refusal::NotConnected);
 }
 
 void DoctorPage::build() {
@@ -78,10 +78,11 @@ void DoctorPage::build() {
     connect(m_restart, &QPushButton::clicked, this, &DoctorPage::restartRequested);
 }
 
-void DoctorPage::showChain(const ChainDiagnosis& chain) {
-    if (m_chain == chain)
+void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart) {
+    if (m_chain == chain && m_whyNoRestart == whyNoRestart)
         return;
     m_chain = chain;
+    m_whyNoRestart = whyNoRestart;
     m_glyph->showSeverity(texts::severityOf(chain.finding));
     look::setText(m_finding, texts::chainFinding(chain));
     const QString advice = texts::chainAdvice(chain);
@@ -92,7 +93,8 @@ void DoctorPage::showChain(const ChainDiagnosis& chain) {
     const QString reason = open ? QString() : texts::refusal(Refusal::NotConnected);
     look::setPossible(m_scan, reason,
                       tr("Looks for the chain again with questions only: nothing is reset, nothing moves."));
-    look::setPossible(m_restart, reason, tr("Resets every module and gives addresses again. Asks first."));
+    look::setPossible(m_restart, whyNoRestart ? texts::refusal(*whyNoRestart) : QString(),
+                      tr("Resets every module and gives addresses again. Asks first."));
     const bool differs = std::any_of(chain.places.begin(), chain.places.end(),
                                      [](const ChainPlace& place) { return place.expected != place.found; });
     look::setPossible(m_accept,

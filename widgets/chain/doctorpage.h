@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "model/intent/intent.h"
 #include "model/module/chaindiagnosis.h"
 
 class QLabel;
@@ -21,8 +22,8 @@ class DoctorPage : public QWidget {
 public:
     explicit DoctorPage(QWidget* parent = nullptr);
 
-    /// Emits nothing.
-    void showChain(const ChainDiagnosis& chain);
+    /// `whyNoRestart`: the network cannot be restarted. Emits nothing.
+    void showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart);
 
 signals:
     /// Looks for the chain again; nothing is reset.
@@ -43,6 +44,7 @@ private:
     QPushButton* m_accept = nullptr;
     QPushButton* m_restart = nullptr;
     std::optional<ChainDiagnosis> m_chain;
+    std::optional<Refusal> m_whyNoRestart;
 };
 
 }  // namespace nmc

@@ -110,7 +110,9 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     row.group->setCurrentIndex(index);
     row.leader->setChecked(place && place->leader);
     const bool connected = m_link.phase == LinkPhase::Connected && !module.silent && !module.hasRestarted;
-    const QString reason = !connected ? texts::refusal(Refusal::Silent) : QString();
+    const QString reason = module.readOnly ? texts::refusal(Refusal::ReadOnly)
+                           : !connected    ? texts::refusal(Refusal::Silent)
+                                           : QString();
     look::setPossible(row.group, reason,
                       tr("The group this module listens to. Sent at once; nothing moves."));
     look::setPossible(row.leader,
@@ -171,13 +173,14 @@ QString GroupsPage::whyNotStart(std::uint8_t group) const {
 void GroupsPage::refreshCommands() {
     const bool any = m_group->count() > 0 && m_link.phase == LinkPhase::Connected;
     const QString none = tr("No module is in a group yet.");
+    const QString readOnly = m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
     const auto group = static_cast<std::uint8_t>(m_group->currentData().toInt());
     look::setPossible(
         m_start, any ? whyNotStart(group) : none,
         tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every "
            "member has confirmed its load."));
     look::setPossible(
-        m_saveHome, any ? QString() : none,
+        m_saveHome, any ? readOnly : none,
         tr("Each member captures its present position as home, in the same tick. Nothing moves."));
     m_group->setEnabled(any);
 }

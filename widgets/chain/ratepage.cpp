@@ -53,6 +53,7 @@ RatePage::RatePage(QWidget* parent)
 void RatePage::showLink(const LinkState& link) {
     const bool news = m_baud != link.baud;
     m_phase = link.phase;
+    m_readOnly = link.readOnly;
     m_baud = link.baud;
     m_moving = std::any_of(link.modules.begin(), link.modules.end(),
                            [](const ModuleState& module) { return module.moving(); });
@@ -68,6 +69,8 @@ void RatePage::refresh() {
     QString reason;
     if (!connected)
         reason = texts::refusal(Refusal::NotConnected);
+    else if (m_readOnly)
+        reason = texts::refusal(Refusal::ReadOnly);
     else if (m_moving)
         reason = tr("A motor is moving. The rate changes at standstill only.");
     else if (m_rate->currentData().toUInt() == m_baud)

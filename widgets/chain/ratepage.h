@@ -32,6 +32,7 @@ private:
     QComboBox* m_rate;
     QPushButton* m_change;
     LinkPhase m_phase = LinkPhase::Disconnected;
+    bool m_readOnly = false;
     quint32 m_baud = 0;
     bool m_moving = false;
 };

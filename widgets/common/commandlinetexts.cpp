@@ -30,6 +30,10 @@ QString unknownOption(const QString& option) {
     return Texts::tr("There is no option \"%1\". --help lists them.").arg(option);
 }
 
+QString readOnlyWithoutPort() {
+    return Texts::tr("--read-only needs something to look at: --port or --simulator.");
+}
+
 QString noDisplay() {
     return Texts::tr("There is no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY is set.");
 }

@@ -26,6 +26,9 @@ QString chainFinding(const ChainDiagnosis& chain) {
             return Chain::tr("Not connected, so nothing is known of the chain.");
         case Finding::Fine:
             return Chain::tr("All is well: %1.").arg(countOfModules(static_cast<int>(chain.found)));
+        case Finding::NothingExpected:
+            return Chain::tr("Nothing is known of this chain yet: it has %1.")
+                .arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NobodyAnswers:
             return Chain::tr("No module answers.");
         case Finding::BreakBehind:
@@ -55,6 +58,10 @@ QString chainAdvice(const ChainDiagnosis& chain) {
             return Chain::tr("Choose a port and connect.");
         case Finding::Fine:
             return {};
+        case Finding::NothingExpected:
+            return Chain::tr(
+                "Compare them with the labels on the modules, the one farthest from the PC first. If all are "
+                "there, take them as expected: whatever is missing or another one is noticed from then on.");
         case Finding::NobodyAnswers:
             return Chain::tr(
                 "Check, in this order: module power; every cable in the chain, one loose cable hides all "
@@ -128,6 +135,7 @@ Severity severityOf(Finding finding) {
     switch (finding) {
         case Finding::NotConnected:
         case Finding::Fine:
+        case Finding::NothingExpected:
         case Finding::MoreThanBefore:
             return Severity::Normal;
         case Finding::BreakBehind:

@@ -68,6 +68,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.body = Texts::tr(
                 "A read-only connection changes nothing, so it gives no addresses. Connect without "
                 "read-only.");
+            m.actions = {connectFully(), scanAgain()};
             break;
     }
     m.details = Texts::tr("Port %1, %2 Bd").arg(port).arg(failed.baud);
@@ -88,9 +89,36 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
     return m;
 }
 
+Message moduleMissing(ModuleIndex module, int answering) {
+    return {.key = key::silent(module),
+            .severity = Severity::Fault,
+            .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
+                            .arg(moduleNumber(module)),
+            .body = Texts::tr(
+                "Its place is kept for it. Usually its power or the plug next to it; it is asked again all "
+                "the time. If it was taken out on purpose, work with the others: then it is forgotten."),
+            .actions = {scanAgain(), {action::kWorkWith, Texts::tr("Work with %1").arg(answering)}}};
+}
+
+Message chainNotAccepted() {
+    return {.key = u"chainNotAccepted"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A motor is moving, so the chain stays as it is known."),
+            .body = Texts::tr(
+                "To forget a module, the chain is looked for anew. Stop all motors, then try again.")};
+}
+
 Message connected(const bus::ChainFound& found, const QString& port) {
     const int modules = static_cast<int>(found.modules.size());
     Message m{.key = u"connected"_s};
+    if (found.readOnly) {
+        m.headline = Texts::tr("Looking at %1 read-only: %2 at %3 Bd, left as they were.")
+                         .arg(portName(port), countOfModules(modules), rate(found.baud));
+        m.body = Texts::tr(
+            "What they are doing goes on, also when this connection ends. Nothing is sent but questions; "
+            "STOP ALL acts.");
+        return m;
+    }
     if (found.attached) {
         m.headline = Texts::tr("Attached to %1: %2 at %3 Bd, left as they were.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
@@ -117,6 +145,30 @@ Message unaddressed() {
 
 Message disconnected(const QString& port) {
     return {.key = u"connected"_s, .headline = Texts::tr("Disconnected from %1.").arg(portName(port))};
+}
+
+Message openAlready() {
+    return {.key = u"openAlready"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("A port is open already."),
+            .body = Texts::tr("Disconnect first; closing it may stop motors. Then look again.")};
+}
+
+Message onlyLooking() {
+    return {.key = u"onlyLooking"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Not possible in a read-only connection; nothing was sent."),
+            .body = refusal(Refusal::ReadOnly),
+            .actions = {connectFully()}};
+}
+
+bool action::commands(const QString& action) {
+    return action == kRestartNetwork || action == kReaddress || action == kClearAndStayOff;
+}
+
+Message withoutCommands(Message message) {
+    message.actions.removeIf([](const Message::Action& a) { return action::commands(a.id); });
+    return message;
 }
 
 Message linkLost(const QString& port, int movingMotors) {

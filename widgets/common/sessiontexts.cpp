@@ -34,44 +34,69 @@ Message panelFroze(double seconds, bool stopped) {
                 "Stop all could not be pressed meanwhile. The computer was busy, or the program hung.")};
 }
 
-Message machineSlept(double seconds) {
+Message machineSlept(double seconds, bool stopped) {
+    const QString text =
+        stopped ? Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
+                : Texts::tr("Resumed after %1: all values are read again.");
     return {
         .key = u"slept"_s,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
-                        .arg(span(seconds)),
+        .headline = text.arg(span(seconds)),
         .body = Texts::tr(
             "The computer was suspended. Motors that moved went on moving meanwhile; look at them before "
             "the next move.")};
 }
 
-Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port, const QString& file) {
-    const QString text = modules.size() == 1
-                             ? Texts::tr("The last session ended while motor %1 was moving.")
-                             : Texts::tr("The last session ended while motors %1 were moving.");
-    return {
-        .key = key::endedWhileMoving(file),
-        .severity = Severity::Attention,
-        .headline = text.arg(listOfModules(modules)),
-        .body =
-            Texts::tr("It was connected to %1, and was killed, or the computer failed. Motor state unknown: "
-                      "look at it before you connect; use the hardware stop if it moves. This is said until "
-                      "the motor was seen at rest.")
-                .arg(portName(port)),
-        .actions = {{action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
-}
+namespace {
 
-Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
+QString guardianTold(const std::vector<ModuleIndex>& modules) {
     const QString text =
         modules.size() == 1
             ? Texts::tr("The panel ended without stopping its motors; its guardian told module %1 to stop.")
             : Texts::tr("The panel ended without stopping its motors; its guardian told modules %1 to stop.");
+    return text.arg(listOfModules(modules));
+}
+
+QString guardianCannotSee() {
+    return Texts::tr(
+        "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it "
+        "before you connect; use the hardware stop if it moves.");
+}
+
+}  // namespace
+
+Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port, const QString& file,
+                         const std::optional<std::vector<ModuleIndex>>& toldByGuardian) {
+    Message m{.key = key::endedWhileMoving(file),
+              .severity = Severity::Attention,
+              .actions = {lookFirst(), {action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
+    const QString moving = listOfModules(modules);
+    if (toldByGuardian) {
+        const QString were = modules.size() == 1 ? Texts::tr("Motor %1 was moving, at %2.")
+                                                 : Texts::tr("Motors %1 were moving, at %2.");
+        m.headline = guardianTold(*toldByGuardian);
+        m.body = were.arg(moving, portName(port)) + u' ' + guardianCannotSee() + u' ' +
+                 Texts::tr("This is said until the motor was seen at rest.");
+        return m;
+    }
+    const QString ended = modules.size() == 1
+                              ? Texts::tr("The last session ended while motor %1 was moving.")
+                              : Texts::tr("The last session ended while motors %1 were moving.");
+    m.headline = ended.arg(moving);
+    m.body = Texts::tr(
+                 "It was connected to %1, and was killed, or the computer failed. Motor state unknown: "
+                 "look at it before you connect; use the hardware stop if it moves. This is said until "
+                 "the motor was seen at rest.")
+                 .arg(portName(port));
+    return m;
+}
+
+Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
     return {.key = u"guardianStoppedBefore"_s,
             .severity = Severity::Attention,
-            .headline = text.arg(listOfModules(modules)),
-            .body = Texts::tr(
-                "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at "
-                "it before you connect; use the hardware stop if it moves.")};
+            .headline = guardianTold(modules),
+            .body = guardianCannotSee(),
+            .actions = {lookFirst()}};
 }
 
 Message guardianStopped() {

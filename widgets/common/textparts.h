@@ -18,6 +18,8 @@ class Texts {
 [[nodiscard]] Message::Action useSimulator();
 [[nodiscard]] Message::Action choosePort();
 [[nodiscard]] Message::Action restartNetwork();
+[[nodiscard]] Message::Action connectFully();
+[[nodiscard]] Message::Action lookFirst();
 /// A rate in running text, with plain spaces as in interface.md.
 [[nodiscard]] QString rate(quint32 baud);
 /// What to do when a file was not read or written.

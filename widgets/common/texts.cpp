@@ -19,6 +19,12 @@ Message::Action useSimulator() {
 Message::Action restartNetwork() {
     return {action::kRestartNetwork, Texts::tr("Restart the network…")};
 }
+Message::Action connectFully() {
+    return {action::kConnectFully, Texts::tr("Connect fully")};
+}
+Message::Action lookFirst() {
+    return {action::kLookFirst, Texts::tr("Look first (read-only)")};
+}
 Message::Action choosePort() {
     return {action::kChoosePort, Texts::tr("Choose another port")};
 }

@@ -61,6 +61,10 @@ inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors tha
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
 inline const QString kShowRecord = QStringLiteral("showRecord");
 inline const QString kDiscardWork = QStringLiteral("discardWork");
+inline const QString kLookFirst = QStringLiteral("lookFirst");  ///< connects read-only
+inline const QString kConnectFully = QStringLiteral("connectFully");
+/// It tells modules something, so a read-only connection has no use for it.
+[[nodiscard]] bool commands(const QString& action);
 }  // namespace action
 
 // ---- the port and the link ----
@@ -68,10 +72,20 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] Message connectFailed(const bus::ConnectFailed& failed, const QString& port);
 /// `lastName`: the user's name of the last module that answered, may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
+/// One of the chain that was known here does not answer at its address; `answering` others do.
+[[nodiscard]] Message moduleMissing(ModuleIndex module, int answering);
+/// What is there cannot be taken as the chain while motors move: it is looked for anew then.
+[[nodiscard]] Message chainNotAccepted();
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);
+/// Something else was to be looked at.
+[[nodiscard]] Message openAlready();
+/// What was asked for takes a command, and the connection is read-only.
+[[nodiscard]] Message onlyLooking();
+/// The message without the buttons that would send something.
+[[nodiscard]] Message withoutCommands(Message message);
 [[nodiscard]] Message linkLost(const QString& port, int movingMotors);
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
@@ -126,10 +140,12 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 // ---- stopping, closing, safety ----
 /// `stopped`: motors moved, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
-[[nodiscard]] Message machineSlept(double seconds);
-/// A session before ended without a stop; `file` is what it has left.
+[[nodiscard]] Message machineSlept(double seconds, bool stopped);
+/// A session before ended without a stop; `file` is what it has left. `toldByGuardian`: the modules that its
+/// guardian has told to stop, where it had to.
 [[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
-                                       const QString& file);
+                                       const QString& file,
+                                       const std::optional<std::vector<ModuleIndex>>& toldByGuardian = {});
 /// The session before ended so, and its guardian told these modules to stop.
 [[nodiscard]] Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules);
 /// This one stood still, and goes on.
@@ -218,6 +234,7 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] QString badBaud(const QString& text);
 [[nodiscard]] QString badChain(const QString& chain, const QString& reason);
 [[nodiscard]] QString unknownOption(const QString& option);
+[[nodiscard]] QString readOnlyWithoutPort();
 [[nodiscard]] QString noDisplay();
 
 /// The keys of messages that end: for MainWindow::endMessage().

@@ -163,6 +163,9 @@ QString refusal(Refusal refusal) {
     switch (refusal) {
         case Refusal::NotConnected:
             return Texts::tr("Not connected: choose a port and connect first.");
+        case Refusal::ReadOnly:
+            return Texts::tr(
+                "This connection is read-only: nothing is sent but questions. Connect fully first.");
         case Refusal::NotAServo:
             return Texts::tr("This module is not a PIC-SERVO.");
         case Refusal::Silent:
@@ -282,7 +285,8 @@ QString link(const LinkState& state) {
                                     : Texts::tr("%1, %2 so far").arg(doing, countOfModules(state.found));
         }
         case LinkPhase::Connected:
-            return Texts::tr("Connected to %1 at %2 Bd, %3")
+            return (state.readOnly ? Texts::tr("Connected to %1 at %2 Bd, %3, read-only")
+                                   : Texts::tr("Connected to %1 at %2 Bd, %3"))
                 .arg(port, grouped(state.baud), countOfModules(static_cast<int>(state.modules.size())));
         case LinkPhase::Lost:
             if (state.modules.empty())

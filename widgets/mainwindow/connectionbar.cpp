@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/mainwindow/connectionbar.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <algorithm>
 
 #include "protocol/baud.h"
@@ -22,6 +25,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
       m_port(new PortBox(this)),
       m_baud(new QComboBox(this)),
       m_connect(new QPushButton(icons::tinted(u"plug-connected"_s), tr("&Connect"), this)),
+      m_readOnly(new QAction(tr("Connect read-&only"), this)),
+      m_moreWays(new QToolButton(this)),
       m_disconnect(new QPushButton(icons::tinted(u"plug-connected-x"_s), tr("&Disconnect"), this)),
       m_stopResult(new QLabel(this)),
       m_stop(new StopButton(this)) {
@@ -29,7 +34,19 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     look::name(m_port, u"portBox"_s, tr("Port"));
     look::name(m_baud, u"baudBox"_s, tr("Rate in Bd"));
     look::name(m_connect, u"connectButton"_s, tr("Connect"));
+    m_readOnly->setObjectName(u"connectReadOnlyAction"_s);
+    look::name(m_moreWays, u"moreWaysButton"_s, tr("Other ways to connect"));
     look::name(m_disconnect, u"disconnectButton"_s, tr("Disconnect"));
+    auto* ways = new QMenu(this);
+    look::name(ways, u"moreWaysMenu"_s, m_moreWays->accessibleName());
+    ways->setToolTipsVisible(true);
+    ways->addAction(m_readOnly);
+    m_moreWays->setArrowType(Qt::DownArrow);
+    m_moreWays->setFocusPolicy(Qt::StrongFocus);
+    m_moreWays->setFixedHeight(m_connect->sizeHint().height());
+    // Not setMenu(), which draws an arrow of its own.
+    connect(m_moreWays, &QToolButton::clicked, this,
+            [this, ways] { ways->popup(m_moreWays->mapToGlobal(m_moreWays->rect().bottomLeft())); });
     m_stopResult->setObjectName(u"stopResultLabel"_s);
     m_stopResult->setWordWrap(true);
     m_stopResult->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -56,7 +73,11 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     layout->addWidget(m_baud);
     layout->addWidget(new QLabel(tr("Bd"), this));
     layout->addSpacing(unit);
-    layout->addWidget(m_connect);
+    auto* connectWays = new QHBoxLayout;
+    connectWays->setSpacing(0);
+    connectWays->addWidget(m_connect);
+    connectWays->addWidget(m_moreWays);
+    layout->addLayout(connectWays);
     layout->addWidget(m_disconnect);
     layout->addSpacing(unit);
     layout->addWidget(m_stopResult, 1);
@@ -64,14 +85,17 @@ ConnectionBar::ConnectionBar(QWidget* parent)
 
     connect(m_port, &PortBox::aboutToOpen, this, &ConnectionBar::portsRequested);
     connect(m_port, &QComboBox::activated, this, [this] { m_chosen = port(); });
-    connect(m_connect, &QPushButton::clicked, this, [this] {
-        m_chosen = port();
-        emit connectRequested(port(), baud());
-    });
+    connect(m_connect, &QPushButton::clicked, this, [this] { requestConnect(false); });
+    connect(m_readOnly, &QAction::triggered, this, [this] { requestConnect(true); });
     connect(m_disconnect, &QPushButton::clicked, this, &ConnectionBar::disconnectRequested);
     connect(m_stop, &QAbstractButton::pressed, this, &ConnectionBar::stopAllRequested);
     fillPorts();
     showLink({});
+}
+
+void ConnectionBar::requestConnect(bool readOnly) {
+    m_chosen = port();
+    emit connectRequested(port(), baud(), readOnly);
 }
 
 void ConnectionBar::fillPorts() {
@@ -142,6 +166,10 @@ void ConnectionBar::showLink(const LinkState& state) {
     const QString busy = tr("Disconnect first.");
     const QString whyNot = open ? busy : QString();
     look::setPossible(m_connect, whyNot, tr("Opens the port and looks for modules. Nothing moves."));
+    look::setPossible(m_moreWays, whyNot, tr("Other ways to connect."));
+    m_readOnly->setEnabled(!open);
+    m_readOnly->setToolTip(
+        open ? busy : tr("Opens the port and only looks: nothing is sent but questions. STOP ALL acts."));
     look::setPossible(m_disconnect, open ? QString() : tr("No port is open."), tr("Closes the port."));
     look::setPossible(m_port, whyNot, tr("The serial port the modules are on, or the simulator."));
     look::setPossible(m_baud, whyNot,

@@ -8,8 +8,10 @@
 #include "link/ports/linktypes.h"
 #include "model/module/linkstate.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace nmc {
 
@@ -30,8 +32,8 @@ signals:
     void aboutToOpen();
 };
 
-/// Top of the window: port, rate, Connect and Disconnect; at the far right, alone, STOP ALL. Not a QToolBar,
-/// which hides what does not fit.
+/// Top of the window: port, rate, Connect (with a menu of its other way) and Disconnect; at the far right,
+/// alone, STOP ALL. Not a QToolBar, which hides what does not fit.
 class ConnectionBar : public QFrame {
     Q_OBJECT
 
@@ -47,22 +49,27 @@ public:
     /// Stands beside STOP ALL until the next change of the link.
     void showStopResult(const QString& text);
     [[nodiscard]] const QWidget& stopButton() const;
+    /// "Connect read-only", for a menu as well.
+    [[nodiscard]] QAction* readOnlyAction() const { return m_readOnly; }
 
     [[nodiscard]] QString port() const;
     [[nodiscard]] quint32 baud() const;
 
 signals:
-    void connectRequested(const QString& port, quint32 baud);
+    void connectRequested(const QString& port, quint32 baud, bool readOnly);
     void disconnectRequested();
     void stopAllRequested();
     void portsRequested();
 
 private:
     void fillPorts();
+    void requestConnect(bool readOnly);
 
     PortBox* m_port;
     QComboBox* m_baud;
     QPushButton* m_connect;
+    QAction* m_readOnly;
+    QToolButton* m_moreWays;  ///< to connect
     QPushButton* m_disconnect;
     QLabel* m_stopResult;
     StopButton* m_stop;

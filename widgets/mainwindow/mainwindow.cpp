@@ -3,8 +3,8 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -22,6 +22,7 @@
 #include "widgets/mainwindow/menus.h"
 #include "widgets/mainwindow/otherwindows.h"
 #include "widgets/mainwindow/pressfilter.h"
+#include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
@@ -70,24 +71,31 @@ void MainWindow::buildTop() {
     // One that the desktop shows for us keeps Esc to itself.
     menuBar->setNativeMenuBar(false);
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
-    fillMenus(*menuBar, *this, m_docks);
     m_bar = new ConnectionBar(top);
-    m_ribbon = new QLabel(
-        tr("SIMULATOR — no hardware is connected; every value comes from the program itself"), top);
-    look::name(m_ribbon, u"simulatorRibbon"_s, tr("Simulated session"));
-    m_ribbon->setAlignment(Qt::AlignCenter);
-    m_ribbon->setMargin(look::gridUnit(this) / 3);
-    m_ribbon->setAutoFillBackground(true);
-    m_ribbon->hide();
+    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks);
+    buildRibbons(top);
     auto* layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(menuBar);
     layout->addWidget(m_bar);
-    layout->addWidget(m_ribbon);
+    layout->addWidget(m_simulatorRibbon);
+    layout->addWidget(m_readOnlyRibbon);
     setMenuWidget(top);
     setMinimumWidth(m_bar->minimumSizeHint().width());
     QWidget::setTabOrder(m_bar, m_chain);
+}
+
+void MainWindow::buildRibbons(QWidget* top) {
+    m_simulatorRibbon = new Ribbon(
+        u"simulatorRibbon"_s, tr("Simulated session"),
+        tr("SIMULATOR — no hardware is connected; every value comes from the program itself"), top);
+    m_readOnlyRibbon = new Ribbon(u"readOnlyRibbon"_s, tr("Read-only session"),
+                                  tr("READ-ONLY — nothing is sent but questions. STOP ALL acts."), top);
+    QPushButton* fully = m_readOnlyRibbon->addButton(
+        u"connectFullyButton"_s, tr("Connect fully"),
+        tr("Connects to the same port so that commands can be sent. Nothing moves by it."));
+    connect(fully, &QPushButton::clicked, this, &MainWindow::connectFullyRequested);
 }
 
 void MainWindow::buildCentre() {
@@ -109,11 +117,12 @@ void MainWindow::buildCentre() {
 }
 
 void MainWindow::connectParts() {
-    connect(m_bar, &ConnectionBar::connectRequested, this, [this](const QString& port, quint32 baud) {
-        m_settings.setValue(kLastPort, port);
-        m_settings.setValue(kLastBaud, baud);
-        emit connectRequested(port, baud);
-    });
+    connect(m_bar, &ConnectionBar::connectRequested, this,
+            [this](const QString& port, quint32 baud, bool readOnly) {
+                m_settings.setValue(kLastPort, port);
+                m_settings.setValue(kLastBaud, baud);
+                emit connectRequested(port, baud, readOnly);
+            });
     connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
     connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
@@ -154,8 +163,8 @@ void MainWindow::choosePort(const QString& port, quint32 baud) {
 
 void MainWindow::showLink(const LinkState& state) {
     const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
-    const bool another =
-        state.phase != m_link.phase || state.port != m_link.port || state.simulated != m_link.simulated;
+    const bool another = state.phase != m_link.phase || state.port != m_link.port ||
+                         state.simulated != m_link.simulated || state.readOnly != m_link.readOnly;
     const std::optional<TimePoint> now = m_link.now;
     m_link = asShown(state);
     m_link.now = now;
@@ -193,19 +202,19 @@ void MainWindow::showSession() {
     const QString port = texts::portName(QString::fromStdString(m_link.port));
     const bool open = m_link.phase != LinkPhase::Disconnected;
     const bool simulated = open && m_link.simulated;
-    const QString title = simulated ? tr("NMC Panel - Simulator")
-                          : open    ? tr("NMC Panel - %1").arg(port)
-                                    : tr("NMC Panel");
+    const bool readOnly = open && m_link.readOnly;
+    QString title = simulated ? tr("NMC Panel - Simulator")
+                    : open    ? tr("NMC Panel - %1").arg(port)
+                              : tr("NMC Panel");
+    if (readOnly)
+        title = tr("%1 (read-only)").arg(title);
     const QString machine = m_machineMenu->titlePart();
     // The mark has no place in a title without a machine.
     setWindowModified(false);
     setWindowTitle(machine.isEmpty() ? title : title + u" - "_s + machine);
     setWindowModified(m_machineMenu->file().modified);
-    QPalette inverted;
-    inverted.setColor(QPalette::Window, palette().color(QPalette::Active, QPalette::WindowText));
-    inverted.setColor(QPalette::WindowText, palette().color(QPalette::Active, QPalette::Window));
-    m_ribbon->setPalette(inverted);
-    m_ribbon->setVisible(simulated);
+    m_simulatorRibbon->setVisible(simulated);
+    m_readOnlyRibbon->setVisible(readOnly);
 }
 
 const ModuleState* MainWindow::selectedState() const {
@@ -292,7 +301,8 @@ ScopeFiles& MainWindow::scopeFiles() {
     return m_scope->files();
 }
 
-void MainWindow::showMessage(const Message& message) {
+void MainWindow::showMessage(const Message& news) {
+    const Message message = m_link.readOnly ? texts::withoutCommands(news) : news;
     m_lastMessages.removeIf([&message](const Message& m) { return m.key == message.key; });
     if (!message.command.isEmpty())
         m_lastMessages.append(message);
@@ -311,6 +321,9 @@ void MainWindow::endMessage(const QString& key) {
 }
 
 void MainWindow::takeMessageAction(const QString& key, const QString& actionId) {
+    // It may stand since before this connection.
+    if (m_link.readOnly && texts::action::commands(actionId))
+        return showMessage(texts::onlyLooking());
     if (actionId == texts::action::kCopyCommand) {
         for (const Message& message : m_lastMessages)
             if (message.key == key)
@@ -325,6 +338,10 @@ void MainWindow::takeMessageAction(const QString& key, const QString& actionId) 
         endMessage(key);
     }
     emit messageAction(key, actionId);
+}
+
+void MainWindow::connectReadOnly() {
+    m_bar->readOnlyAction()->trigger();
 }
 
 void MainWindow::showSafetyOnce() {
@@ -362,12 +379,6 @@ void MainWindow::endHold() {
 
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_ribbon != nullptr)
-        showSession();
 }
 
 }  // namespace nmc

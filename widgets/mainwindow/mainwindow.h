@@ -20,7 +20,6 @@
 #include "widgets/scope/scoperecord.h"
 
 class QDockWidget;
-class QLabel;
 class QSettings;
 
 namespace nmc {
@@ -34,6 +33,7 @@ class MachineMenu;
 class MessageList;
 class ModulePanel;
 class MonitorDock;
+class Ribbon;
 class ScopeFiles;
 class ScopePanel;
 class SimulatorDock;
@@ -105,9 +105,14 @@ public:
     void resetLayout();
     /// Restarts the network if the user confirms it.
     void askBeforeRestart();
+    /// Connects to the port in the tool bar, and only looks.
+    void connectReadOnly();
 
 signals:
-    void connectRequested(const QString& port, quint32 baud);
+    /// `readOnly`: asked for each time, never remembered.
+    void connectRequested(const QString& port, quint32 baud, bool readOnly = false);
+    /// To the port that is open read-only.
+    void connectFullyRequested();
     void disconnectRequested();
     /// The user has confirmed that positions and gains are lost.
     void restartNetworkRequested();
@@ -136,12 +141,12 @@ signals:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void changeEvent(QEvent* event) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
 private:
     void buildCentre();
     void buildTop();
+    void buildRibbons(QWidget* top);
     void buildDocks();
     void connectParts();
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -165,6 +170,7 @@ private:
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     void takeMessageAction(const QString& key, const QString& actionId);
     [[nodiscard]] int movingMotors() const;
+    [[nodiscard]] bool leavingStopsMotors() const;
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
     [[nodiscard]] const ModuleState* selectedState() const;
     [[nodiscard]] QString nothingText() const;
@@ -177,7 +183,8 @@ private:
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;
-    QLabel* m_ribbon = nullptr;
+    Ribbon* m_simulatorRibbon = nullptr;
+    Ribbon* m_readOnlyRibbon = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;
     ChainView* m_chain = nullptr;

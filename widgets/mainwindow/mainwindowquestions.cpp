@@ -42,8 +42,13 @@ void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
                    this);
 }
 
+/// A connection that only looks leaves them as they are.
+bool MainWindow::leavingStopsMotors() const {
+    return !m_link.readOnly && movingMotors() > 0;
+}
+
 void MainWindow::askBeforeDisconnect() {
-    if (movingMotors() == 0)
+    if (!leavingStopsMotors())
         emit disconnectRequested();
     else
         askBeforeStopping(u"disconnectDialog"_s, tr("&Stop and disconnect"),
@@ -51,7 +56,7 @@ void MainWindow::askBeforeDisconnect() {
 }
 
 void MainWindow::askBeforeRestart() {
-    if (m_link.phase == LinkPhase::Disconnected)
+    if (whyNotTold(m_link))
         return;
     AskDialog::ask({.name = u"restartDialog"_s,
                     .title = tr("Restart the network"),
@@ -65,7 +70,7 @@ void MainWindow::askBeforeRestart() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool moving = !m_mayClose && movingMotors() > 0;
+    const bool moving = !m_mayClose && leavingStopsMotors();
     const bool unsaved = !m_mayClose && !m_workMayWait && m_machineMenu->file().modified;
     if (!moving && !unsaved) {
         m_panel->endHold();

@@ -59,7 +59,8 @@ QAction* add(QMenu* menu, const QString& text, const QString& objectName) {
 
 }  // namespace
 
-void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& docks) {
+void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
+               const QList<QDockWidget*>& docks) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
@@ -73,6 +74,8 @@ void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& doc
     QMenu* chain = bar.addMenu(Menus::tr("Chain"));
     look::name(chain, u"chainMenu"_s, Menus::tr("Chain"));
     chain->setToolTipsVisible(true);
+    chain->addAction(connectReadOnly);
+    chain->addSeparator();
     window.chainMenu().addTo(*chain);
 
     QMenu* view = bar.addMenu(Menus::tr("&View"));

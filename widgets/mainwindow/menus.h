@@ -3,6 +3,7 @@
 
 #include <QList>
 
+class QAction;
 class QDockWidget;
 class QMenuBar;
 
@@ -10,7 +11,7 @@ namespace nmc {
 
 class MainWindow;
 
-/// File, View and Help. View has a toggle for each dock.
-void fillMenus(QMenuBar& bar, MainWindow& window, const QList<QDockWidget*>& docks);
+/// File, Chain, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock.
+void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks);
 
 }  // namespace nmc

@@ -32,11 +32,12 @@ BusStore::BusStore(BusWorker& worker, QObject* parent) : QObject(parent), m_work
     });
 }
 
-void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud) {
+void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud, bool readOnly) {
     forgetChain();
     m_link.phase = LinkPhase::Connecting;
     m_link.port = port.toStdString();
     m_link.simulated = simulated;
+    m_link.readOnly = readOnly;
     m_link.baud = baud;
     m_lastStatistics = {};
     emit linkChanged();
@@ -166,6 +167,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     ModuleState& module = m_link.modules[readdressed.module.index.value()];
     module = {};
     module.info = readdressed.module;
+    module.readOnly = m_link.readOnly;
     module.silent = true;  // until it answers, which is told behind this
 }
 
@@ -231,11 +233,14 @@ void BusStore::note(const bus::ChainFound& chain) {
     forgetChain();
     m_link.phase = LinkPhase::Connected;
     m_link.baud = chain.baud;
+    m_link.readOnly = chain.readOnly;
     for (const bus::ModuleInfo& info : chain.modules) {
         ModuleState module;
         module.info = info;
+        module.readOnly = chain.readOnly;
         if (chain.attached)
             module.attached();
+        module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
     m_records.resize(chain.modules.size());
@@ -276,6 +281,7 @@ void BusStore::closed(const PortClosed& closed) {
     if (news.error && news.error->problem == PortProblem::Gone)
         news.error->movingMotors = movingMotors();
     m_link.phase = LinkPhase::Disconnected;
+    m_link.readOnly = false;
     forgetChain();
     emit happened(news);
 }

@@ -45,7 +45,7 @@ public:
     explicit BusStore(BusWorker& worker, QObject* parent = nullptr);
 
     /// A connection is being opened.
-    void begin(const QString& port, bool simulated, std::uint32_t baud);
+    void begin(const QString& port, bool simulated, std::uint32_t baud, bool readOnly = false);
 
     [[nodiscard]] const LinkState& link() const { return m_link; }
     [[nodiscard]] const ModuleState* module(ModuleIndex index) const;

@@ -27,11 +27,10 @@ SleepInhibitor::~SleepInhibitor() {
 }
 
 void SleepInhibitor::follow(const BusStore& store) {
+    // What moves on a line that is only looked at is not for us to stop.
     connect(&store, &BusStore::linkChanged, this,
-            [this, &store] { setMoving(!m_readOnly && store.movingMotors() > 0); });
+            [this, &store] { setMoving(!store.link().readOnly && store.movingMotors() > 0); });
     connect(&store, &BusStore::happened, this, [this](const StoreEvent& event) {
-        if (const auto* found = std::get_if<bus::ChainFound>(&event))
-            m_readOnly = found->readOnly;
         if (std::holds_alternative<bus::StopFinished>(event))
             stopFinished();
     });

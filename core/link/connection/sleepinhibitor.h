@@ -48,7 +48,6 @@ private:
     QString m_address;
     QDBusConnection m_bus{QString()};
     bool m_connected = false;
-    bool m_readOnly = false;  ///< what moves is for others to stop
     bool m_moving = false;
     bool m_sleeping = false;  ///< the computer is, or is about to
     bool m_asked = false;     ///< for the lock, and not answered yet

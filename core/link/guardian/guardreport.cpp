@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <sstream>
 
@@ -36,12 +37,19 @@ std::vector<std::uint8_t> addressesIn(ByteSpan burst) {
     return addresses;
 }
 
-bool isReport(const std::string& name) {
-    return name.size() > kNameBegins.size() + kNameEnds.size() && name.starts_with(kNameBegins) &&
-           name.ends_with(kNameEnds);
+/// Nothing: that is no name of ours.
+std::optional<long> processIn(std::string_view name) {
+    if (!name.starts_with(kNameBegins) || !name.ends_with(kNameEnds))
+        return std::nullopt;
+    name.remove_prefix(kNameBegins.size());
+    name.remove_suffix(std::min(name.size(), kNameEnds.size()));
+    long process = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+    const bool whole = error == std::errc{} && end == name.data() + name.size();
+    return whole ? std::optional(process) : std::nullopt;
 }
 
-std::optional<GuardReport> read(const std::string& file) {
+std::optional<GuardReport> read(const std::string& file, long process) {
     const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     std::array<char, 1'024> text{};
     const auto size = fd.valid() ? ::read(fd.get(), text.data(), text.size()) : -1;
@@ -49,7 +57,7 @@ std::optional<GuardReport> read(const std::string& file) {
         return std::nullopt;
     std::istringstream words(
         std::string(text.data() + kBegin.size(), static_cast<std::size_t>(size) - kBegin.size()));
-    GuardReport report;
+    GuardReport report{process, {}};
     for (unsigned number = 0; words >> number && number >= 1 && number <= kMostModules;)
         report.modules.push_back(static_cast<std::uint8_t>(number));
     return report;
@@ -74,7 +82,8 @@ std::vector<GuardReport> takeGuardReports(const std::string& folder) {
     std::error_code none;
     for (std::filesystem::directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
         const std::string file = entry->path().string();
-        const auto report = isReport(entry->path().filename().string()) ? read(file) : std::nullopt;
+        const auto process = processIn(entry->path().filename().string());
+        const auto report = process ? read(file, *process) : std::nullopt;
         // Of two panels that start at once one has removed it, and tells it.
         if (report && ::unlink(file.c_str()) == 0)
             reports.push_back(*report);

@@ -11,6 +11,7 @@ namespace nmc {
 
 /// What a guardian leaves behind for the next start of the panel: that it has told motors to stop, and which.
 struct GuardReport {
+    long process = 0;  ///< the panel whose guardian it was
     /// Addresses of the modules that were told, in order; those of groups are not among them.
     std::vector<std::uint8_t> modules;
 };

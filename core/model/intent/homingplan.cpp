@@ -31,7 +31,9 @@ namespace {
 }  // namespace
 
 std::optional<Refusal> whyNotHome(const ModuleState& module) {
-    if (module.silent || module.hasRestarted || !module.latest)
+    if (const auto refusal = whyNotTold(Request::Home, module))
+        return refusal;
+    if (module.hasRestarted)
         return Refusal::Silent;
     if (!module.latest->position || !module.latest->aux)
         return Refusal::PositionUnknown;

@@ -222,10 +222,8 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         return whyNotHome(module);
     if (!module.isServo())
         return Refusal::NotAServo;
-    if (request == Request::MotorOff)
-        return std::nullopt;  // worth trying whatever is believed
-    if (module.silent || !module.latest)
-        return Refusal::Silent;
+    if (const auto refusal = whyNotTold(request, module))
+        return refusal;
 
     switch (request) {
         case Request::Enable:
@@ -276,6 +274,19 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return Refusal::NotAStepper;
     }
     return std::nullopt;
+}
+
+std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {
+    if (module.readOnly)
+        return Refusal::ReadOnly;
+    const bool heard = !module.silent && module.latest;
+    return heard || request == Request::MotorOff ? std::nullopt : std::optional(Refusal::Silent);
+}
+
+std::optional<Refusal> whyNotTold(const LinkState& link) {
+    if (link.phase == LinkPhase::Disconnected)
+        return Refusal::NotConnected;
+    return link.readOnly ? std::optional(Refusal::ReadOnly) : std::nullopt;
 }
 
 }  // namespace nmc

@@ -10,6 +10,7 @@
 #include "bus/types.h"
 #include "model/intent/stepintent.h"
 #include "model/intent/steptaken.h"
+#include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
 #include "model/settings/machine.h"
 
@@ -104,6 +105,7 @@ using Intent =
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
     NotConnected,
+    ReadOnly,  ///< the connection only looks
     NotAServo,
     Silent,
     NoPower,
@@ -166,5 +168,11 @@ enum class Request : std::uint8_t {
     SetOutputs
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
+
+/// Why nothing at all can be told to this module, whoever asks for what: every rule asks this one first.
+/// MotorOff is worth trying whatever is believed of it.
+[[nodiscard]] std::optional<Refusal> whyNotTold(Request request, const ModuleState& module);
+/// The same of the chain as a whole: its rate, its groups, its restart.
+[[nodiscard]] std::optional<Refusal> whyNotTold(const LinkState& link);
 
 }  // namespace nmc

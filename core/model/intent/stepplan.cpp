@@ -57,8 +57,8 @@ struct GoalOf {
 /// What keeps it from moving at all, whatever is asked for.
 [[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module) {
     const StepState& stepper = module.stepper;
-    if (module.silent || !module.latest)
-        return Refusal::Silent;
+    if (const auto refusal = whyNotTold(Request::Move, module))
+        return refusal;
     if (!stepper.powered())
         return Refusal::NoPower;
     if (!stepper.parameters())
@@ -223,10 +223,8 @@ Plan planStep(const Intent& intent, const ModuleState& module) {
 }
 
 std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
-    if (request == Request::MotorOff)
-        return std::nullopt;  // worth trying whatever is believed
-    if (module.silent || !module.latest)
-        return Refusal::Silent;
+    if (const auto refusal = whyNotTold(request, module))
+        return refusal;
     switch (request) {
         case Request::Enable:
         case Request::SetAmplifier:

@@ -9,7 +9,7 @@
 namespace nmc {
 
 /// What puts the modules into the groups of a machine, and out of all others: those that are somewhere else
-/// or nobody knows where, the leaders last. Pure; nothing moves by it.
+/// or nobody knows where, the leaders last; none where the connection only looks. Pure; nothing moves by it.
 [[nodiscard]] std::vector<bus::GroupChange> groupChanges(const Machine& machine,
                                                          const std::vector<ModuleState>& modules);
 

@@ -70,7 +70,9 @@ void conclude(ChainDiagnosis& chain) {
     } else if (chain.found < chain.expected) {
         chain.finding = Finding::BreakBehind;
         chain.at = ModuleIndex(static_cast<std::uint8_t>(chain.found - 1));
-    } else if (chain.expected > 0 && chain.found > chain.expected) {
+    } else if (chain.expected == 0) {
+        chain.finding = Finding::NothingExpected;
+    } else if (chain.found > chain.expected) {
         chain.finding = Finding::MoreThanBefore;
         chain.at = firstWith(chain.places, Verdict::New);
     } else {

@@ -36,6 +36,7 @@ struct ChainDiagnosis {
     enum class Finding : std::uint8_t {
         NotConnected,
         Fine,
+        NothingExpected,  ///< nobody has said yet what belongs there
         NobodyAnswers,
         BreakBehind,     ///< the first places answer: look between `at` and the next one towards the PC
         FarEndMissing,   ///< what answers are the last ones expected: the far end was cut off at a new first

@@ -12,6 +12,10 @@ LinkState asShown(LinkState link) {
     return link;
 }
 
+bool isMissing(const ModuleState& module) {
+    return module.silent && !module.latest && !module.hasRestarted;
+}
+
 bool isLive(const LinkState& link, const ModuleState& module) {
     /// Three poll periods of a long chain at the slowest rate; below it nothing is called old.
     constexpr double kOldAfter = 0.5;  // s

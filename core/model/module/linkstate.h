@@ -18,6 +18,8 @@ struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
     std::string port;  ///< as the user chose it
     bool simulated = false;
+    /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).
+    bool readOnly = false;
     std::uint32_t baud = 0;
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
     std::uint8_t found = 0;            ///< modules found so far while connecting
@@ -31,6 +33,10 @@ struct LinkState {
 [[nodiscard]] LinkState asShown(LinkState link);
 /// Whether what this module said last may be shown as what is so now. The one rule for everything that does.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);
+
+/// It is known of this chain, and has not answered since the chain was found; nor has it been heard of as
+/// restarted.
+[[nodiscard]] bool isMissing(const ModuleState& module);
 
 /// What the status bar pulls once a second.
 struct LinkFigures {

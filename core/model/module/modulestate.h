@@ -28,6 +28,8 @@ struct ModuleState {
     double repliesPerSecond = 0.0;
     bool silent = false;
     bool hasRestarted = false;
+    /// Of a read-only connection: it is told nothing (faults.md H-02).
+    bool readOnly = false;
     /// Gains as last confirmed; empty: unknown.
     std::optional<servo::SetGain> gains;
     MotionMode motion = MotionMode::None;

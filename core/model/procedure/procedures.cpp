@@ -2,6 +2,7 @@
 #include "model/procedure/procedures.h"
 
 #include "model/intent/homingplan.h"
+#include "model/intent/stepplan.h"
 #include "model/procedure/changemotion.h"
 #include "model/procedure/homingrun.h"
 #include "model/procedure/stepby.h"
@@ -17,7 +18,9 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
     if (const auto* change = std::get_if<stepintent::ChangeMotion>(&intent))
-        return std::make_unique<ChangeMotion>(module.info.index, change->motion);
+        return whyNotFromStandstill(change->motion, module)
+                   ? nullptr
+                   : std::make_unique<ChangeMotion>(module.info.index, change->motion);
     return nullptr;
 }
 

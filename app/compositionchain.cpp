@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of the chain as a whole, and what is remembered of it.
+#include "app/composition.h"
+#include "app/knownchain.h"
+#include "model/module/chaindiagnosis.h"
+#include "widgets/chain/chainmenu.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+void Composition::wireChain() {
+    ChainMenu& chain = m_window.chainMenu();
+    connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
+    connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
+    connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
+    const auto changeGroup = [this](const bus::GroupChange& change) {
+        m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
+        m_machine.noteGroup(change);
+    };
+    connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
+    connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
+    connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
+        const bus::OperationId id(++m_lastOperation);
+        if (command.action == bus::GroupCommand::Action::StartMotion)
+            m_motionMarker.asked(id, groupMembers(command.group));
+        m_worker.submit(bus::GroupOperation{id, command});
+    });
+}
+
+/// Those that are known to be in it, and those of which nothing is known.
+std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
+    std::vector<ModuleIndex> members;
+    for (const ModuleState& module : m_store.link().modules)
+        if (!module.info.group || module.info.group->group == group)
+            members.push_back(module.info.index);
+    return members;
+}
+
+void Composition::scanAgain() {
+    if (m_worker.isOpen()) {
+        if (m_procedures.anyRunning())
+            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
+        m_worker.connectAgain();
+    } else if (m_target) {
+        connectTo(*m_target);
+    }
+    m_window.endMessage(texts::key::port());
+}
+
+/// Those that are missing by name are told of by their silence.
+void Composition::noteChain(const bus::ChainFound& found) {
+    const int modules = static_cast<int>(found.modules.size());
+    // The machine's own word goes before what was seen at this port.
+    const auto told = static_cast<int>(expectedModules(m_machine.machine()));
+    const auto known = static_cast<int>(knownChain(m_settings, m_target->port).size());
+    const int expected = told > 0 ? told : known;
+    if (modules < expected) {
+        const std::string last =
+            m_machine.machine().axis(ModuleIndex(static_cast<std::uint8_t>(modules - 1))).name;
+        m_window.showMessage(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
+    } else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated) {
+        rememberChain(m_settings, m_target->port, found.modules);
+    }
+}
+
+void Composition::acceptChain() {
+    const LinkState& link = m_store.link();
+    std::vector<bus::ModuleInfo> there;
+    std::vector<ModuleIdentity> expected;
+    for (const ModuleState& module : link.modules)
+        if (!isMissing(module)) {
+            there.push_back(module.info);
+            expected.push_back(module.info.identity);
+        }
+    const bool forgets = there.size() < link.modules.size() && !link.simulated;
+    // What was known goes only with the connection, whose end stops motors.
+    if (forgets && !link.readOnly && m_store.movingMotors() > 0)
+        return m_window.showMessage(texts::chainNotAccepted());
+    m_machine.acceptChain(expected);
+    m_window.endMessage(texts::key::port());
+    for (const ModuleState& module : link.modules)
+        if (isMissing(module))
+            m_window.endMessage(texts::key::silent(module.info.index));
+    if (link.phase != LinkPhase::Connected || link.simulated)
+        return;
+    rememberChain(m_settings, m_target->port, there);
+    if (forgets)
+        connectTo(*m_target);
+}
+
+void Composition::readdress(const QString& key) {
+    for (const ModuleState& module : m_store.link().modules)
+        if (texts::key::restarted(module.info.index) == key)
+            m_worker.readdress(module.info.index);
+}
+
+}  // namespace nmc

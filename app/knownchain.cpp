@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/knownchain.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+namespace nmc {
+
+namespace {
+
+constexpr qsizetype kMostModules = 32;
+constexpr unsigned kLastAddress = 0x7F;
+constexpr unsigned kLastByte = 0xFF;
+
+/// Address, type and version of one module: "2/0/4".
+const QRegularExpression kEntry(QStringLiteral(R"(^(\d{1,3})/(\d{1,3})/(\d{1,3})$)"));
+
+QString keyOf(const QString& port) {
+    return QStringLiteral("chain/") + QString(port).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
+}  // namespace
+
+std::vector<bus::ModuleInfo> knownChain(const QSettings& settings, const QString& port) {
+    const QStringList entries =
+        settings.value(keyOf(port)).toString().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    if (entries.size() > kMostModules)
+        return {};
+    std::vector<bus::ModuleInfo> chain;
+    unsigned before = 0;
+    for (const QString& entry : entries) {
+        const QRegularExpressionMatch match = kEntry.match(entry);
+        const unsigned address = match.captured(1).toUInt();
+        const unsigned type = match.captured(2).toUInt();
+        const unsigned version = match.captured(3).toUInt();
+        if (!match.hasMatch() || address <= before || address > kLastAddress || type > kLastByte ||
+            version > kLastByte)
+            return {};
+        before = address;
+        const ModuleIndex index(static_cast<std::uint8_t>(chain.size()));
+        chain.push_back({index,
+                         BusAddress(static_cast<std::uint8_t>(address)),
+                         {static_cast<ModuleType>(type), static_cast<std::uint8_t>(version)}});
+    }
+    return chain;
+}
+
+void rememberChain(QSettings& settings, const QString& port, const std::vector<bus::ModuleInfo>& chain) {
+    QStringList entries;
+    for (const bus::ModuleInfo& module : chain)
+        entries << QStringLiteral("%1/%2/%3")
+                       .arg(module.address.value())
+                       .arg(static_cast<unsigned>(module.identity.type))
+                       .arg(module.identity.version);
+    settings.setValue(keyOf(port), entries.join(QLatin1Char(' ')));
+}
+
+}  // namespace nmc

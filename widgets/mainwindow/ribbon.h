@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QPushButton;
+
+namespace nmc {
+
+/// A bar over the whole width, in the palette's colours inverted: what kind of session this is. Always in
+/// view while it is so; hidden at first.
+class Ribbon : public QFrame {
+    Q_OBJECT
+
+public:
+    Ribbon(const QString& objectName, const QString& accessibleName, const QString& text, QWidget* parent);
+
+    /// Behind the text.
+    QPushButton* addButton(const QString& objectName, const QString& text, const QString& meaning);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void invert();
+
+    QHBoxLayout* m_layout;
+};
+
+}  // namespace nmc
