@@ -1261,7 +1261,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Resumed after %1: all values are read again.</source>
-        <translation>Nach %1 wieder aufgewacht: Alle Werte werden neu gelesen.</translation>
+        <translation>Aufgewacht nach %1: alle Werte werden neu gelesen.</translation>
     </message>
     <message>
         <source>Resumed after %1: motors were told to stop, and all values are read again.</source>

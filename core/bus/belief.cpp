@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bus/belief.h"
 
+#include "base/overloaded.h"
+
 namespace nmc::bus {
 
 struct Belief::Sent {
@@ -49,8 +51,9 @@ struct Belief::Sent {
     }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
-    template <typename Other>
-    void operator()(const Other&) const {}
+    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::SetParameters,
+                                servo::IoControl, step::SetOutputs, servo::SetHoming, step::SetHoming,
+                                SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
 };
 
 struct Belief::Executed {
@@ -87,8 +90,9 @@ struct Belief::Executed {
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
     }
-    template <typename Other>
-    void operator()(const Other&) const {}
+    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, servo::IoControl,
+                                step::SetOutputs, step::SetHoming, SetBaud, servo::ClearStickyBits,
+                                SaveAsHome, Nop, HardReset> auto&) const {}
 };
 
 void Belief::onSent(const ModuleCommand& command, TimePoint latched) {

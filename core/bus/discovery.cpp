@@ -344,7 +344,7 @@ void Discovery::enterModules(Phase phase) {
 
 /// A module without a data sheet keeps the status it woke up with.
 void Discovery::skipUnknown() {
-    while (m_at < m_modules.size() && !knownType(m_modules[m_at].identity.type))
+    while (m_at < m_modules.size() && !hasDataSheet(m_modules[m_at].identity))
         ++m_at;
 }
 

@@ -17,11 +17,6 @@
 
 namespace nmc::bus {
 
-/// A type that a data sheet here describes; others are only asked for type and version.
-[[nodiscard]] constexpr bool knownType(ModuleType type) {
-    return type == ModuleType::Servo || type == ModuleType::Step;
-}
-
 /// Finds the chain: the one that is there, left as it is (chainlook.h); or a fresh one, which it gives
 /// addresses (DS-V 4.1, protocol.md 1), after a Hard Reset where that is wanted. Of a read-only connection
 /// only the former, to be begun with a look, and with Read Status in the place of Define Status. Ends with

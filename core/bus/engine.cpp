@@ -320,7 +320,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     m_recovery.reset();
     m_line.statistics() = {};  // the silence at the end of the chain was no error
     for (Chain::Module& module : m_chain.modules()) {
-        if (knownType(module.belief.info().identity.type) && !found.readOnly)
+        if (hasDataSheet(module.belief.info().identity) && !found.readOnly)
             module.belief.onExecuted(ServoCommand(DefineStatus{kStandingItems}));
         if (found.attached)
             module.belief.attach();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "bus/discovery.h"
 
 namespace nmc::bus {
 
@@ -65,7 +64,7 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
 }
 
 bool GroupWork::reachable(ModuleIndex module) const {
-    return m_chain.has(module) && knownType(m_chain.belief(module).info().identity.type) &&
+    return m_chain.has(module) && hasDataSheet(m_chain.belief(module).info().identity) &&
            !m_chain.belief(module).restarted() && m_chain.answers(module);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/overloaded.h"
 #include "bus/exchange.h"
 
 namespace nmc::bus {
@@ -34,8 +35,10 @@ struct MotionWatch::Sent {
             w.forget();
     }
     void operator()(const ResetPosition&) const { w.forget(); }
-    template <typename Other>
-    void operator()(const Other&) const {}
+    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory, servo::SetGain,
+                                step::SetParameters, step::StopMotor, servo::IoControl, step::SetOutputs,
+                                servo::SetHoming, step::SetHoming, SetBaud, servo::ClearStickyBits,
+                                SaveAsHome, Nop, HardReset> auto&) const {}
 };
 
 void MotionWatch::onSent(const ModuleCommand& command) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/overloaded.h"
+
 namespace nmc::bus {
 
 namespace {
@@ -76,8 +78,8 @@ struct Plausibility::Sent {
         p.m_divisor = gain.sr;
         p.jerk(latched, kSwing);
     }
-    template <typename Other>
-    void operator()(const Other&) const {}
+    void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::SetParameters, servo::IoControl,
+                                step::SetOutputs, SetBaud, Nop, HardReset> auto&) const {}
 
     void homing() const {
         p.m_homing.open(latched);

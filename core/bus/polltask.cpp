@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/polltask.h"
 
-#include "bus/discovery.h"
 
 namespace nmc::bus {
 
@@ -10,7 +9,7 @@ Next PollTask::next(TimePoint now) {
     if (!turn)
         return Idle{};
     std::optional<StatusItems> items;  // none: No Operation, which answers with the defined ones
-    if (!knownType(m_chain.belief(turn->module).info().identity.type))
+    if (!hasDataSheet(m_chain.belief(turn->module).info().identity))
         items = kIdentityItems;
     else if (turn->full)
         items = kAllItems;

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "bus/discovery.h"
 
 namespace nmc::bus {
 
@@ -138,7 +137,7 @@ Ask Recovery::challenge() {
         doubt.witness = other.has_value();
         asked = other.value_or(doubt.module);
     }
-    const bool known = knownType(m_chain.belief(asked).info().identity.type);
+    const bool known = hasDataSheet(m_chain.belief(asked).info().identity);
     const bool full = doubt.passed > 0 && known && !doubt.witness;
     Ask ask = m_chain.status(Purpose::Challenge, asked, full ? kAllItems : kIdentityItems);
     ask.silentRepeats = 0;
@@ -164,7 +163,7 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     if (end.result == ReplyResult::Accepted) {
         if (doubt.witness)
             return {};
-        const bool known = knownType(m_chain.belief(doubt.module).info().identity.type);
+        const bool known = hasDataSheet(m_chain.belief(doubt.module).info().identity);
         if (++doubt.passed == (known ? kPasses : 1))
             passed(doubt.module, now);
         return {};
@@ -200,7 +199,7 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
         m_findings.givenUp = note(module, false);
     // Its replies may have another length by now: that is defined anew before the next No Operation.
     Belief& belief = m_chain.at(module).belief;
-    if (knownType(belief.info().identity.type))
+    if (hasDataSheet(belief.info().identity))
         belief.forgetItems();
     if (m_chain.answers(module))
         return;

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "base/overloaded.h"
 #include "bus/standstill.h"
 
 namespace nmc::bus {
@@ -50,8 +51,10 @@ struct Look {
     Carried operator()(const servo::ClearStickyBits&) const {
         return belief.anySticky() ? Carried::NotOut : Carried::Out;
     }
-    template <typename Other>
-    Carried operator()(const Other&) const {
+    Carried operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory,
+                                   step::LoadTrajectory, servo::SetGain, step::SetParameters,
+                                   servo::StopMotor, step::StopMotor, servo::IoControl, step::SetOutputs,
+                                   servo::SetHoming, step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
         return Carried::Unknown;
     }
 };
@@ -61,8 +64,10 @@ struct CanLook {
     bool operator()(const ResetPosition&) const { return true; }
     bool operator()(const SaveAsHome&) const { return true; }
     bool operator()(const servo::ClearStickyBits&) const { return true; }
-    template <typename Other>
-    bool operator()(const Other&) const {
+    bool operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory,
+                                step::LoadTrajectory, servo::SetGain, step::SetParameters, servo::StopMotor,
+                                step::StopMotor, servo::IoControl, step::SetOutputs, servo::SetHoming,
+                                step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
         return false;
     }
 };
