@@ -96,6 +96,7 @@ private:
     void told(const bus::ModuleSilence& silence);
     void told(const bus::CommandRefused& refused);
     void told(const bus::LinkLost& lost);
+    void told(const bus::EchoNoticed& noticed);
     void told(const bus::HoldExpired& expired);
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);

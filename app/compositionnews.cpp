@@ -137,6 +137,10 @@ void Composition::told(const bus::LinkLost&) {
     tellIncident(texts::linkLost(m_target->port, m_store.movingMotors()));
 }
 
+void Composition::told(const bus::EchoNoticed&) {
+    m_window.showMessage(texts::echoNoticed(m_target->port));
+}
+
 void Composition::told(const bus::HoldExpired& expired) {
     tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module});
 }

@@ -132,8 +132,8 @@ void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
 }
 
 void Engine::onBytes(ByteSpan bytes, TimePoint now) {
-    m_recovery.onByte();
-    m_line.onBytes(bytes, now);
+    if (m_line.onBytes(bytes, now))
+        m_recovery.onByte();
     proceed(now);
 }
 
@@ -270,6 +270,8 @@ void Engine::takeFindings(TimePoint now) {
         giveUp(what, now);
     if (m_restartSearch.takeQuiet())
         goQuiet(now);
+    if (m_connected && m_line.echoes() && !std::exchange(m_echoTold, true))
+        m_events.emplace_back(EchoNoticed{});
     for (const GroupMember& member : m_operations.takeHalfStarted())
         halt(member.module, StopCause::GroupHalfStarted, StopManner::Abruptly);
 }
@@ -285,7 +287,10 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         // Who was seen at all can be told to stop.
         if (m_stop.waits())
             m_chain = Chain(ended.discovery.modules(), m_line.baud());
-        m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
+        auto failed = std::get<ConnectFailed>(std::move(ended.result));
+        if (failed.reason == ConnectFailure::NobodyAnswers && m_line.echoes())
+            failed.reason = ConnectFailure::Echo;
+        m_events.emplace_back(std::move(failed));
     }
     m_stop.onSearchOver(now);
 }

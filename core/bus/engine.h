@@ -168,6 +168,7 @@ private:
     /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
     /// nor once the link has been given up: then only stops go out.
     bool m_connected = false;
+    bool m_echoTold = false;
     std::vector<ModuleIndex> m_watched;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
 

@@ -42,12 +42,16 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
     deliver(work, end, now);
 }
 
-/// Is an answer whose sum is right to be believed?
+/// Is what came to be believed? Why not, where it is not its sum that is wrong.
 std::optional<Rejection> Engine::examine(const Ask& ask, ReplyEnd& end) {
     if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()})) {
         end.result = ReplyResult::Rejected;
         return Rejection::Uniform;
     }
+    if (end.result == ReplyResult::Surplus)
+        return Rejection::Surplus;
+    if (end.result == ReplyResult::Echo)
+        return Rejection::Echo;
     if (end.result != ReplyResult::Accepted || !ask.module)
         return std::nullopt;
     const auto rejection = m_chain.at(*ask.module).plausibility.judge(end);
@@ -78,10 +82,8 @@ void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
             ++statistics.badChecksum;
             return;
         case ReplyResult::Surplus:
-            ++statistics.rejections[static_cast<std::size_t>(Rejection::Surplus)];
-            ++statistics.rejected;
-            return;
         case ReplyResult::Rejected:
+        case ReplyResult::Echo:
             ++statistics.rejected;
             return;
     }

@@ -164,7 +164,7 @@ enum class ConnectFailure : std::uint8_t {
     Garbled,      ///< answers came but could not be read
     Collision,    ///< two modules answer at one address
     HeldLow,      ///< nothing but zero bytes: the line is held low
-    Echo,         ///< the adapter returns what is sent
+    Echo,         ///< the adapter returns what is sent, and nobody answers behind that
     Unaddressed,  ///< modules without addresses, and a read-only connection gives none
 };
 
@@ -275,6 +275,9 @@ struct CommandRefused {
     std::uint8_t attempt;  ///< 1, 2, 3
 };
 
+/// The adapter returns what is sent to it. That is ignored, and the chain works. Once.
+struct EchoNoticed {};
+
 /// Every module is silent.
 struct LinkLost {};
 
@@ -336,7 +339,7 @@ using Event =
     std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
                  StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed>;
+                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

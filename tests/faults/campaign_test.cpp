@@ -67,6 +67,7 @@ const std::array kFaults{
     Fault{"Noise", "bus noise status t=100ms..200ms", false, kLongReply},
     Fault{"Foreign", "bus foreign on=nop t=100ms..200ms", false, kTwoHosts, true},
     Fault{"Echo", "bus echo for=10ms", true, kLongReply},
+    Fault{"EchoForEver", "bus echo"},
     Fault{"Break", "bus break status for=10ms", true, kLongReply},
 };
 

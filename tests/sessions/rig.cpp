@@ -64,6 +64,13 @@ Rig::Rig(const World& w)
         if (onPacket)
             onPacket(bytes);
     };
+    plugIn();
+}
+
+/// The adapter, as it is made.
+void Rig::plugIn() {
+    if (world.echoes)
+        bus.fault("bus echo");
 }
 
 Rig::~Rig() {
@@ -208,6 +215,7 @@ void Rig::fault(const std::string& line, Duration time, bool deafens, std::optio
 
 void Rig::clearFaults() {
     bus.clearFaults();
+    plugIn();
     faultsUntil = std::min(faultsUntil, bus.now);
     for (TimePoint& until : m_deafUntil)
         until = std::min(until, bus.now);

@@ -21,6 +21,7 @@ struct World {
     std::uint32_t baud = 19'200;
     Duration latency{};  ///< of the adapter
     bool deafWhenAddressInputRises = false;
+    bool echoes = false;  ///< the adapter returns what is sent
     std::uint64_t seed = 1;
 };
 
@@ -129,6 +130,7 @@ private:
 
     static sim::ChainOptions optionsOf(const World& world);
     static bus::EngineConfig configOf(const World& world);
+    void plugIn();
     void observe();
     void handle(const bus::Event& event);
     void chainFound(const bus::ChainFound& found);

@@ -69,6 +69,7 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 /// `lastName`: the user's name of the last module that answered, may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
+[[nodiscard]] Message echoNoticed(const QString& port);
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);

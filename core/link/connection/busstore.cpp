@@ -121,11 +121,12 @@ void BusStore::take(const bus::Event& event) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;
             },
-            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                               bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                               bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
-                               bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
-                               bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed> auto& news) {
+            [this](
+                const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                            bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                            bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
+                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                            bus::ReaddressFailed, bus::EchoNoticed> auto& news) {
                 note(news);
                 emit happened(news);
             },

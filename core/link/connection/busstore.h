@@ -33,8 +33,8 @@ using StoreEvent =
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
                  bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                 PortClosed, ServoWentOff, CurrentLimited, SimulatorAnswered, PanelFroze, MachineSlept,
-                 GuardianStopped, GuardianMissing>;
+                 bus::EchoNoticed, PortClosed, ServoWentOff, CurrentLimited, SimulatorAnswered, PanelFroze,
+                 MachineSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -90,7 +90,7 @@ private:
     void note(const bus::StopFinished& stopped);
     void note(const bus::OwedStopConfirmed& confirmed);
     void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::GroupFinished,
-                          bus::RateChangeFailed, bus::ReaddressFailed> auto&) {}
+                          bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
     /// What these were told has not been heard of: what moves them is for their positions to say.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);

@@ -105,6 +105,7 @@ struct EventLine {
     std::string operator()(const bus::CommandRefused& refused) const {
         return name(refused.module) + " refused, attempt " + std::to_string(refused.attempt);
     }
+    std::string operator()(const bus::EchoNoticed&) const { return "the adapter echoes"; }
     std::string operator()(const bus::LinkLost&) const { return "every module is silent"; }
     std::string operator()(const bus::HoldExpired& expired) const {
         return name(expired.module) + ": hold expired";
