@@ -104,6 +104,8 @@ private:
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
     void told(const bus::OwedStopConfirmed& confirmed);
+    void told(const bus::ForeignTraffic& traffic);
+    void told(const bus::ForeignMotion& motion);
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);

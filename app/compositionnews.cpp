@@ -16,6 +16,7 @@ bool endsHold(const StoreEvent& event) {
     return std::holds_alternative<bus::HoldExpired>(event) ||
            std::holds_alternative<bus::StopFinished>(event) ||
            std::holds_alternative<bus::MotionSuspect>(event) ||
+           std::holds_alternative<bus::ForeignTraffic>(event) ||
            std::holds_alternative<bus::LinkLost>(event) ||
            (health != nullptr && health->health == bus::LinkHealth::Lost) ||
            (group != nullptr && group->stopped);
@@ -172,6 +173,14 @@ void Composition::told(const bus::ReaddressFailed& failed) {
 
 void Composition::told(const bus::MotionSuspect& suspect) {
     tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module});
+}
+
+void Composition::told(const bus::ForeignTraffic& traffic) {
+    tellStop(texts::foreignTraffic(traffic), bus::StopCause::ForeignTraffic, traffic.toldToStop);
+}
+
+void Composition::told(const bus::ForeignMotion& motion) {
+    tellIncident(texts::foreignMotion(motion), motion.module);
 }
 
 void Composition::told(const bus::GroupFinished& finished) {

@@ -172,7 +172,10 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const AnyOf<MachineSlept, GuardianStopped, bus::LinkLost> auto&) {
                 suspect(std::nullopt);
             },
-            [this](const bus::MotionSuspect& motion) { overtake(motion.module); },
+            [this](const AnyOf<bus::MotionSuspect, bus::ForeignMotion> auto& motion) {
+                overtake(motion.module);
+            },
+            [this](const bus::ForeignTraffic&) { overtakeAll(); },
             [this](const PanelFroze& froze) {
                 if (froze.stopped)
                     overtakeAll();

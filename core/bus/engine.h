@@ -154,6 +154,7 @@ private:
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
+    void onForeignTraffic();
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
     void goQuiet(TimePoint now);

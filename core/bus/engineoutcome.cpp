@@ -155,7 +155,12 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
 
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
     m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status});
-    const auto reason = m_chain.at(module).watch.onReport(trusted);
+    Chain::Module& known = m_chain.at(module);
+    // Attached, it may move as it likes; its velocity tells.
+    const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
+    if (known.ownMotion.onReport(end.report, end.latched, mayMove))
+        m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
+    const auto reason = known.watch.onReport(trusted);
     if (!reason)
         return;
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});

@@ -19,6 +19,7 @@ void Line::begin(const Request& request, TimePoint now) {
     const PacketBytes packet = toPacket({request.address, request.payload});
     const TimePoint start = std::max(now, m_free);
     m_echo.begin(packet);
+    m_strays.onSent(packet);
     if (!m_echo.expected())
         m_unread = 0;
     Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}, {}};
@@ -40,12 +41,14 @@ void Line::run(Script script, TimePoint now) {
     advanceScript(now);
 }
 
-void Line::abandon() {
+void Line::abandon(TimePoint now) {
     // The rest of the reply may still come; it is no surplus.
     if (m_pending && m_pending->framing != Framing::Open)
         m_unread += m_pending->wanted() - m_pending->received.size();
-    if (m_pending)
+    if (m_pending) {
         m_unread += m_echo.missing();
+        m_strays.onMissed(now);
+    }
     m_pending.reset();
     m_done.reset();
     m_ends.clear();
@@ -84,7 +87,7 @@ void Line::passBy(std::uint8_t byte, TimePoint now) {
         if (m_done && now < m_pending->left)
             return spoil({&byte, 1});
         settle();
-        drop(1);
+        drop({&byte, 1}, now);
     }
     ReplyBytes& early = m_pending->early;
     if (early.size() < early.capacity())
@@ -95,7 +98,7 @@ void Line::hear(ByteSpan bytes, TimePoint now) {
     if (!m_pending) {
         if (m_done)
             return spoil(bytes);
-        return drop(bytes.size());
+        return drop(bytes, now);
     }
     // No module answers before it has heard the whole command.
     if (m_pending->received.empty() && now < m_pending->left) {
@@ -103,7 +106,7 @@ void Line::hear(ByteSpan bytes, TimePoint now) {
             return spoil(bytes);
         ReplyBytes& early = m_pending->early;
         early.append(bytes.first(std::min(bytes.size(), early.capacity() - early.size())));
-        return drop(bytes.size());
+        return drop(bytes, now);
     }
     settle();
     take(bytes, now);
@@ -191,6 +194,8 @@ void Line::perform(const Action& action, TimePoint now) {
             [&](const Lag& lag) { waitUntil(std::max(now, m_free) + lag.time + m_timing.adapter(), now); },
             [&](const Packet& packet) {
                 m_unread += packet.replyBytes;
+                if (packet.replyBytes > 0)
+                    m_strays.onMissed(now);
                 m_scriptLatches.push_back(latchTime(packet.bytes.size(), now));
                 send(packet.bytes, now);
             },
@@ -249,10 +254,12 @@ void Line::expire(TimePoint now) {
     if (m_echo.expected() != m_echo.whole() && !(bytes.empty() && pending.early.empty()))
         return endWithoutEcho(pending, now);
     if (bytes.empty()) {
+        m_strays.onMissed(now);
         m_ends.push_back(endOf(pending, ReplyResult::Silent, now));
         return;
     }
     if (pending.framing != Framing::Open) {
+        m_strays.onMissed(now);
         m_ends.push_back(endOf(pending, ReplyResult::Partial, now));
         return;
     }
@@ -269,6 +276,7 @@ void Line::expire(TimePoint now) {
 
 /// The echo is not as expected: damaged or missing, or there is one.
 void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
+    m_strays.onMissed(now);
     ReplyEnd end = endOf(pending, ReplyResult::Echo, now);
     end.bytes = pending.early;
     const std::size_t room = end.bytes.capacity() - end.bytes.size();
@@ -312,11 +320,15 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     return end;
 }
 
-void Line::drop(std::size_t count) {
-    const std::size_t expected = std::min(count, m_unread);
+/// What is not expected may be meant for somebody else.
+void Line::drop(ByteSpan bytes, TimePoint now) {
+    const std::size_t expected = std::min(bytes.size(), m_unread);
     m_unread -= expected;
-    m_statistics.surplusBytes += count - expected;
-    m_statistics.staleBytes += count - expected;
+    const ByteSpan strays = bytes.subspan(expected);
+    m_statistics.surplusBytes += strays.size();
+    m_statistics.staleBytes += strays.size();
+    if (!strays.empty())
+        m_strays.hear(strays, now, m_timing.byteTime);
 }
 
 }  // namespace nmc::bus

@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "bus/echo.h"
 #include "bus/exchange.h"
+#include "bus/strayframes.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -62,7 +63,7 @@ public:
     void run(Script script, TimePoint now);
     /// Forgets the exchanges whose end has not been taken, or the rest of the script. What was sent is still
     /// leaving.
-    void abandon();
+    void abandon(TimePoint now);
 
     /// False when nothing else came than what was sent.
     bool onBytes(ByteSpan bytes, TimePoint now);
@@ -89,6 +90,8 @@ public:
     [[nodiscard]] Duration lastTimeout() const { return m_lastTimeout; }
     /// The adapter returns what is sent to it.
     [[nodiscard]] bool echoes() const { return m_echo.expected(); }
+    /// Modules answer somebody else (strayframes.h). Once in a while.
+    [[nodiscard]] bool takeForeign(TimePoint now) { return m_strays.takeForeign(now); }
 
     [[nodiscard]] std::vector<Output> takeOutput();
     /// For the packet monitor: collected while `record` was on.
@@ -131,7 +134,7 @@ private:
     void spoil(ByteSpan surplus);
     void settle();
     [[nodiscard]] ReplyEnd endOf(const Pending& pending, ReplyResult result, TimePoint now) const;
-    void drop(std::size_t count);
+    void drop(ByteSpan bytes, TimePoint now);
 
     LineTiming m_timing;
     std::uint32_t m_baud = kPowerUpBaud;
@@ -144,6 +147,7 @@ private:
     std::optional<TimePoint> m_wait;  ///< of the script
     std::size_t m_unread = 0;         ///< bytes that are expected but not wanted
     Echo m_echo;                      ///< of the exchange that began last
+    StrayFrames m_strays;
     Duration m_lastTimeout{};
     std::vector<Output> m_output;
     bool m_recording = false;

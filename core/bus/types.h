@@ -249,6 +249,7 @@ enum class StopCause : std::uint8_t {
     GroupHalfStarted,
     LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
     StopAll,      ///< a stop of all did not see it at rest
+    ForeignTraffic,
 };
 
 /// The operator wanted the motion to end, and may want it again before it has.
@@ -330,6 +331,19 @@ struct MotionSuspect {
     std::int32_t position = 0;
 };
 
+/// Modules answer somebody else: another host is on the line (strayframes.h). What was asked for here is
+/// cancelled, and a hold has ended. Once, until nothing has been heard of him for ten seconds.
+struct ForeignTraffic {
+    std::vector<ModuleIndex> toldToStop;  ///< motors that were set in motion from here
+};
+
+/// A module moves, and not because of this connection (ownmotion.h); nothing is done about it. Once for each
+/// motion.
+struct ForeignMotion {
+    ModuleIndex module;
+    std::int32_t position = 0;
+};
+
 /// Held motion ended without the operator's release: the evidence stopped coming.
 struct HoldExpired {
     ModuleIndex module;
@@ -339,7 +353,7 @@ using Event =
     std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
                  StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed>;
+                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

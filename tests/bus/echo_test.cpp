@@ -166,7 +166,7 @@ TEST_F(EchoingLine, CountsTheRestOfAnAbandonedExchangeAsExpected) {
     recognise();
     ask();
     hear("AA 01 ", 1042us);
-    line.abandon();
+    line.abandon(now + 1042us);
     hear("0E 0F ", 2083us);
     hear(kReply, 7ms);
     EXPECT_EQ(line.statistics().surplusBytes, 0U);

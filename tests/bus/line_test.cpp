@@ -268,7 +268,7 @@ TEST(Line, LeavesTheGapOnlyWhereItIsNeeded) {
     line.run({Line::Gap{}}, TimePoint(1s));
     EXPECT_TRUE(line.idle()) << "nothing was sent for a second";
     line.begin(nop(), TimePoint(1s));
-    line.abandon();
+    line.abandon(TimePoint(1s));
     line.run({Line::Gap{}}, TimePoint(1s));
     EXPECT_EQ(line.deadline(), TimePoint(1s) + Duration(4 * 520'833) + 512us);
 }

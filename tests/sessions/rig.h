@@ -156,6 +156,7 @@ private:
     std::vector<bool> m_driven;          ///< by place, from outside
     std::size_t m_seen = 0;
     bool m_powerCycled = false;
+    bool m_foreignHost = false;
 };
 
 }  // namespace nmc::test

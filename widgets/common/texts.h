@@ -56,6 +56,7 @@ inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
 inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< the window asks before it
 inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
+inline const QString kStopAll = QStringLiteral("stopAll");                ///< of the window's, too
 inline const QString kUnderstood = QStringLiteral("understood");
 inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors that a session left moving
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
@@ -95,6 +96,9 @@ inline const QString kDiscardWork = QStringLiteral("discardWork");
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
 [[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);
+/// Another host is on the line.
+[[nodiscard]] Message foreignTraffic(const bus::ForeignTraffic& traffic);
+[[nodiscard]] Message foreignMotion(const bus::ForeignMotion& motion);
 [[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);

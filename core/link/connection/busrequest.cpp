@@ -32,11 +32,12 @@ struct Ends {
     bool operator()(const AnyOf<bus::Readdressed, bus::ReaddressFailed> auto&) const {
         return std::holds_alternative<Readdress>(request);
     }
-    bool operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
-                                bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence,
-                                bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
-                                bus::ModuleRestarted, bus::MotionSuspect, bus::GroupChanged,
-                                bus::OwedStopConfirmed, bus::EchoNoticed> auto&) const {
+    bool operator()(
+        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
+                    bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
+                    bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
+                    bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
+                    bus::ForeignTraffic, bus::ForeignMotion> auto&) const {
         return false;
     }
 };
