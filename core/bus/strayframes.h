@@ -18,6 +18,9 @@ namespace nmc::bus {
 /// least every fourth run is one. Noise does not bring that about: of its runs of four bytes and more one in
 /// 256 has a right sum, so that three of twelve have by chance once in 256^3 / 220, some 76 000 times; and
 /// it mostly comes as single bytes, which count against it.
+///
+/// What it cannot tell: a host that asks a few times a second, while this one polls without a pause. Its
+/// answers fall into exchanges and spoil them; that shows as a doubtful link.
 class StrayFrames {
 public:
     /// Shorter ones have a right sum too often: an adapter that returns the end of a command, say.
