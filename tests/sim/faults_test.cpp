@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocol/baud.h"
 #include "sim/control.h"
 #include "tests/sim/hostwire.h"
 
