@@ -94,6 +94,7 @@ private:
     void told(const bus::ModuleSilence& silence);
     void told(const bus::CommandRefused& refused);
     void told(const bus::LinkLost& lost);
+    void told(const bus::EchoNoticed& noticed);
     void told(const bus::HoldExpired& expired);
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted& restarted);
@@ -101,6 +102,8 @@ private:
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
     void told(const bus::OwedStopConfirmed& confirmed);
+    void told(const bus::ForeignTraffic& traffic);
+    void told(const bus::ForeignMotion& motion);
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);

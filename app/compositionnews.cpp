@@ -17,6 +17,7 @@ bool endsHold(const StoreEvent& event) {
     return std::holds_alternative<bus::HoldExpired>(event) ||
            std::holds_alternative<bus::StopFinished>(event) ||
            std::holds_alternative<bus::MotionSuspect>(event) ||
+           std::holds_alternative<bus::ForeignTraffic>(event) ||
            std::holds_alternative<bus::LinkLost>(event) ||
            (health != nullptr && health->health == bus::LinkHealth::Lost) ||
            (group != nullptr && group->stopped);
@@ -134,6 +135,10 @@ void Composition::told(const bus::LinkLost&) {
     tellIncident(texts::linkLost(m_target->port, m_store.movingMotors()));
 }
 
+void Composition::told(const bus::EchoNoticed&) {
+    m_window.showMessage(texts::echoNoticed(m_target->port));
+}
+
 void Composition::told(const bus::HoldExpired& expired) {
     tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module});
 }
@@ -165,6 +170,14 @@ void Composition::told(const bus::ReaddressFailed& failed) {
 
 void Composition::told(const bus::MotionSuspect& suspect) {
     tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module});
+}
+
+void Composition::told(const bus::ForeignTraffic& traffic) {
+    tellStop(texts::foreignTraffic(traffic), bus::StopCause::ForeignTraffic, traffic.toldToStop);
+}
+
+void Composition::told(const bus::ForeignMotion& motion) {
+    tellIncident(texts::foreignMotion(motion), motion.module);
 }
 
 void Composition::told(const bus::GroupFinished& finished) {

@@ -71,6 +71,7 @@ void printHelp() {
         "                         of the line: noise break mute rx|tx echo foreign; of the\n"
         "                         module: powercycle stall reverse sameaddr definestat\n"
         "  faults                 fault clear\n"
+        "  foreign AA 02 0E 10    another host on the line sends these bytes (needs --enable-faults)\n"
         "\n"
         "Examples:\n"
         "  nmcsim --chain servo,servo@1,step --link /tmp/nmc\n"

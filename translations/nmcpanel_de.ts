@@ -1212,14 +1212,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Meist ein Kurzschluss, vertauschte Adern eines Paars oder ein Modul ohne Spannung. Zustand der Motoren unbekannt; auch Befehle kommen vielleicht nicht an.</translation>
     </message>
     <message>
-        <source>The adapter at %1 returns what is sent to it.</source>
-        <translation>Der Adapter an %1 gibt zurück, was ihm geschickt wird.</translation>
-    </message>
-    <message>
-        <source>That is how a 2-wire adapter works; these modules need a full-duplex (4-wire) one, or its echo switched off.</source>
-        <translation>So arbeitet ein Zweidraht-Adapter; diese Module brauchen einen Vollduplex-Adapter (4 Drähte) oder ein abgeschaltetes Echo.</translation>
-    </message>
-    <message>
         <source>No module at %1 has an address yet.</source>
         <translation>Noch kein Modul an %1 hat eine Adresse.</translation>
     </message>
@@ -3038,6 +3030,54 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Connected to %1 at %2 Bd, %3, read-only</source>
         <translation>Verbunden mit %1 bei %2 Bd, %3, nur lesend</translation>
+    </message>
+    <message>
+        <source>Only the echo of the adapter at %1 came back: no module answered.</source>
+        <translation>Nur das Echo des Adapters an %1 kam zurück: kein Modul hat geantwortet.</translation>
+    </message>
+    <message>
+        <source>The echo itself does no harm. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; that the transmit pair of the modules is wired to the adapter, too.</source>
+        <translation>Das Echo selbst schadet nicht. In dieser Reihenfolge prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses verbirgt alle Module; ob auch das Sendepaar der Module am Adapter angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 returns what is sent to it. The panel ignores it.</source>
+        <translation>Der Adapter an %1 gibt zurück, was ihm gesendet wird. Das Programm lässt das unbeachtet.</translation>
+    </message>
+    <message>
+        <source>That is how a 2-wire adapter works. Nothing needs to be done.</source>
+        <translation>So arbeitet ein Zweidraht-Adapter. Es ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>not behind the exact echo of its command</source>
+        <translation>nicht hinter dem genauen Echo des Befehls</translation>
+    </message>
+    <message>
+        <source>Somebody else is sending on this line.</source>
+        <translation>Jemand anders sendet auf dieser Leitung.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop.</source>
+        <translation>Modul %1 hat den Stoppbefehl bekommen.</translation>
+    </message>
+    <message>
+        <source>Modules %1 were told to stop.</source>
+        <translation>Die Module %1 haben den Stoppbefehl bekommen.</translation>
+    </message>
+    <message>
+        <source>Modules answer commands that did not come from here; what was under way here was cancelled. End the other program, or take its computer off the line, before you go on.</source>
+        <translation>Module antworten auf Befehle, die nicht von hier kamen; was hier im Gang war, wurde abgebrochen. Das andere Programm beenden oder seinen Rechner von der Leitung nehmen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Module %1 moves, and not because of this panel.</source>
+        <translation>Modul %1 bewegt sich, und nicht durch dieses Programm.</translation>
+    </message>
+    <message>
+        <source>Somebody else on this line has started it. The panel leaves it alone unless you stop it; he may start it again.</source>
+        <translation>Jemand anders auf dieser Leitung hat es gestartet. Das Programm greift nicht ein, solange Sie es nicht stoppen; es kann von dort wieder gestartet werden.</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>ALLES STOPP</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,7 @@ void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latc
     module.belief.onSent(command, latched);
     module.plausibility.onSent(command, latched);
     module.watch.onSent(command);
+    module.ownMotion.onSent(command);
     if (mayStartMotion(payloadOf(command)))
         module.trust.expectMotion();
     if (endsFocus(command))

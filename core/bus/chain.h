@@ -9,6 +9,7 @@
 #include "bus/health.h"
 #include "bus/line.h"
 #include "bus/motionwatch.h"
+#include "bus/ownmotion.h"
 #include "bus/plausibility.h"
 #include "bus/pollschedule.h"
 #include "bus/stoptarget.h"
@@ -33,11 +34,15 @@ class Chain {
 public:
     struct Module {
         explicit Module(const ModuleInfo& info)
-            : belief(info), plausibility(info.identity), trust(info.identity.type) {}
+            : belief(info),
+              plausibility(info.identity),
+              trust(info.identity.type),
+              ownMotion(info.identity.type) {}
         Belief belief;
         Plausibility plausibility;
         Trust trust;
         MotionWatch watch;
+        OwnMotion ownMotion;
         Health health;
         std::optional<OwedStop> owed{};
     };

@@ -78,9 +78,7 @@ void ChainLook::onReply(const ReplyEnd& end) {
     }
     const bool again = std::exchange(m_again, false);
     const bool zerosHeard = std::exchange(m_zerosHeard, false);
-    if (echoes(end, toPacket({probe.address, Nop{}.encode()})))
-        ++m_echoes;
-    else if (!end.bytes.empty() && !heard(probe, end, again, zerosHeard))
+    if (!end.bytes.empty() && !heard(probe, end, again, zerosHeard))
         return;
     ++m_at;
 }
@@ -96,7 +94,7 @@ bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool 
         return !m_zerosHeard;
     }
     if (!right) {
-        m_again = !again;  // noise passes
+        m_again = !again;  // noise passes, and an echo is known the next time
         if (m_again)
             return false;
         // Twice where the chain is: two modules answer at once.
@@ -125,16 +123,7 @@ void ChainLook::found(const Probe& probe) {
     m_found.push_back(probe.address);
 }
 
-/// An adapter that returns what is sent: its first bytes come while the last ones leave.
-bool ChainLook::echoes(const ReplyEnd& end, const PacketBytes& sent) {
-    std::vector<std::uint8_t> all(end.early.begin(), end.early.end());
-    all.insert(all.end(), end.bytes.begin(), end.bytes.end());
-    return all.size() >= sent.size() && std::equal(sent.begin(), sent.end(), all.begin());
-}
-
 std::optional<ConnectFailure> ChainLook::trouble() const {
-    if (m_echoes > 0)
-        return ConnectFailure::Echo;
     if (!m_collided.empty())
         return ConnectFailure::Collision;
     if (m_zeros > 0)

@@ -36,7 +36,7 @@ public:
     /// A module without an address answers at the rate of power-up, and what it says it is.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const { return m_unaddressedIdentity; }
-    /// Why the chain cannot be used: nobody answers, or noise, zeros, what was sent, or two at once do.
+    /// Why the chain cannot be used: nobody answers, or noise, zeros, or two at once do.
     [[nodiscard]] std::optional<ConnectFailure> trouble() const;
 
 private:
@@ -50,8 +50,6 @@ private:
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
     void add(std::uint32_t rate, unsigned from, unsigned to);
-
-    [[nodiscard]] static bool echoes(const ReplyEnd& end, const PacketBytes& sent);
 
     Stage m_stage = Stage::First;
     std::vector<Probe> m_probes;  ///< of this stage
@@ -68,7 +66,6 @@ private:
     unsigned m_noise = 0;
     std::vector<std::size_t> m_collided;
     unsigned m_zeros = 0;
-    unsigned m_echoes = 0;
 };
 
 }  // namespace nmc::bus

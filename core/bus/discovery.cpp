@@ -269,6 +269,7 @@ void Discovery::onProbe(const ReplyEnd& end) {
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
         case ReplyResult::Rejected:
+        case ReplyResult::Echo:
             return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
         case ReplyResult::Silent:
             m_unheard.emplace_back(m_number);

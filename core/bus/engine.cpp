@@ -139,8 +139,8 @@ void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
 }
 
 void Engine::onBytes(ByteSpan bytes, TimePoint now) {
-    m_recovery.onByte();
-    m_line.onBytes(bytes, now);
+    if (m_line.onBytes(bytes, now))
+        m_recovery.onByte();
     proceed(now);
 }
 
@@ -280,6 +280,10 @@ void Engine::takeFindings(TimePoint now) {
         giveUp(what, now);
     if (m_restartSearch.takeQuiet())
         goQuiet(now);
+    if (m_connected && m_line.echoes() && !std::exchange(m_echoTold, true))
+        m_events.emplace_back(EchoNoticed{});
+    if (m_line.takeForeign(now) && m_connected && !m_search.active())
+        onForeignTraffic();
     for (const GroupMember& member : m_operations.takeHalfStarted())
         halt(member.module, StopCause::GroupHalfStarted, StopManner::Abruptly);
 }
@@ -295,7 +299,10 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
         // Who was seen at all can be told to stop.
         if (m_stop.waits())
             m_chain = Chain(ended.discovery.modules(), m_line.baud(), m_config.readOnly);
-        m_events.emplace_back(std::get<ConnectFailed>(std::move(ended.result)));
+        auto failed = std::get<ConnectFailed>(std::move(ended.result));
+        if (failed.reason == ConnectFailure::NobodyAnswers && m_line.echoes())
+            failed.reason = ConnectFailure::Echo;
+        m_events.emplace_back(std::move(failed));
     }
     m_stop.onSearchOver(now);
 }
@@ -363,6 +370,19 @@ void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
     m_chain.owe(module, cause, manner);
 }
 
+/// Whose commands get lost in the other's nobody knows: what was asked for here does not go on.
+void Engine::onForeignTraffic() {
+    ForeignTraffic event;
+    for (const Chain::Module& module : m_chain.modules())
+        if (module.ownMotion.commanded() && (module.belief.moving() || !module.belief.fresh()))
+            event.toldToStop.push_back(module.belief.info().index);
+    for (const ModuleIndex module : event.toldToStop)
+        halt(module, StopCause::ForeignTraffic, StopManner::Abruptly);
+    m_hold.clear();
+    dropWork();
+    m_events.emplace_back(std::move(event));
+}
+
 /// Commands may still arrive (faults.md F-11).
 void Engine::onLinkLost() {
     for (const Step& stop : m_chain.stops())
@@ -408,7 +428,7 @@ void Engine::dropWork() {
 void Engine::interrupt(TimePoint now) {
     for (const Work& work : m_works)
         m_recorder.addAbandoned(work.ask, work.sent, now);
-    m_line.abandon();
+    m_line.abandon(now);
     m_works.clear();
     m_recovery.interrupted();
     m_wayBack.interrupted();

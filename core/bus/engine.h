@@ -175,6 +175,7 @@ private:
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
+    void onForeignTraffic();
     void onLinkLost();
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
     void goQuiet(TimePoint now);
@@ -190,6 +191,7 @@ private:
     /// nor once the link has been given up: then only stops go out.
     bool m_connected = false;
     bool m_stopAsked = false;  ///< by stopAll(), and some module has not confirmed yet
+    bool m_echoTold = false;
     std::vector<ModuleIndex> m_watched;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
 

@@ -42,12 +42,16 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
     deliver(work, end, now);
 }
 
-/// Is an answer whose sum is right to be believed?
+/// Is what came to be believed? Why not, where it is not its sum that is wrong.
 std::optional<Rejection> Engine::examine(const Ask& ask, ReplyEnd& end) {
     if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()})) {
         end.result = ReplyResult::Rejected;
         return Rejection::Uniform;
     }
+    if (end.result == ReplyResult::Surplus)
+        return Rejection::Surplus;
+    if (end.result == ReplyResult::Echo)
+        return Rejection::Echo;
     if (end.result != ReplyResult::Accepted || !ask.module)
         return std::nullopt;
     const auto rejection = m_chain.at(*ask.module).plausibility.judge(end);
@@ -78,10 +82,8 @@ void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
             ++statistics.badChecksum;
             return;
         case ReplyResult::Surplus:
-            ++statistics.rejections[static_cast<std::size_t>(Rejection::Surplus)];
-            ++statistics.rejected;
-            return;
         case ReplyResult::Rejected:
+        case ReplyResult::Echo:
             ++statistics.rejected;
             return;
     }
@@ -153,8 +155,15 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
 
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
     m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status});
-    const auto reason = m_chain.at(module).watch.onReport(trusted);
-    if (!reason || m_config.readOnly)
+    if (m_config.readOnly)
+        return;  // whatever moves there is for others to start and to stop
+    Chain::Module& known = m_chain.at(module);
+    // Attached, it may move as it likes; its velocity tells.
+    const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
+    if (known.ownMotion.onReport(end.report, end.latched, mayMove))
+        m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
+    const auto reason = known.watch.onReport(trusted);
+    if (!reason)
         return;
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});
     // A motor that runs the wrong way would run on with its servo on.

@@ -75,6 +75,7 @@ enum class ReplyResult : std::uint8_t {
     BadChecksum,  ///< as many, but the sum is wrong
     Surplus,      ///< more: the reply of something else, or noise
     Rejected,     ///< the sum is right, but it cannot be true (link.md 2.4)
+    Echo,         ///< an adapter that echoes did not return the command as it was sent, or one does since now
 };
 
 /// All bytes 00 or all FF: a line that is held at one level. The sum of such a reply is right.
@@ -96,7 +97,6 @@ struct ReplyEnd {
     TimePoint latchedBy;  ///< not later than this, however late this machine was
     Duration late{};      ///< as in Sample
     ReplyBytes bytes;
-    ReplyBytes early;  ///< what came while the command was still leaving, and is no answer
     TimePoint sent;
     TimePoint arrived;    ///< the last byte of it, or when it was given up
     Duration wireTime{};  ///< what the exchange takes on a perfect line

@@ -22,6 +22,7 @@ namespace {
             return ExchangeEnd::BadChecksum;
         case ReplyResult::Surplus:
         case ReplyResult::Rejected:
+        case ReplyResult::Echo:
             break;
     }
     return ExchangeEnd::Rejected;
@@ -43,7 +44,7 @@ void ExchangeRecorder::set(bool on) {
 }
 
 void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, std::optional<Rejection> rejection) {
-    add(ask, end, endFor(end.result), end.result == ReplyResult::Surplus ? Rejection::Surplus : rejection);
+    add(ask, end, endFor(end.result), rejection);
 }
 
 void ExchangeRecorder::addAbandoned(const Ask& ask, TimePoint sent, TimePoint now) {

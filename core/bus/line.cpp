@@ -18,7 +18,10 @@ void Line::begin(const Request& request, TimePoint now) {
     assert(ready());
     const PacketBytes packet = toPacket({request.address, request.payload});
     const TimePoint start = std::max(now, m_free);
-    m_unread = 0;
+    m_echo.begin(packet);
+    m_strays.onSent(packet);
+    if (!m_echo.expected())
+        m_unread = 0;
     Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}, {}};
     // An open reply's first bytes in time, then as long as bytes come.
     const std::size_t first = request.framing == Framing::Open ? kMinReply : pending.wanted();
@@ -38,10 +41,14 @@ void Line::run(Script script, TimePoint now) {
     advanceScript(now);
 }
 
-void Line::abandon() {
+void Line::abandon(TimePoint now) {
     // The rest of the reply may still come; it is no surplus.
     if (m_pending && m_pending->framing != Framing::Open)
         m_unread += m_pending->wanted() - m_pending->received.size();
+    if (m_pending) {
+        m_unread += m_echo.missing();
+        m_strays.onMissed(now);
+    }
     m_pending.reset();
     m_done.reset();
     m_ends.clear();
@@ -55,11 +62,43 @@ bool Line::ready() const {
     return !m_done || m_done->framing == Framing::Pipelined;
 }
 
-void Line::onBytes(ByteSpan bytes, TimePoint now) {
+bool Line::onBytes(ByteSpan bytes, TimePoint now) {
+    if (!m_echo.expected()) {
+        for (const std::uint8_t byte : bytes)
+            m_echo.take(byte);
+        hear(bytes, now);
+        return true;
+    }
+    if (!m_pending) {
+        const bool others = bytes.size() > m_unread;
+        hear(bytes, now);
+        return others;
+    }
+    for (; !bytes.empty() && !m_echo.whole(); bytes = bytes.subspan(1))
+        passBy(bytes.front(), now);
+    if (!bytes.empty())
+        hear(bytes, now);
+    return !bytes.empty();
+}
+
+/// Before the echo of the command is whole: a part of it, or something from before.
+void Line::passBy(std::uint8_t byte, TimePoint now) {
+    if (!m_echo.take(byte)) {
+        if (m_done && now < m_pending->left)
+            return spoil({&byte, 1});
+        settle();
+        drop({&byte, 1}, now);
+    }
+    ReplyBytes& early = m_pending->early;
+    if (early.size() < early.capacity())
+        early.push_back(byte);
+}
+
+void Line::hear(ByteSpan bytes, TimePoint now) {
     if (!m_pending) {
         if (m_done)
             return spoil(bytes);
-        return drop(bytes.size());
+        return drop(bytes, now);
     }
     // No module answers before it has heard the whole command.
     if (m_pending->received.empty() && now < m_pending->left) {
@@ -67,7 +106,7 @@ void Line::onBytes(ByteSpan bytes, TimePoint now) {
             return spoil(bytes);
         ReplyBytes& early = m_pending->early;
         early.append(bytes.first(std::min(bytes.size(), early.capacity() - early.size())));
-        return drop(bytes.size());
+        return drop(bytes, now);
     }
     settle();
     take(bytes, now);
@@ -133,6 +172,8 @@ void Line::send(ByteSpan bytes, TimePoint now) {
         return;
     m_free = std::max(now, m_free) + m_timing.bytes(bytes.size());
     m_output.emplace_back(Send{{bytes.begin(), bytes.end()}});
+    if (!m_pending && m_echo.expected())
+        m_unread += bytes.size();
     if (m_recording && !m_pending)
         m_unanswered.push_back({now, {bytes.begin(), bytes.end()}});
 }
@@ -164,6 +205,8 @@ void Line::perform(const Action& action, TimePoint now) {
             [&](const Lag& lag) { waitUntil(std::max(now, m_free) + lag.time + m_timing.adapter(), now); },
             [&](const Packet& packet) {
                 m_unread += packet.replyBytes;
+                if (packet.replyBytes > 0)
+                    m_strays.onMissed(now);
                 m_scriptLatches.push_back(latchTime(packet.bytes.size(), now));
                 send(packet.bytes, now);
             },
@@ -195,6 +238,8 @@ void Line::complete(TimePoint now) {
     // The module has heard the whole command, so it has left, whatever the reckoning says.
     m_free = std::min(m_free, now);
     const std::size_t wanted = pending.wanted();
+    if (!m_echo.expected() && m_echo.begun())
+        return endWithoutEcho(pending, now);
     if (pending.received.size() > wanted) {
         m_statistics.surplusBytes += pending.received.size() - wanted;
         m_ends.push_back(endOf(pending, ReplyResult::Surplus, now));
@@ -217,11 +262,15 @@ void Line::complete(TimePoint now) {
 void Line::expire(TimePoint now) {
     const Pending pending = *std::exchange(m_pending, std::nullopt);
     const ReplyBytes& bytes = pending.received;
+    if (m_echo.expected() != m_echo.whole() && !(bytes.empty() && pending.early.empty()))
+        return endWithoutEcho(pending, now);
     if (bytes.empty()) {
+        m_strays.onMissed(now);
         m_ends.push_back(endOf(pending, ReplyResult::Silent, now));
         return;
     }
     if (pending.framing != Framing::Open) {
+        m_strays.onMissed(now);
         m_ends.push_back(endOf(pending, ReplyResult::Partial, now));
         return;
     }
@@ -233,6 +282,22 @@ void Line::expire(TimePoint now) {
         end.result = ReplyResult::BadChecksum;
     else if ((end.report.status = all.front(), end.report.commandRefused()))
         end.result = ReplyResult::Refused;
+    m_ends.push_back(end);
+}
+
+/// The echo is not as expected: damaged or missing, or there is one.
+void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
+    m_strays.onMissed(now);
+    ReplyEnd end = endOf(pending, ReplyResult::Echo, now);
+    end.bytes = pending.early;
+    const std::size_t room = end.bytes.capacity() - end.bytes.size();
+    end.bytes.append(ByteSpan(pending.received).first(std::min(room, pending.received.size())));
+    const ByteSpan all(end.bytes);
+    const bool answer = pending.framing == Framing::Open
+                            ? all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back()
+                            : decodeStatus(pending.layout.type, pending.layout.items, all).has_value();
+    if (m_echo.expected() && !m_echo.begun() && answer)
+        m_echo.cease();
     m_ends.push_back(end);
 }
 
@@ -256,7 +321,6 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     ReplyEnd end;
     end.result = result;
     end.bytes = pending.received;
-    end.early = pending.early;
     end.latched = std::min(pending.left + kServoTick / 2, now);
     end.latchedBy = std::max(end.latched, now - m_timing.bytes(pending.received.size()));
     end.late = std::max(Duration{},
@@ -267,11 +331,15 @@ ReplyEnd Line::endOf(const Pending& pending, ReplyResult result, TimePoint now) 
     return end;
 }
 
-void Line::drop(std::size_t count) {
-    const std::size_t expected = std::min(count, m_unread);
+/// What is not expected may be meant for somebody else.
+void Line::drop(ByteSpan bytes, TimePoint now) {
+    const std::size_t expected = std::min(bytes.size(), m_unread);
     m_unread -= expected;
-    m_statistics.surplusBytes += count - expected;
-    m_statistics.staleBytes += count - expected;
+    const ByteSpan strays = bytes.subspan(expected);
+    m_statistics.surplusBytes += strays.size();
+    m_statistics.staleBytes += strays.size();
+    if (!strays.empty())
+        m_strays.hear(strays, now, m_timing.byteTime);
 }
 
 }  // namespace nmc::bus

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "bus/echo.h"
 #include "bus/exchange.h"
+#include "bus/strayframes.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -22,7 +24,8 @@ inline constexpr Duration kAfterNulls = std::chrono::milliseconds(1);
 /// The wire as the host sees it: at most one exchange in flight, or a script of pauses and bytes that nobody
 /// answers. Knows when the last byte will have left, so that every time is reckoned from the wire, not from
 /// the call. Whatever arrives outside an exchange is counted and dropped; right behind a reply it spoils that
-/// reply.
+/// reply. An adapter that returns what is sent is recognised, and then nothing is an answer that does not
+/// come behind the exact echo of its command (echo.h).
 class Line {
 public:
     struct Nulls {};
@@ -69,9 +72,10 @@ public:
     void run(Script script, TimePoint now);
     /// Forgets the exchanges whose end has not been taken, or the rest of the script. What was sent is still
     /// leaving.
-    void abandon();
+    void abandon(TimePoint now);
 
-    void onBytes(ByteSpan bytes, TimePoint now);
+    /// False when nothing else came than what was sent.
+    bool onBytes(ByteSpan bytes, TimePoint now);
     void onDeadline(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> deadline() const;
     /// The exchanges that have ended, in the order in which they began.
@@ -93,6 +97,10 @@ public:
     [[nodiscard]] const std::vector<TimePoint>& scriptLatches() const { return m_scriptLatches; }
     /// Of the exchange that began last.
     [[nodiscard]] Duration lastTimeout() const { return m_lastTimeout; }
+    /// The adapter returns what is sent to it.
+    [[nodiscard]] bool echoes() const { return m_echo.expected(); }
+    /// Modules answer somebody else (strayframes.h). Once in a while.
+    [[nodiscard]] bool takeForeign(TimePoint now) { return m_strays.takeForeign(now); }
 
     [[nodiscard]] std::vector<Output> takeOutput();
     /// For the packet monitor: collected while `record` was on.
@@ -110,7 +118,7 @@ private:
         TimePoint left;  ///< when the command's last byte has left
         TimePoint deadline;
         ReplyBytes received;
-        ReplyBytes early;
+        ReplyBytes early;  ///< before the command had left, or before its echo was whole: no answer
         [[nodiscard]] std::size_t wanted() const {
             return framing == Framing::Open ? kMaxReply : layout.length();
         }
@@ -127,13 +135,16 @@ private:
     void advanceScript(TimePoint now);
     void perform(const Action& action, TimePoint now);
     void waitUntil(TimePoint until, TimePoint now);
+    void hear(ByteSpan bytes, TimePoint now);
+    void passBy(std::uint8_t byte, TimePoint now);
+    void endWithoutEcho(const Pending& pending, TimePoint now);
     void take(ByteSpan bytes, TimePoint now);
     void complete(TimePoint now);
     void expire(TimePoint now);
     void spoil(ByteSpan surplus);
     void settle();
     [[nodiscard]] ReplyEnd endOf(const Pending& pending, ReplyResult result, TimePoint now) const;
-    void drop(std::size_t count);
+    void drop(ByteSpan bytes, TimePoint now);
 
     LineTiming m_timing;
     Permit m_permit = Permit::Everything;
@@ -145,7 +156,9 @@ private:
     std::deque<Action> m_script;
     std::vector<TimePoint> m_scriptLatches;
     std::optional<TimePoint> m_wait;  ///< of the script
-    std::size_t m_unread = 0;         ///< reply bytes that are expected but not wanted
+    std::size_t m_unread = 0;         ///< bytes that are expected but not wanted
+    Echo m_echo;                      ///< of the exchange that began last
+    StrayFrames m_strays;
     Duration m_lastTimeout{};
     std::vector<Output> m_output;
     bool m_recording = false;

@@ -13,6 +13,7 @@ enum class Rejection : std::uint8_t {
     // Of any module.
     Uniform,        ///< all bytes 00 or all FF: a line that is held low, or high
     Surplus,        ///< more bytes than the layout has, within two character times
+    Echo,           ///< not behind the exact echo of its command, or part of one that was not expected
     Identity,       ///< type or version other than enumerated
     UndefinedBits,  ///< a bit that the data sheet leaves open is not as at first contact
     HomingRose,     ///< homing in progress without Set Homing Mode

@@ -165,7 +165,7 @@ enum class ConnectFailure : std::uint8_t {
     Garbled,      ///< answers came but could not be read
     Collision,    ///< two modules answer at one address
     HeldLow,      ///< nothing but zero bytes: the line is held low
-    Echo,         ///< the adapter returns what is sent
+    Echo,         ///< the adapter returns what is sent, and nobody answers behind that
     Unaddressed,  ///< modules without addresses, and a read-only connection gives none
 };
 
@@ -250,6 +250,7 @@ enum class StopCause : std::uint8_t {
     GroupHalfStarted,
     LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
     StopAll,      ///< a stop of all did not see it at rest
+    ForeignTraffic,
 };
 
 /// The operator wanted the motion to end, and may want it again before it has.
@@ -275,6 +276,9 @@ struct CommandRefused {
     ModuleIndex module;
     std::uint8_t attempt;  ///< 1, 2, 3
 };
+
+/// The adapter returns what is sent to it. That is ignored, and the chain works. Once.
+struct EchoNoticed {};
 
 /// Every module is silent.
 struct LinkLost {};
@@ -328,6 +332,19 @@ struct MotionSuspect {
     std::int32_t position = 0;
 };
 
+/// Modules answer somebody else: another host is on the line (strayframes.h). What was asked for here is
+/// cancelled, and a hold has ended. Once, until nothing has been heard of him for ten seconds.
+struct ForeignTraffic {
+    std::vector<ModuleIndex> toldToStop;  ///< motors that were set in motion from here
+};
+
+/// A module moves, and not because of this connection (ownmotion.h); nothing is done about it. Once for each
+/// motion.
+struct ForeignMotion {
+    ModuleIndex module;
+    std::int32_t position = 0;
+};
+
 /// Held motion ended without the operator's release: the evidence stopped coming.
 struct HoldExpired {
     ModuleIndex module;
@@ -337,7 +354,7 @@ using Event =
     std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
                  StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed>;
+                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -16,6 +16,8 @@ namespace {
 /// Modules that nobody asks are brought up to date at least this often, so that catching up never takes long.
 constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
 
+constexpr std::string_view kFaultsOff = "faults are not enabled; start with --enable-faults";
+
 }  // namespace
 
 Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& chainOptions)
@@ -180,7 +182,7 @@ void Chain::Private::deliverLateBytes() {
 // ---- The host ----
 
 void Chain::Private::deliverToModules(const LineByte& byte) {
-    if (faults.any())
+    if (faults.any() || byte.foreign)
         return deliverWithFaults(byte);
     ++statistics.bytesIn;
     watchForHaste(byte);
@@ -246,6 +248,14 @@ void Chain::hostSends(ByteSpan bytes, TimePoint now) {
     d->line.send(bytes, d->now);
 }
 
+tl::expected<void, std::string> Chain::foreignSends(ByteSpan bytes, TimePoint now) {
+    d->runTo(now);
+    if (!d->options.enableFaults)
+        return tl::unexpected(std::string(kFaultsOff));
+    d->line.send(bytes, d->now, true);
+    return {};
+}
+
 void Chain::advanceTo(TimePoint now) {
     d->runTo(now);
 }
@@ -304,7 +314,7 @@ void Chain::mendAddressLine(ModuleIndex module, TimePoint now) {
 tl::expected<unsigned, std::string> Chain::inject(const FaultSpec& fault, TimePoint now) {
     d->runTo(now);
     if (!d->options.enableFaults)
-        return tl::unexpected<std::string>("faults are not enabled; start with --enable-faults");
+        return tl::unexpected(std::string(kFaultsOff));
     if (d->faults.size() == FaultInjector::kMaxFaults)
         return tl::unexpected("there are " + std::to_string(FaultInjector::kMaxFaults) +
                               " faults already; allowed is fault clear");

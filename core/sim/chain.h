@@ -64,6 +64,10 @@ public:
     /// line holds 65 536 bytes; more are lost and counted.
     void hostSends(ByteSpan bytes, TimePoint now);
 
+    /// Another host on the same line sends `bytes`, behind what is leaving: they are carried out and answered
+    /// like this host's. A sentence when faults are not enabled.
+    tl::expected<void, std::string> foreignSends(ByteSpan bytes, TimePoint now);
+
     /// Runs everything up to and including `now`.
     void advanceTo(TimePoint now);
 

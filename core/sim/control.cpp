@@ -23,7 +23,7 @@ using Words = std::vector<std::string_view>;
 
 constexpr std::string_view kVerbs =
     "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, fault ..., fault clear, "
-    "faults, stats, time";
+    "faults, foreign BYTES, stats, time";
 
 Json error(const std::string& text) {
     return {{"error", text}};
@@ -359,6 +359,22 @@ Json inject(Chain& chain, const Words& words, TimePoint now) {
     return {{"ok", true}, {"fault", *number}};
 }
 
+/// Another host's bytes, in hexadecimal.
+Json foreign(Chain& chain, const Words& words, TimePoint now) {
+    std::vector<std::uint8_t> bytes;
+    for (const std::string_view word : std::span(words).subspan(1)) {
+        const auto byte = hexByte(word);
+        if (!byte)
+            return error("no byte " + quoted(word) + "; allowed are bytes such as AA 02 0E 10");
+        bytes.push_back(*byte);
+    }
+    if (bytes.empty())
+        return error("no bytes; allowed are such as AA 02 0E 10");
+    if (const auto sent = chain.foreignSends(bytes, now); !sent)
+        return error(sent.error());
+    return ok();
+}
+
 Json faults(Chain& chain, TimePoint now) {
     chain.advanceTo(now);
     Json list = Json::array();
@@ -390,6 +406,8 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
         return error("empty line; " + std::string(kVerbs));
     if (words[0] == "fault")
         return inject(chain, words, now);
+    if (words[0] == "foreign")
+        return foreign(chain, words, now);
     for (const Verb& verb : kTable) {
         if (words[0] != verb.name)
             continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,15 @@ template <typename T>
     T value{};
     const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (failure != std::errc{} || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+/// Two hexadecimal digits, or nothing.
+[[nodiscard]] inline std::optional<std::uint8_t> hexByte(std::string_view word) {
+    std::uint8_t value{};
+    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
+    if (failure != std::errc{} || end != word.data() + word.size() || word.size() != 2)
         return std::nullopt;
     return value;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// F-17, F-21, F-22, F-45 to F-47: bytes on the line that nobody meant.
+// F-17, F-21, F-22, F-45, F-47: bytes on the line that nobody meant.
 #include <gtest/gtest.h>
 
 #include "sim/random.h"
@@ -149,25 +149,6 @@ TEST_F(F45_ForeignHost, ThatDefinesOtherItemsMakesNoSampleWrong) {
     bus.fault("bus foreign on=define_status t=200ms..500ms");
     bus.runFor(20s);
     truth.expectAllTrue();
-}
-
-// ---- F-46 ----
-
-TEST(F46_EchoingAdapter, IsNamedWhenConnecting) {
-    FaultyBus bus(servos(2));
-    bus.fault("bus echo");
-    EXPECT_FALSE(bus.connect());
-    ASSERT_EQ(bus.count<ConnectFailed>(), 1U);
-    EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Echo);
-}
-
-using F46_EchoThatBegins = OnTheLine;
-TEST_F(F46_EchoThatBegins, IsNeverTakenForAnAnswer) {
-    Truth truth(bus);
-    bus.fault("bus echo for=5s");
-    bus.runFor(4900ms);
-    EXPECT_GT(bus.struck() + bus.engine.statistics().surplusBytes, 0U);
-    EXPECT_EQ(truth.wrong() + truth.wrongPermissions(), 0U) << truth.first();
 }
 
 // ---- F-47 ----

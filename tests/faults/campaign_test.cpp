@@ -67,6 +67,7 @@ const std::array kFaults{
     Fault{"Noise", "bus noise status t=100ms..200ms", false, kLongReply},
     Fault{"Foreign", "bus foreign on=nop t=100ms..200ms", false, kTwoHosts, true},
     Fault{"Echo", "bus echo for=10ms", true, kLongReply},
+    Fault{"EchoForEver", "bus echo"},
     Fault{"Break", "bus break status for=10ms", true, kLongReply},
 };
 
@@ -90,6 +91,7 @@ protected:
         return bus.health() == LinkHealth::Lost || bus.count<LinkLost>() > 0;
     }
     void recover();
+    void lookAndForget();
     void expectOnlySentCommands();
     void expectNoViolationsOfOurs();
 
@@ -101,6 +103,7 @@ protected:
     std::uint64_t exchanges = 0;
     std::uint64_t struck = 0;
     unsigned stops = 0, unreached = 0, lost = 0, restarts = 0, claims = 0;
+    std::size_t traffic = 0, motions = 0;  ///< that were put down to another host
 };
 
 /// What an operator might do next.
@@ -177,7 +180,7 @@ void Campaign::recover() {
     bus.runFor(500ms);
     for (std::uint8_t i = 0; i < kServos; ++i)
         bus.chain.set(ModuleIndex(i), sim::Input::Power, 1.0, bus.now);
-    truth.lookAndForget();
+    lookAndForget();
     ASSERT_TRUE(!connect || bus.connect());
     ASSERT_TRUE(bus.stopAll());
     for (std::uint8_t i = 0; i < kServos; ++i)
@@ -185,6 +188,12 @@ void Campaign::recover() {
     ASSERT_TRUE(Truth::spreadOut(bus));
     if (!GetParam().again)
         bus.fault(GetParam().line);
+}
+
+void Campaign::lookAndForget() {
+    traffic += bus.count<ForeignTraffic>();
+    motions += bus.count<ForeignMotion>();
+    truth.lookAndForget();
 }
 
 void Campaign::expectOnlySentCommands() {
@@ -223,7 +232,7 @@ TEST_P(Campaign, HasNoWrongSampleNoWrongPermissionAndNoLostStop) {
         recover();
         noteSent();
         if (!isLost())
-            truth.lookAndForget();
+            lookAndForget();
     }
     struck += bus.struck();
     std::printf(
@@ -241,6 +250,8 @@ TEST_P(Campaign, HasNoWrongSampleNoWrongPermissionAndNoLostStop) {
         EXPECT_EQ(bus.engine.statistics().errors() + bus.engine.statistics().rejected, 0U);
     }
     EXPECT_EQ(claims, 0U) << "said to have stopped, and moved";
+    EXPECT_TRUE(traffic == 0 || fault.sendsCommands) << "nobody else is on the line";
+    EXPECT_EQ(motions, 0U) << "nobody else moves a motor";
     expectOnlySentCommands();
     expectNoViolationsOfOurs();
 }

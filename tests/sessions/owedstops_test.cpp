@@ -93,6 +93,7 @@ public:
                 break;
             case StopCause::LinkGivenUp:
             case StopCause::StopAll:
+            case StopCause::ForeignTraffic:
                 return false;
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);

@@ -60,6 +60,8 @@ constexpr std::array kStrikes{
 };
 
 constexpr std::array<std::uint32_t, 3> kRates{19'200, 57'600, 115'200};
+/// One in so many is on an adapter that echoes.
+constexpr std::uint64_t kEchoing = 4;
 
 class Maker {
 public:
@@ -103,6 +105,7 @@ private:
         world.baud = kRates[below(kRates.size())];
         world.latency = static_cast<Duration::rep>(below(3) == 0 ? 0 : below(17)) * 1ms;
         world.deafWhenAddressInputRises = below(2) == 0;
+        world.echoes = seed % kEchoing == 0;
         return world;
     }
     std::uint8_t version() { return static_cast<std::uint8_t>(below(2) == 0 ? 4 : 1 + below(4)); }
@@ -178,7 +181,7 @@ std::string toText(const Plan& plan) {
         text << (module.type == ModuleType::Step ? "step" : "servo@" + std::to_string(int{module.version}))
              << ",";
     text << " " << plan.world.baud << " Bd, latency " << plan.world.latency / 1ms << " ms"
-         << (plan.world.deafWhenAddressInputRises ? ", deaf" : "")
+         << (plan.world.deafWhenAddressInputRises ? ", deaf" : "") << (plan.world.echoes ? ", echo" : "")
          << (plan.world.readOnly ? ", read-only" : "") << "; "
          << kPrologues.at(static_cast<std::size_t>(plan.prologue));
     if (plan.prologue == Prologue::LeftBehind)

@@ -66,6 +66,13 @@ Rig::Rig(const World& w)
         if (onPacket)
             onPacket(bytes);
     };
+    plugIn();
+}
+
+/// The adapter, as it is made.
+void Rig::plugIn() {
+    if (world.echoes)
+        bus.fault("bus echo");
 }
 
 Rig::~Rig() {
@@ -202,6 +209,7 @@ void Rig::powerCycle(std::uint8_t place) {
 
 void Rig::fault(const std::string& line, Duration time, bool deafens, std::optional<std::uint8_t> place) {
     const TimePoint until = bus.now + time;
+    m_foreignHost = m_foreignHost || line.starts_with("foreign");
     faultsUntil = std::max(faultsUntil, until);
     for (std::uint8_t i = 0; deafens && i < size(); ++i)
         if (!place || *place == i)
@@ -214,6 +222,7 @@ void Rig::fault(const std::string& line, Duration time, bool deafens, std::optio
 
 void Rig::clearFaults() {
     bus.clearFaults();
+    plugIn();
     faultsUntil = std::min(faultsUntil, bus.now);
     for (TimePoint& until : m_deafUntil)
         until = std::min(until, bus.now);
@@ -356,6 +365,10 @@ void Rig::handle(const Event& event) {
     } else if (const auto* health = std::get_if<HealthChanged>(&event)) {
         if (health->health == LinkHealth::Lost && !health->module && !world.readOnly)
             m_oath.stopsByItself();
+    } else if (std::holds_alternative<ForeignTraffic>(event) && !m_foreignHost) {
+        complain("foreign: nobody else is on the line");
+    } else if (std::holds_alternative<ForeignMotion>(event)) {
+        complain("foreign: nobody else moves a motor");
     } else if (const auto* finished = std::get_if<StopFinished>(&event)) {
         m_oath.onFinished(*finished);
     }

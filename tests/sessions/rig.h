@@ -23,6 +23,7 @@ struct World {
     Duration latency{};  ///< of the adapter
     bool deafWhenAddressInputRises = false;
     bool readOnly = false;  ///< the operator only looks
+    bool echoes = false;  ///< the adapter returns what is sent
     std::uint64_t seed = 1;
 };
 
@@ -133,6 +134,7 @@ private:
 
     static sim::ChainOptions optionsOf(const World& world);
     static bus::EngineConfig configOf(const World& world);
+    void plugIn();
     void observe();
     void handle(const bus::Event& event);
     void chainFound(const bus::ChainFound& found);
@@ -159,6 +161,7 @@ private:
     std::vector<bool> m_driven;          ///< by place, from outside
     std::size_t m_seen = 0;
     bool m_powerCycled = false;
+    bool m_foreignHost = false;
 };
 
 }  // namespace nmc::test

@@ -155,7 +155,7 @@ TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     EXPECT_THAT(errorOf("stats 1"), HasSubstr("stats"));
     for (const char* line : {"", "  ", "hello", "quit", "\xff\xfe"})
         EXPECT_THAT(errorOf(line), HasSubstr("state N, set N NAME VALUE, power-cycle N|all, break N, mend N, "
-                                             "fault ..., fault clear, faults, stats, time"));
+                                             "fault ..., fault clear, faults, foreign BYTES, stats, time"));
     EXPECT_EQ(say("state 1"), before);
 }
 
@@ -257,6 +257,13 @@ TEST_F(Control, StatsCountWhatHappened) {
     EXPECT_EQ(s["violations"][0]["kind"], "unknown_command");
     EXPECT_EQ(s["violations"][0]["bytes"], "AA 02 0D 0F");
     EXPECT_GT(s["violations"][0]["time"], 0.01);
+}
+
+TEST_F(Control, AnotherHostsBytesAreHexadecimalAndNeedFaultsEnabled) {
+    EXPECT_THAT(errorOf("foreign"), HasSubstr("no bytes"));
+    for (const char* wrong : {"foreign AG", "foreign A", "foreign AA02", "foreign 0x1"})
+        EXPECT_THAT(errorOf(wrong), HasSubstr("no byte ")) << wrong;
+    EXPECT_THAT(errorOf("foreign AA 02 0E 10"), HasSubstr("--enable-faults"));
 }
 
 TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocol/baud.h"
 #include "sim/control.h"
 #include "tests/sim/hostwire.h"
 
@@ -347,6 +348,28 @@ TEST_F(Faults, ForeignCommandsAreAnsweredAndNotBlamedOnTheHost) {
     for (unsigned module = 1; module <= 3; ++module)
         total += executed(module, CommandCode::ReadStatus);
     EXPECT_EQ(total, 10U);
+}
+
+TEST_F(Faults, AnotherHostsBytesAreCarriedOutAndAnsweredLikeThisHosts) {
+    const Bytes save = packet(2, 0x0C);
+    ASSERT_TRUE(wire.chain.foreignSends(save, wire.now));
+    wire.chain.advanceTo(wire.now + milliseconds(20));
+    EXPECT_EQ(wire.chain.takeHostBytes().size(), 2U) << "the answer, and not the command";
+    EXPECT_EQ(executed(2, CommandCode::SaveAsHome), 1U);
+    EXPECT_EQ(wire.chain.statistics().bytesIn, 3 * 6U) << "the three Set Address of this host";
+    EXPECT_THAT(wire.violations(), IsEmpty());
+}
+
+/// A half-duplex adapter hears each byte as it leaves: at 19 200 Bd four bytes have come back by 2.083 ms,
+/// each at the end of its stop bit.
+TEST_F(Faults, EchoedBytesComeBackWhenTheyHaveLeft) {
+    fault("bus echo");
+    wire.chain.hostSends(packet(1, 0x0E), wire.now);
+    wire.chain.advanceTo(wire.now + milliseconds(100));
+    const auto bytes = wire.chain.takeHostBytes();
+    ASSERT_GE(bytes.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(bytes[i].due, wire.now + static_cast<Duration::rep>(i + 1) * byteTimeAtBaud(19'200));
 }
 
 // ---- The module ----

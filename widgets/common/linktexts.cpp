@@ -58,10 +58,12 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
                 "unknown; commands may not arrive either.");
             break;
         case bus::ConnectFailure::Echo:
-            m.headline = Texts::tr("The adapter at %1 returns what is sent to it.").arg(portName(port));
+            m.headline = Texts::tr("Only the echo of the adapter at %1 came back: no module answered.")
+                             .arg(portName(port));
             m.body = Texts::tr(
-                "That is how a 2-wire adapter works; these modules need a full-duplex (4-wire) one, or its "
-                "echo switched off.");
+                "The echo itself does no harm. Check, in this order: module power; every cable in the chain, "
+                "one loose cable hides all modules; that the transmit pair of the modules is wired to the "
+                "adapter, too.");
             break;
         case bus::ConnectFailure::Unaddressed:
             m.headline = Texts::tr("No module at %1 has an address yet.").arg(portName(port));
@@ -131,6 +133,13 @@ Message connected(const bus::ChainFound& found, const QString& port) {
                      .arg(portName(port), countOfModules(modules), rate(found.baud));
     m.body = Texts::tr("Nothing moves until you ask for it. Gains are unknown until you apply them.");
     return m;
+}
+
+Message echoNoticed(const QString& port) {
+    return {.key = u"echo"_s,
+            .headline = Texts::tr("The adapter at %1 returns what is sent to it. The panel ignores it.")
+                            .arg(portName(port)),
+            .body = Texts::tr("That is how a 2-wire adapter works. Nothing needs to be done.")};
 }
 
 Message unaddressed() {

@@ -16,6 +16,8 @@ QString rejection(bus::Rejection rejection) {
             return Texts::tr("all bytes are 00, or all FF, as on a line that is held low or high");
         case bus::Rejection::Surplus:
             return Texts::tr("more bytes than were asked for");
+        case bus::Rejection::Echo:
+            return Texts::tr("not behind the exact echo of its command");
         case bus::Rejection::Identity:
             return Texts::tr("type or version is not that of this module");
         case bus::Rejection::UndefinedBits:

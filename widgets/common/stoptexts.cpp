@@ -53,8 +53,9 @@ QString stopReach(int reachable, int modules) {
 }
 
 QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
-    // The message about a group is about several.
-    return confirmed.cause == bus::StopCause::GroupHalfStarted
+    // These messages are about several.
+    return confirmed.cause == bus::StopCause::GroupHalfStarted ||
+                   confirmed.cause == bus::StopCause::ForeignTraffic
                ? Texts::tr("Module %1 has stopped.").arg(moduleNumber(confirmed.module))
                : Texts::tr("It has stopped.");
 }
@@ -97,6 +98,31 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
             break;
     }
     return m;
+}
+
+Message foreignTraffic(const bus::ForeignTraffic& traffic) {
+    QString headline = Texts::tr("Somebody else is sending on this line.");
+    if (!traffic.toldToStop.empty())
+        headline += u' ' + (traffic.toldToStop.size() == 1 ? Texts::tr("Module %1 was told to stop.")
+                                                           : Texts::tr("Modules %1 were told to stop."))
+                               .arg(listOfModules(traffic.toldToStop));
+    return {.key = u"foreign"_s,
+            .severity = Severity::Fault,
+            .headline = headline,
+            .body = Texts::tr(
+                "Modules answer commands that did not come from here; what was under way here was cancelled. "
+                "End the other program, or take its computer off the line, before you go on.")};
+}
+
+Message foreignMotion(const bus::ForeignMotion& motion) {
+    return {.key = ofModule(u"foreign"_s, motion.module),
+            .severity = Severity::Fault,
+            .headline =
+                Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
+            .body = Texts::tr(
+                "Somebody else on this line has started it. The panel leaves it alone unless you stop it; he "
+                "may start it again."),
+            .actions = {{action::kStopAll, Texts::tr("STOP ALL")}}};
 }
 
 }  // namespace nmc::texts

@@ -56,6 +56,7 @@ inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
 inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< the window asks before it
 inline const QString kReconnect = QStringLiteral("reconnect");
 inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
+inline const QString kStopAll = QStringLiteral("stopAll");                ///< of the window's, too
 inline const QString kUnderstood = QStringLiteral("understood");
 inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors that a session left moving
 inline const QString kRestoreWork = QStringLiteral("restoreWork");
@@ -77,6 +78,7 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// What is there cannot be taken as the chain while motors move: it is looked for anew then.
 [[nodiscard]] Message chainNotAccepted();
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
+[[nodiscard]] Message echoNoticed(const QString& port);
 /// A module without an address answers beside the chain.
 [[nodiscard]] Message unaddressed();
 [[nodiscard]] Message disconnected(const QString& port);
@@ -108,6 +110,9 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
 [[nodiscard]] Message motionSuspect(const bus::MotionSuspect& suspect);
+/// Another host is on the line.
+[[nodiscard]] Message foreignTraffic(const bus::ForeignTraffic& traffic);
+[[nodiscard]] Message foreignMotion(const bus::ForeignMotion& motion);
 [[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
 /// `limit`: the position error limit in force, where it is known.
 [[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);

@@ -333,6 +333,9 @@ void MainWindow::takeMessageAction(const QString& key, const QString& actionId) 
     } else if (actionId == texts::action::kRestartNetwork) {
         askBeforeRestart();
         return;  // the message stays until it is done
+    } else if (actionId == texts::action::kStopAll) {
+        requestStop();
+        endMessage(key);
     } else if (actionId == texts::action::kUnderstood) {
         m_settings.setValue(kSafetyRead, true);
         endMessage(key);

@@ -36,7 +36,8 @@ struct Ends {
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
                     bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
                     bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
-                    bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed> auto&) const {
+                    bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
+                    bus::ForeignTraffic, bus::ForeignMotion> auto&) const {
         return false;
     }
 };

@@ -126,7 +126,8 @@ void BusStore::take(const bus::Event& event) {
                                bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
                                bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
                                bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
-                               bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed> auto& news) {
+                               bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
+                               bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion> auto& news) {
                 note(news);
                 emit happened(news);
             },
@@ -153,6 +154,14 @@ void BusStore::note(const bus::OperationFinished& finished) {
 void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
+}
+
+/// Where it was told to go, and how fast, is not known here.
+void BusStore::note(const bus::ForeignMotion& motion) {
+    if (!known(motion.module))
+        return;
+    m_records[motion.module.value()].feed.doubt();
+    doubtMotions({motion.module});
 }
 
 void BusStore::note(const bus::HealthChanged& changed) {

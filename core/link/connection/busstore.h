@@ -33,8 +33,9 @@ using StoreEvent =
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
                  bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                 PortClosed, ServoWentOff, CurrentLimited, SimulatorAnswered, PanelFroze, MachineSlept,
-                 GuardianStopped, GuardianMissing>;
+                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, PortClosed, ServoWentOff,
+                 CurrentLimited, SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped,
+                 GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -89,8 +90,10 @@ private:
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
     void note(const bus::StopFinished& stopped);
     void note(const bus::OwedStopConfirmed& confirmed);
+    void note(const bus::ForeignMotion& motion);
     void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::GroupFinished,
-                          bus::RateChangeFailed, bus::ReaddressFailed> auto&) {}
+                          bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed,
+                          bus::ForeignTraffic> auto&) {}
     /// What these were told has not been heard of: what moves them is for their positions to say.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);

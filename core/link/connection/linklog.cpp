@@ -105,6 +105,13 @@ struct EventLine {
     std::string operator()(const bus::CommandRefused& refused) const {
         return name(refused.module) + " refused, attempt " + std::to_string(refused.attempt);
     }
+    std::string operator()(const bus::ForeignTraffic& traffic) const {
+        return "somebody else sends, told to stop " + list(traffic.toldToStop);
+    }
+    std::string operator()(const bus::ForeignMotion& motion) const {
+        return name(motion.module) + " moves by somebody else, position " + std::to_string(motion.position);
+    }
+    std::string operator()(const bus::EchoNoticed&) const { return "the adapter echoes"; }
     std::string operator()(const bus::LinkLost&) const { return "every module is silent"; }
     std::string operator()(const bus::HoldExpired& expired) const {
         return name(expired.module) + ": hold expired";

@@ -19,6 +19,7 @@ static_assert(kEnds.size() == static_cast<std::size_t>(bus::ExchangeEnd::NotAske
 
 inline constexpr std::array<std::string_view, bus::kRejections> kRejections{"uniform",
                                                                             "surplus",
+                                                                            "echo",
                                                                             "identity",
                                                                             "undefined_bits",
                                                                             "homing_rose",

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "bus/ownmotion.h"
+
+#include <cstdlib>
+
+#include "bus/commandlane.h"
+
+namespace nmc::bus {
+
+void OwnMotion::onSent(const ModuleCommand& command) {
+    switch (payloadOf(command).code) {
+        case CommandCode::Nop:
+        case CommandCode::ReadStatus:
+        case CommandCode::DefineStatus:
+            return;
+        case CommandCode::ResetPosition:
+        case CommandCode::SetAddress:
+        case CommandCode::LoadTrajectory:
+        case CommandCode::StartMotion:
+        case CommandCode::SetGain:
+        case CommandCode::StopMotor:
+        case CommandCode::IoControl:
+        case CommandCode::SetHoming:
+        case CommandCode::SetBaud:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SaveAsHome:
+        case CommandCode::Reserved:
+        case CommandCode::HardReset:
+            break;
+    }
+    m_commanded = true;
+    m_still.reset();
+}
+
+bool OwnMotion::onReport(const StatusReport& report, TimePoint latched, bool mayMove) {
+    if (!report.position)
+        return false;
+    if (m_still.look(latched, *report.position, mayMove || saysMoving(report))) {
+        m_rested = true;
+        m_commanded = false;
+        m_place = *report.position;
+    }
+    const bool others = m_rested && !m_commanded && underPower(report);
+    m_looks = others ? m_looks + 1 : 0;
+    if (m_looks < kLooks)
+        return false;
+    m_rested = false;
+    return true;
+}
+
+bool OwnMotion::saysMoving(const StatusReport& report) const {
+    if (m_type == ModuleType::Step)
+        return report.stepStatus().moving();
+    return !report.servoStatus().moveDone() || report.velocity.value_or(1) != 0;
+}
+
+bool OwnMotion::underPower(const StatusReport& report) const {
+    if (m_type == ModuleType::Step)
+        return report.stepStatus().moving();
+    if (m_type != ModuleType::Servo || !report.aux || !servo::AuxByte{*report.aux}.servoOn())
+        return false;
+    const std::int64_t gone = countsBetween(m_place, *report.position);
+    return !report.servoStatus().moveDone() ||
+           (report.velocity.value_or(0) != 0 && std::abs(gone) > kGivesWay);
+}
+
+}  // namespace nmc::bus

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "bus/strayframes.h"
+
+#include <algorithm>
+
+namespace nmc::bus {
+
+namespace {
+
+/// Enough to judge by; noise may bring thousands.
+constexpr std::size_t kRemembered = 64;
+
+template <typename Queue>
+void push(Queue& queue, typename Queue::value_type value) {
+    if (queue.size() == kRemembered)
+        queue.pop_front();
+    queue.push_back(value);
+}
+
+}  // namespace
+
+void StrayFrames::onMissed(TimePoint now) {
+    push(m_missed, now);
+}
+
+void StrayFrames::hear(ByteSpan bytes, TimePoint now, Duration byteTime) {
+    const auto count = static_cast<Duration::rep>(bytes.size());
+    if (now - byteTime * count > m_over)
+        endRun();
+    m_bytes.append(bytes.first(std::min(bytes.size(), m_bytes.capacity() - m_bytes.size())));
+    m_last = now;
+    m_over = now + byteTime * kSurplusCharacters;
+}
+
+bool StrayFrames::takeForeign(TimePoint now) {
+    if (now > m_over)
+        endRun();
+    while (!m_runs.empty() && now - m_runs.front().time > kWithin)
+        m_runs.pop_front();
+    const auto frames = static_cast<std::size_t>(
+        std::count_if(m_runs.begin(), m_runs.end(), [](const Run& run) { return run.frame; }));
+    if (frames == 0)
+        m_told = false;
+    if (m_told || frames < kEnough || m_runs.size() > frames * kRunsPerFrame)
+        return false;
+    m_told = true;
+    return true;
+}
+
+void StrayFrames::endRun() {
+    if (m_bytes.empty())
+        return;
+    const bool frame = isFrame();
+    if (!frame || !paidFor())
+        push(m_runs, {m_last, frame});
+    m_bytes.clear();
+}
+
+bool StrayFrames::isFrame() const {
+    const ByteSpan bytes(m_bytes);
+    if (bytes.size() < kShortest || bytes.size() > kMaxReply || uniform(bytes))
+        return false;
+    const ByteSpan command(m_command);
+    const bool sent = bytes.size() <= command.size() &&
+                      std::equal(bytes.begin(), bytes.end(), command.last(bytes.size()).begin());
+    return !sent && sum8(bytes.first(bytes.size() - 1)) == bytes.back();
+}
+
+/// It may be the answer that stayed away longest.
+bool StrayFrames::paidFor() {
+    while (!m_missed.empty() && m_last - m_missed.front() > kLatest)
+        m_missed.pop_front();
+    if (m_missed.empty())
+        return false;
+    m_missed.pop_front();
+    return true;
+}
+
+}  // namespace nmc::bus

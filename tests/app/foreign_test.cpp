@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes over the line besides answers, through the whole program: another host, and an adapter's echo.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+/// Another program on the same line: it sends this to module 2, sum and all. The panel's polls may come
+/// between, so it sends everything again until it is obeyed, as such programs do.
+void otherHostSends(NmcsimProcess& sim, const QByteArray& hex) {
+    const QByteArray bytes = QByteArray::fromHex(hex);
+    quint8 sum = 0;
+    for (const char byte : bytes)
+        sum = static_cast<quint8>(sum + static_cast<quint8>(byte));
+    const QByteArray packet = '\xAA' + bytes + static_cast<char>(sum);
+    (void)sim.control(QStringLiteral("foreign ") + QString::fromLatin1(packet.toHex(' ')));
+}
+
+double commandVelocity(NmcsimProcess& sim) {
+    return sim.state(2)[QStringLiteral("command_velocity")].toDouble();
+}
+
+class AnotherHost : public testing::Test {
+protected:
+    NmcsimProcess sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
+    IntentPanel panel;
+};
+
+TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonInTheMessage) {
+    panel.composition().show({sim.terminal(), 115'200, false});
+    const auto rests = [&] {
+        const ModuleState* second = panel.composition().store().module(ModuleIndex(1));
+        return panel.connected() && second != nullptr && second->activity() == Activity::ServoOff;
+    };
+    ASSERT_TRUE(panel.waitFor(rests));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    ASSERT_TRUE(panel.waitFor([&] {
+        otherHostSends(sim, "02 E6 C8 00 D0 07 14 00 C8 00 FF 00 40 1F 01 00");  // gains of simulator.md
+        otherHostSends(sim, "02 17 05");                                         // servo on
+        otherHostSends(sim, "02 94 B6 00 00 04 00 8F 02 00 00");  // velocity 4 counts/tick, now
+        return commandVelocity(sim) > 0;
+    }));
+    const QString told = QStringLiteral("Module 2 moves, and not because of this panel.");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(told) != nullptr; }))
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_GT(commandVelocity(sim), 0) << "it is left alone";
+
+    auto* stop = panel.window().findChild<QPushButton*>(QStringLiteral("bannerAction_stopAll"));
+    ASSERT_NE(stop, nullptr);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    EXPECT_TRUE(panel.waitFor([&] { return commandVelocity(sim) == 0; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(told) == nullptr; }));
+}
+
+TEST_F(AnotherHost, ThatAsksQuestionsIsToldOfAndEndsTheMotionOfThisPanel) {
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    (void)sim.control(QStringLiteral("fault bus foreign on=nop t=10ms..40ms"));
+    const QString told = QStringLiteral("Somebody else is sending on this line. Module 1 was told to stop.");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) > 0; }))
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 has stopped.")) > 0; }));
+}
+
+TEST(AnAdapterThatEchoes, IsToldOfOnceAndDoesNoHarm) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")});
+    (void)sim.control(QStringLiteral("fault bus echo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("returns what is sent to it. The panel ignores it.")), 1);
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) == 1; }));
+    EXPECT_FALSE(moves(sim));
+    EXPECT_TRUE(sim.violations().isEmpty());
+}
+
+TEST(AnAdapterThatEchoes, IsNoModule) {
+    NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--enable-faults")});
+    (void)sim.control(QStringLiteral("fault bus echo"));
+    (void)sim.control(QStringLiteral("fault bus silent"));
+    IntentPanel panel;
+    panel.composition().show({sim.terminal(), 115'200, false});
+    EXPECT_TRUE(
+        panel.waitFor([&] { return panel.count(QStringLiteral("Only the echo of the adapter")) == 1; }));
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An adapter that returns what is sent, at the level of single bytes. At 19 200 Bd a byte takes 520.833 us:
+// a command of four bytes leaves until 2.083 ms.
+#include <gtest/gtest.h>
+
+#include "bus/line.h"
+#include "protocol/commands.h"
+#include "tests/bus/scriptedbus.h"
+
+namespace nmc::test {
+
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr const char* kCommand = "AA 01 0E 0F ";
+constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
+
+class EchoingLine : public testing::Test {
+protected:
+    void ask(Framing framing = Framing::Settled) {
+        now += 100ms;
+        line.begin({BusAddress(1), Nop{}.encode(), {ModuleType::Servo, StatusItems{0x0B}}, framing}, now);
+    }
+    /// So long after the command began to leave.
+    bool hear(const std::string& hex, Duration after) { return line.onBytes(fromHex(hex), now + after); }
+    [[nodiscard]] ReplyEnd end() {
+        while (const auto deadline = line.deadline())
+            line.onDeadline(*deadline);
+        const auto end = line.takeEnd();
+        EXPECT_TRUE(end);
+        EXPECT_FALSE(line.takeEnd());
+        return end.value_or(ReplyEnd{});
+    }
+    /// The first exchange shows what the adapter does.
+    void recognise() {
+        ask();
+        hear(kCommand, 2083us);
+        EXPECT_EQ(end().result, ReplyResult::Echo);
+        ask();
+        ASSERT_TRUE(line.echoes());
+        hear(kCommand, 2083us);
+        hear(kReply, 7ms);
+        EXPECT_EQ(end().result, ReplyResult::Accepted);
+        line.statistics() = {};
+    }
+    Line line{4ms, 10ms};
+    TimePoint now{1s};
+};
+
+TEST_F(EchoingLine, IsRecognisedByOneExactEchoWhichIsNoAnswer) {
+    ask();
+    hear(kCommand, 2083us);
+    hear(kReply, 7ms);
+    const ReplyEnd first = end();
+    EXPECT_EQ(first.result, ReplyResult::Echo);
+    EXPECT_EQ(toHex(first.bytes).rfind("AA 01 0E 0F", 0), 0U) << "the packet monitor shows it";
+    ask();
+    EXPECT_TRUE(line.echoes());
+}
+
+TEST_F(EchoingLine, IsRecognisedWhereTheLastBytesComeBehindTheReplysLength) {
+    now += 100ms;  // five bytes out, four back
+    line.begin({BusAddress(1), ReadStatus{kIdentityItems}.encode(), {ModuleType::Servo, kIdentityItems}, {}},
+               now);
+    for (const char* byte : {"AA ", "01 ", "13 ", "20 "})
+        hear(byte, 20ms);
+    EXPECT_EQ(end().result, ReplyResult::Echo);
+    hear("34 ", 21ms);
+    ask();
+    EXPECT_TRUE(line.echoes());
+}
+
+/// The module is there, but does not answer: AA 01 0E 0F is not its answer, nor is what follows the AA, whose
+/// sum is right.
+TEST_F(EchoingLine, GivesSilenceWhereNobodyAnswers) {
+    recognise();
+    ask();
+    EXPECT_FALSE(hear(kCommand, 2083us)) << "nobody was heard";
+    const ReplyEnd silent = end();
+    EXPECT_EQ(silent.result, ReplyResult::Silent);
+    EXPECT_TRUE(silent.bytes.empty());
+}
+
+TEST_F(EchoingLine, TakesEchoAndAnswerInOnePiece) {
+    recognise();
+    ask();
+    EXPECT_TRUE(hear(std::string(kCommand) + kReply, 20ms));
+    EXPECT_EQ(end().result, ReplyResult::Accepted);
+}
+
+TEST_F(EchoingLine, TakesAnOpenAnswerBehindTheEcho) {
+    recognise();
+    ask(Framing::Open);
+    hear(kCommand, 2083us);
+    hear(kReply, 7ms);
+    const ReplyEnd open = end();
+    EXPECT_EQ(open.result, ReplyResult::Accepted);
+    EXPECT_EQ(open.bytes.size(), 8U);
+}
+
+/// The echo of the next command comes while bytes behind the reply would spoil it.
+TEST_F(EchoingLine, SpoilsNoPipelinedReplyByTheEchoOfTheNextCommand) {
+    recognise();
+    ask(Framing::Pipelined);
+    hear(kCommand, 2083us);
+    hear(kReply, 7ms);
+    ASSERT_TRUE(line.ready());
+    now += 7ms - 100ms;
+    ask(Framing::Pipelined);
+    for (const char* byte : {"AA ", "01 ", "0E ", "0F "})
+        hear(byte, 1ms);
+    hear(kReply, 7ms);
+    const auto first = line.takeEnd();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->result, ReplyResult::Accepted);
+    EXPECT_EQ(end().result, ReplyResult::Accepted);
+    EXPECT_EQ(line.statistics().surplusBytes, 0U);
+}
+
+TEST_F(EchoingLine, RejectsAnAnswerBehindADamagedEcho) {
+    for (const char* damaged :
+         {"AA 01 0F 0F ", "AA 01 0E ", "01 0E 0F ", "AA 01 0E 0E ", "AA 01 77 0E 0F "}) {
+        SCOPED_TRACE(damaged);
+        Line fresh(4ms, 10ms);
+        std::swap(line, fresh);
+        recognise();
+        ask();
+        hear(damaged, 2083us);
+        hear(kReply, 7ms);
+        EXPECT_EQ(end().result, ReplyResult::Echo);
+        ask();
+        EXPECT_TRUE(line.echoes());
+        hear(kCommand, 2083us);
+        hear(kReply, 7ms);
+        EXPECT_EQ(end().result, ReplyResult::Accepted) << "the next one is right";
+    }
+}
+
+/// Nulls and blind stops come back, too; with an adapter that holds bytes back, only behind the next command.
+TEST_F(EchoingLine, PassesByWhatComesBackLate) {
+    recognise();
+    now += 100ms;
+    line.run({Line::Nulls{}, Line::Pause{1ms}, DiscardInput{}}, now);
+    while (line.busy())
+        line.onDeadline(*line.deadline());
+    ask();
+    hear("00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 AA 01 17 05 1D ", 1ms);
+    hear(kCommand, 16ms);
+    hear(kReply, 17ms);
+    EXPECT_EQ(end().result, ReplyResult::Accepted);
+}
+
+TEST_F(EchoingLine, CountsTheEchoOfAScriptAsExpected) {
+    recognise();
+    now += 100ms;
+    line.run({Line::Nulls{}, Line::Lag{}}, now);
+    EXPECT_FALSE(hear("00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 ", 8334us));
+    EXPECT_EQ(line.statistics().surplusBytes, 0U);
+    EXPECT_TRUE(hear("19 ", 9ms)) << "somebody else";
+    EXPECT_EQ(line.statistics().surplusBytes, 1U);
+}
+
+TEST_F(EchoingLine, CountsTheRestOfAnAbandonedExchangeAsExpected) {
+    recognise();
+    ask();
+    hear("AA 01 ", 1042us);
+    line.abandon(now + 1042us);
+    hear("0E 0F ", 2083us);
+    hear(kReply, 7ms);
+    EXPECT_EQ(line.statistics().surplusBytes, 0U);
+    // A stop that comes right behind.
+    ask();
+    hear(kCommand, 2083us);
+    hear(kReply, 7ms);
+    EXPECT_EQ(end().result, ReplyResult::Accepted);
+}
+
+/// Somebody has turned the echo off at the adapter.
+TEST_F(EchoingLine, EndsWithAWholeAnswerWithoutEchoWhichDoesNotCount) {
+    recognise();
+    ask();
+    hear(kReply, 7ms);
+    EXPECT_EQ(end().result, ReplyResult::Echo);
+    EXPECT_FALSE(line.echoes());
+    ask();
+    hear(kReply, 7ms);
+    EXPECT_EQ(end().result, ReplyResult::Accepted);
+}
+
+/// Noise, or half an answer, is no sign of that.
+TEST_F(EchoingLine, DoesNotEndByNoiseOrSilence) {
+    recognise();
+    for (const char* heard : {"19 00 00 ", "19 00 00 00 00 00 00 18 ", ""}) {
+        ask();
+        hear(heard, 7ms);
+        EXPECT_NE(end().result, ReplyResult::Accepted);
+        EXPECT_TRUE(line.echoes());
+    }
+}
+
+/// A motor may well stand where its reply holds the bytes of a command.
+TEST_F(EchoingLine, IsNotTakenForOneByAnAnswerThatHoldsTheCommand) {
+    for (int i = 0; i < 3; ++i) {
+        ask();
+        hear("19 AA 01 0E 0F 00 00 E1 ", 7ms);
+        EXPECT_EQ(end().result, ReplyResult::Accepted);
+        EXPECT_FALSE(line.echoes());
+    }
+}
+
+/// Two panels on one port cannot be, but noise is possible: a first byte that is not the command's.
+TEST_F(EchoingLine, IsNotRecognisedBehindSomethingElse) {
+    ask();
+    hear("55 ", 1ms);
+    hear(kCommand, 2083us);
+    EXPECT_NE(end().result, ReplyResult::Accepted);
+    ask();
+    EXPECT_FALSE(line.echoes());
+}
+
+}  // namespace
+
+}  // namespace nmc::test
