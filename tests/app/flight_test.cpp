@@ -44,7 +44,7 @@ protected:
 
 TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
     begin();
-    emit panel.window().stopAllRequested();
+    panel.pressStopAll();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("2 of 2 stopped")) > 0; }));
     ASSERT_TRUE(panel.answersFor(0.2));
     for (const QLabel* label : panel.window().findChild<Banner*>()->findChildren<QLabel*>())

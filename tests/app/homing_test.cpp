@@ -260,7 +260,7 @@ TEST_F(HomingPage, MovesByNFromTheWindowsIntent) {
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     panel.ask(intent::StepBy{-250, CountsPerTick(1 << 14), CountsPerTickSquared(1'311), 30, 0.0, false});
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
-    emit panel.window().stopAllRequested();
+    panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_FALSE(testing_support::moves(sim)) << "nothing starts again";

@@ -81,11 +81,11 @@ TEST_F(H02_Killed, IsSaidAtTheNextStartUntilTheMotorWasSeenAtRest) {
     ASSERT_NO_FATAL_FAILURE(next.connectTo(other.terminal()));
     ASSERT_TRUE(next.answersFor(2.0));
     EXPECT_TRUE(stays(next)) << "that is another port";
-    emit next.window().connectRequested(sim.terminal(), 115'200);
+    next.connectTo(sim.terminal());
     ASSERT_TRUE(next.waitFor([&] {
         return next.connected() && next.composition().store().link().port == sim.terminal().toStdString();
     }));
-    emit next.window().stopAllRequested();
+    next.pressStopAll();
     EXPECT_TRUE(next.waitFor([&] { return !stays(next); }));
     EXPECT_FALSE(moves(sim));
     IntentPanel last({}, {}, killed.data());
@@ -189,7 +189,7 @@ TEST(MotionMark, IsThereBeforeTheCommandHasLeftAndGoneWhenTheMotorStands) {
     ASSERT_EQ(panel.markers().size(), 1);
     EXPECT_TRUE(panel.answersFor(0.5));
     EXPECT_EQ(panel.markers().size(), 1);
-    emit panel.window().stopAllRequested();
+    panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
 }
 

@@ -86,6 +86,9 @@ public:
             }
         return false;
     }
+    void pressStopAll() {
+        QTest::mouseClick(window().findChild<QWidget*>(QStringLiteral("stopAllButton")), Qt::LeftButton);
+    }
     /// The files that say which motors move, beside the settings.
     [[nodiscard]] QStringList markers() const {
         return QFileInfo(m_settings.fileName()).dir().entryList({QStringLiteral("moving-*.json")});

@@ -161,7 +161,7 @@ TEST_F(RecordingProgram, ClosingThePortEndsTheRecording) {
 TEST_F(RecordingProgram, AStopIsNotedInTheFile) {
     record(path("stop.csv"));
     ASSERT_TRUE(panel.answersFor(0.1));
-    emit panel.window().stopAllRequested();
+    panel.pressStopAll();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("topped")) > 0; }));
     emit files().recordingEndRequested();
     ASSERT_TRUE(told("\"stop.csv\" is recorded"));

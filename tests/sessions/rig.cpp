@@ -210,6 +210,7 @@ void Rig::powerCycle(std::uint8_t place) {
 void Rig::fault(const std::string& line, Duration time, bool deafens, std::optional<std::uint8_t> place) {
     const TimePoint until = bus.now + time;
     m_foreignHost = m_foreignHost || line.starts_with("foreign");
+    noisyCommands = noisyCommands || line.starts_with("noise cmd");
     faultsUntil = std::max(faultsUntil, until);
     for (std::uint8_t i = 0; deafens && i < size(); ++i)
         if (!place || *place == i)
@@ -400,7 +401,8 @@ void Rig::chainFound(const ChainFound& found) {
             everOn[place] = found.attached ? everOn[place] || isOn(place) : isOn(place);
         }
         const std::string address = std::to_string(module.address);
-        if (there != 1 && !m_powerCycled)
+        // Another host's modules may answer in the place of whoever was asked.
+        if (there != 1 && !m_powerCycled && !m_foreignHost)
             complain("chain: " + std::to_string(there) + " modules have the address " + address);
         else if (there == 1 && bus.chain.identity(ModuleIndex(module.place)) != info.identity)
             complain("chain: address " + address + " is not what it is said to be");

@@ -23,7 +23,7 @@ struct World {
     Duration latency{};  ///< of the adapter
     bool deafWhenAddressInputRises = false;
     bool readOnly = false;  ///< the operator only looks
-    bool echoes = false;  ///< the adapter returns what is sent
+    bool echoes = false;    ///< the adapter returns what is sent
     std::uint64_t seed = 1;
 };
 
@@ -113,11 +113,12 @@ public:
     FaultyBus bus;
     std::optional<KnownChain> known;
     std::vector<WireItem> wire;
-    TimePoint lineFree{};       ///< when the last byte that was given to the port will have left
-    TimePoint faultsUntil{};    ///< nothing goes wrong on the line from then on
-    bool restartAsked = false;  ///< by the search that is under way, or was the last
-    bool lost = false;          ///< the engine says that the link is
-    std::vector<bool> everOn;   ///< by place, since it was given an address
+    TimePoint lineFree{};        ///< when the last byte that was given to the port will have left
+    bool noisyCommands = false;  ///< noise on the way to the modules, at some time
+    TimePoint faultsUntil{};     ///< nothing goes wrong on the line from then on
+    bool restartAsked = false;   ///< by the search that is under way, or was the last
+    bool lost = false;           ///< the engine says that the link is
+    std::vector<bool> everOn;    ///< by place, since it was given an address
     std::vector<std::string> complaints;
     std::set<std::string> situations;  ///< that stops of all have come upon
     /// May change what goes to the modules, after it has been noted.

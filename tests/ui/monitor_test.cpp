@@ -265,7 +265,7 @@ TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {
     window->showFigures(figures);
     open();
     const QAbstractItemModel* counters = find<QTableView>(u"counterTable"_s)->model();
-    ASSERT_EQ(counters->rowCount(), 12 + 16);
+    ASSERT_EQ(counters->rowCount(), 12 + 17);
     QMap<QString, QString> values;
     for (int row = 0; row < counters->rowCount(); ++row)
         values[counters->index(row, 1).data().toString()] = counters->index(row, 0).data().toString();
@@ -309,7 +309,7 @@ TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {
     QSet<QString> sentences;
     for (std::size_t i = 0; i < bus::kRejections; ++i)
         sentences.insert(texts::rejection(static_cast<bus::Rejection>(i)));
-    EXPECT_EQ(sentences.size(), 16);
+    EXPECT_EQ(sentences.size(), 17);
     EXPECT_FALSE(sentences.contains(QString()));
 }
 
