@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/polltask.h"
 
-
 namespace nmc::bus {
 
 Next PollTask::next(TimePoint now) {

@@ -179,8 +179,8 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
          {texts::holdExpired(ModuleIndex(0)), texts::motionSuspect({ModuleIndex(0), Reason::WrongWay, 5}),
           texts::motionSuspect({ModuleIndex(0), Reason::Overshot, 5}),
           texts::motionSuspect({ModuleIndex(0), Reason::Frozen, 5}), texts::badLink(lost),
-          texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half), texts::machineSlept(60, true),
-          texts::panelFroze(3, true)}) {
+          texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half),
+          texts::machineSlept(60, true), texts::panelFroze(3, true)}) {
         const QString words = m.headline + u' ' + m.body;
         EXPECT_TRUE(words.contains(u"told to "_s)) << words.toStdString();
         for (const QString& deed : {u"was stopped"_s, u"were stopped"_s, u"switched off:"_s, u" ended"_s})

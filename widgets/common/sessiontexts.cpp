@@ -38,13 +38,12 @@ Message machineSlept(double seconds, bool stopped) {
     const QString text =
         stopped ? Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
                 : Texts::tr("Resumed after %1: all values are read again.");
-    return {
-        .key = u"slept"_s,
-        .severity = Severity::Attention,
-        .headline = text.arg(span(seconds)),
-        .body = Texts::tr(
-            "The computer was suspended. Motors that moved went on moving meanwhile; look at them before "
-            "the next move.")};
+    return {.key = u"slept"_s,
+            .severity = Severity::Attention,
+            .headline = text.arg(span(seconds)),
+            .body = Texts::tr(
+                "The computer was suspended. Motors that moved went on moving meanwhile; look at them before "
+                "the next move.")};
 }
 
 namespace {
