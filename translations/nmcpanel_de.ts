@@ -3072,8 +3072,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 bewegt sich, und nicht durch dieses Programm.</translation>
     </message>
     <message>
-        <source>Somebody else on this line has started it. The panel leaves it alone unless you stop it; he may start it again.</source>
-        <translation>Jemand anders auf dieser Leitung hat es gestartet. Das Programm greift nicht ein, solange Sie es nicht stoppen; es kann von dort wieder gestartet werden.</translation>
+        <source>Another host on this line has started it, or a load drives it. The panel leaves it alone unless you stop it; that host may start it again.</source>
+        <translation>Ein anderer Rechner auf dieser Leitung hat es gestartet, oder eine Last treibt es. Das Programm greift nicht ein, solange Sie es nicht stoppen; es kann von dort wieder gestartet werden.</translation>
     </message>
     <message>
         <source>STOP ALL</source>

@@ -17,8 +17,8 @@ namespace nmc::bus {
 /// here would spoil, and would go on by his next command. The operator is told at once, and has STOP.
 class OwnMotion {
 public:
-    /// A servo that holds gives way by no more than the largest error limit (DS-V 5.1); then it is off.
-    static constexpr std::int64_t kGivesWay = 0x3FFF;
+    /// A servo that holds gives way to a load by less, as a rule: a turn of a usual motor.
+    static constexpr std::int64_t kGivesWay = 2'000;
     /// A single wrong frame shows no motion.
     static constexpr unsigned kLooks = 2;
 

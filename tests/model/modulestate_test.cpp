@@ -32,6 +32,20 @@ TEST(ModuleState, HoldsAfterItWasSwitchedOnAlthoughPosErrorSticks) {
     EXPECT_FALSE(module.moving());
 }
 
+TEST(ModuleState, OneAnswerOfAnotherModuleIsNoTrip) {
+    // Another host asks a module that is on; its answer comes in the place of this one's, which is off.
+    ModuleState module = servoModule();
+    module.apply(sampleOf(0.0, kMoveDone | kPosError | kPower, 0));
+    module.apply(sampleOf(0.1, kMoveDone | kPosError | kPower, kServoOn));
+    module.apply(sampleOf(0.2, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::ServoOff);
+    // Seen on twice, it was.
+    module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn));
+    module.apply(sampleOf(0.4, kMoveDone | kPower, kServoOn));
+    module.apply(sampleOf(0.5, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::PositionError);
+}
+
 TEST(ModuleState, ATrapezoidalMoveGoesThroughItsPhases) {
     ModuleState module = holdingServo();
     module.apply(executedAt(1.0, trapezoid(20'000, 8 << 16, 1311)));

@@ -120,8 +120,8 @@ Message foreignMotion(const bus::ForeignMotion& motion) {
             .headline =
                 Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
             .body = Texts::tr(
-                "Somebody else on this line has started it. The panel leaves it alone unless you stop it; he "
-                "may start it again."),
+                "Another host on this line has started it, or a load drives it. The panel leaves it alone "
+                "unless you stop it; that host may start it again."),
             .actions = {{action::kStopAll, Texts::tr("STOP ALL")}}};
 }
 

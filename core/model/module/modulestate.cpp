@@ -47,7 +47,8 @@ void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
 }
 
 void ModuleState::apply(const bus::Sample& sample) {
-    const bool wasOn = servoOn();
+    // Told so, or seen twice: a single answer may be that of another module, which another host has asked.
+    const bool wasOn = servoOn() && (m_looksWhileOn > 1 || motion != MotionMode::None);
     if (!latest)
         latest.emplace();
     merge(*latest, sample.report);
@@ -60,6 +61,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     }
     if (!isServo() || !sample.report.aux)
         return;
+    m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
     watchDrift(sample, wasOn);
     if (servoOn()) {
         switchedItselfOff = powerLostWhileOn = false;

@@ -95,6 +95,7 @@ private:
 
     servo::LoadTrajectory m_loaded;
     std::optional<std::int32_t> m_goal;  ///< of the last trapezoidal move, while it is where the servo holds
+    unsigned m_looksWhileOn = 0;         ///< in a row
     unsigned m_looksWhileOff = 0;        ///< off, and whether home did it is not known yet
     bool m_motionUnknown = false;
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
