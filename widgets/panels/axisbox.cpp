@@ -45,14 +45,7 @@ void showNumber(NumberField* field, double value, double before, bool another) {
 AxisBox::AxisBox(QWidget* parent, ModuleType type) : QWidget(parent), m_type(type) {
     look::name(this, named(u"axisBox"_s), tr("Axis"));
     build();
-    connect(m_name, &QLineEdit::textEdited, this, &AxisBox::keep);
-    connect(m_unit, &QComboBox::currentIndexChanged, this, &AxisBox::keepUnit);
-    connect(m_countsPerUnit, &NumberField::edited, this, &AxisBox::keepUnit);
-    connect(m_symbol, &QLineEdit::textEdited, this, &AxisBox::keepUnit);
-    connect(m_holdCap, &QuantityField::nativeEdited, this, &AxisBox::keep);
-    connect(m_analogPerCount, &NumberField::edited, this, &AxisBox::keep);
-    connect(m_analogAtZero, &NumberField::edited, this, &AxisBox::keep);
-    connect(m_analogUnit, &QLineEdit::textEdited, this, &AxisBox::keep);
+    connectControls();
     refresh();
 }
 
@@ -171,28 +164,52 @@ void AxisBox::showModule(const PanelView& view) {
     refresh();
 }
 
-void AxisBox::keepUnit() {
-    AxisUnit& unit = m_settings.unit;
-    unit.kind = kind();
-    if (unit.kind == UnitKind::Native)
-        unit.countsPerUnit = 1.0;
-    else
-        unit.countsPerUnit = m_countsPerUnit->value().value_or(unit.countsPerUnit);
-    unit.ownSymbol = m_symbol->text().trimmed().toStdString();
-    keep();
+void AxisBox::connectControls() {
+    // Each keeps its own part: what another field shows is rounded, or begun with.
+    const auto keepText = [this](QLineEdit* field, auto part) {
+        connect(field, &QLineEdit::textEdited, this, [this, part](const QString& text) {
+            edit([part, typed = text.toStdString()](AxisSettings& axis) { part(axis) = typed; });
+        });
+    };
+    const auto keepNumber = [this](NumberField* field, auto part) {
+        connect(field, &NumberField::edited, this, [this, field, part] {
+            edit([part, typed = field->value()](AxisSettings& axis) {
+                part(axis) = typed.value_or(part(axis));
+            });
+        });
+    };
+    keepText(
+        m_name, [](AxisSettings & axis) -> auto& { return axis.name; });
+    keepText(
+        m_analogUnit, [](AxisSettings & axis) -> auto& { return axis.analog.unit; });
+    keepNumber(
+        m_countsPerUnit, [](AxisSettings & axis) -> auto& { return axis.unit.countsPerUnit; });
+    keepNumber(
+        m_analogPerCount, [](AxisSettings & axis) -> auto& { return axis.analog.perCount; });
+    keepNumber(
+        m_analogAtZero, [](AxisSettings & axis) -> auto& { return axis.analog.atZero; });
+    connect(m_symbol, &QLineEdit::textEdited, this, [this](const QString& text) {
+        edit([typed = text.trimmed().toStdString()](AxisSettings& axis) { axis.unit.ownSymbol = typed; });
+    });
+    connect(m_unit, &QComboBox::currentIndexChanged, this, [this] {
+        edit([chosen = kind()](AxisSettings& axis) {
+            axis.unit.kind = chosen;
+            if (chosen == UnitKind::Native)
+                axis.unit.countsPerUnit = 1.0;
+        });
+    });
+    connect(m_holdCap, &QuantityField::nativeEdited, this, [this] {
+        edit([typed = m_holdCap->native()](AxisSettings& axis) {
+            axis.motion.holdCap = typed.value_or(axis.motion.holdCap);
+        });
+    });
 }
 
-void AxisBox::keep() {
-    m_settings.name = m_name->text().toStdString();
-    if (m_type == ModuleType::Servo)
-        m_settings.motion.holdCap = m_holdCap->native().value_or(m_settings.motion.holdCap);
-    AnalogScale& analog = m_settings.analog;
-    analog.perCount = m_analogPerCount->value().value_or(analog.perCount);
-    analog.atZero = m_analogAtZero->value().value_or(analog.atZero);
-    analog.unit = m_analogUnit->text().toStdString();
+void AxisBox::edit(const SettingsEdit& change) {
+    change(m_settings);
     refresh();
     if (m_module)
-        emit settingsEdited(m_settings);
+        emit settingsEdited(change);
 }
 
 void AxisBox::refresh() {

@@ -30,7 +30,7 @@ public:
     void showModule(const PanelView& view);
 
 signals:
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     [[nodiscard]] QString named(const QString& name) const;
@@ -38,8 +38,8 @@ private:
     void buildAnalog(QFormLayout* form);
     NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                            const QString& meaning);
-    void keep();
-    void keepUnit();
+    void connectControls();
+    void edit(const SettingsEdit& change);
     void refresh();
     [[nodiscard]] UnitKind kind() const;
 

@@ -215,7 +215,7 @@ void GainsBox::keep() {
     if (!gains || gains == m_settings.gains)
         return;
     m_settings.gains = gains;
-    emit settingsEdited(m_settings);
+    emit settingsEdited([gains](AxisSettings& axis) { axis.gains = gains; });
 }
 
 void GainsBox::fill(const std::function<std::optional<int>(Gain)>& value) {

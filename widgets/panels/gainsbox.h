@@ -38,7 +38,7 @@ public:
 signals:
     void stepResponseWanted();
     void applyRequested(const nmc::servo::SetGain& gains);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     enum class Known : std::uint8_t { Unknown, Sent, Edited };

@@ -115,7 +115,7 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
 void HomingBox::keepRecipe() {
     if (m_module && m_settings.homing != m_form->recipe()) {
         m_settings.homing = m_shown = m_form->recipe();
-        emit settingsEdited(m_settings);
+        emit settingsEdited([recipe = m_form->recipe()](AxisSettings& axis) { axis.homing = recipe; });
     }
     refresh();
 }

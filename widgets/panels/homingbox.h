@@ -31,7 +31,7 @@ public:
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     void keepRecipe();

@@ -268,11 +268,14 @@ void HomingForm::refresh() {
             reason = tr("The position where the motor stands becomes 0, so it has to go to home first.");
         look::setPossible(box.button, reason, box.meaning);
     }
-    for (QAbstractButton* button : {m_forward, m_reverse}) {
-        const QSignalBlocker blocker(button);
-        button->setChecked((button == m_reverse) == m_recipe.reverse);
-        look::setPossible(button, locked, tr("The direction of the search, in which the switch closes."));
+    {
+        // Both: checking one unchecks the other, and that one would tell of it.
+        const QSignalBlocker forward(m_forward);
+        const QSignalBlocker reverse(m_reverse);
+        (m_recipe.reverse ? m_reverse : m_forward)->setChecked(true);
     }
+    for (QAbstractButton* button : {m_forward, m_reverse})
+        look::setPossible(button, locked, tr("The direction of the search, in which the switch closes."));
     for (const Quantity& quantity : m_quantities) {
         quantity.field->setEnabled(!m_locked && uses(quantity.value));
         quantity.label->setEnabled(quantity.field->isEnabled());

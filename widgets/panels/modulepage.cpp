@@ -2,6 +2,7 @@
 #include "widgets/panels/modulepage.h"
 
 #include <QHBoxLayout>
+#include <QScopedValueRollback>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -38,7 +39,12 @@ void ModulePage::pass(const Intent& intent) {
     emit intentRequested(m_module, intent);
 }
 
-void ModulePage::passSettings(const AxisSettings& settings) {
+void ModulePage::passEdit(const SettingsEdit& edit) {
+    AxisSettings settings = m_settings;
+    edit(settings);
+    if (m_showing || settings == m_settings)
+        return;
+    m_settings = settings;
     emit settingsEdited(m_module, settings);
 }
 
@@ -51,6 +57,8 @@ void ModulePage::showModule(const PanelView& view) {
     }
     m_module = module.info.index;
     m_latestTime = module.latestTime;
+    m_settings = view.settings;
+    const QScopedValueRollback<bool> showing(m_showing, true);
     showBoxes(view);
 }
 

@@ -37,12 +37,16 @@ protected:
     /// The head above; motions in sight at the left, the pages beside them.
     void layOut(QWidget* head, QLayout* motions, QTabWidget* pages);
     void pass(const Intent& intent);
-    void passSettings(const AxisSettings& settings);
+    /// Done to the settings of the module that is shown. While it is being shown nobody edits: what a box
+    /// says then is not the user's.
+    void passEdit(const SettingsEdit& edit);
     virtual void showBoxes(const PanelView& view) = 0;
     virtual void setBusy(bool busy) = 0;
 
 private:
     ModuleIndex m_module;
+    AxisSettings m_settings;  ///< of m_module
+    bool m_showing = false;
     TimePoint m_latestTime;
     /// A click that was passed on, until the module has spoken again: a double click is one command.
     std::optional<TimePoint> m_askedAt;

@@ -36,7 +36,8 @@ MotionBox::MotionBox(QWidget* parent) : QGroupBox(parent) {
 
 QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString& label,
                                       const QString& objectName, const QString& accessibleName,
-                                      bool acceleration) {
+                                      double MotionSettings::*part) {
+    const bool acceleration = part == &MotionSettings::acceleration;
     const auto kind = acceleration ? QuantityField::Kind::Acceleration : QuantityField::Kind::Velocity;
     auto* field = new QuantityField(kind, this);
     field->setName(objectName, accessibleName);
@@ -48,7 +49,7 @@ QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString
                                "smooth stop.")
                           : tr("How fast the motor turns."));
     quantitygrid::addRow(grid, line, label, field);
-    connect(field, &QuantityField::nativeEdited, this, &MotionBox::keep);
+    connect(field, &QuantityField::nativeEdited, this, [this, field, part] { keep(*field, part); });
     return field;
 }
 
@@ -82,10 +83,10 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_goalKind->setToolTip(
         tr("Whether the number is a position, or a distance from where the motor is now."));
     grid->addWidget(m_goalKind, line++, kButtonColumn);
-    m_velocity =
-        addQuantity(grid, line++, tr("Ve&locity"), u"velocityField"_s, tr("Velocity of the move"), false);
-    m_acceleration =
-        addQuantity(grid, line++, tr("Acceleratio&n"), u"accelerationField"_s, tr("Acceleration"), true);
+    m_velocity = addQuantity(grid, line++, tr("Ve&locity"), u"velocityField"_s, tr("Velocity of the move"),
+                             &MotionSettings::velocity);
+    m_acceleration = addQuantity(grid, line++, tr("Acceleratio&n"), u"accelerationField"_s,
+                                 tr("Acceleration"), &MotionSettings::acceleration);
     m_forecast = look::newMutedLabel({}, this);
     m_forecast->setObjectName(u"forecastLabel"_s);
     grid->addWidget(m_forecast, line++, 1, 1, quantitygrid::kColumns - 1);
@@ -119,8 +120,8 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
 void MotionBox::buildRun(QGridLayout* grid, int& line) {
     quantitygrid::addTitle(grid, line++, tr("Run"),
                            tr("until it is stopped; the velocity may change on the way"));
-    m_runVelocity =
-        addQuantity(grid, line, tr("Vel&ocity"), u"runVelocityField"_s, tr("Velocity of running"), false);
+    m_runVelocity = addQuantity(grid, line, tr("Vel&ocity"), u"runVelocityField"_s, tr("Velocity of running"),
+                                &MotionSettings::runVelocity);
     m_runReverse = new QPushButton(icons::tinted(u"arrow-left"_s), tr("Run &reverse"), this);
     look::name(m_runReverse, u"runReverseButton"_s, tr("Run in reverse until stopped"));
     m_runForward = new QPushButton(icons::tinted(u"arrow-right"_s), tr("R&un forward"), this);
@@ -169,14 +170,13 @@ std::optional<CountsPerTick> MotionBox::velocity() const {
 }
 
 /// What the user types is kept with the axis; what is no value stays in its field.
-void MotionBox::keep() {
-    MotionSettings& motion = m_settings.motion;
-    motion.velocity = m_velocity->native().value_or(motion.velocity);
-    motion.acceleration = m_acceleration->native().value_or(motion.acceleration);
-    motion.runVelocity = m_runVelocity->native().value_or(motion.runVelocity);
+void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
+    const auto typed = field.native();
+    if (typed)
+        m_settings.motion.*part = *typed;
     refresh();
-    if (m_module)
-        emit settingsEdited(m_settings);
+    if (typed && m_module)
+        emit settingsEdited([part, typed](AxisSettings& axis) { axis.motion.*part = *typed; });
 }
 
 void MotionBox::forgetGoals() {

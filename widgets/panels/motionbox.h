@@ -36,7 +36,7 @@ public:
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
     /// What is held was asked for at another acceleration.
     void accelerationEdited();
 
@@ -45,13 +45,14 @@ private:
     void buildMove(class QGridLayout* grid, int& line);
     void buildRun(class QGridLayout* grid, int& line);
     QuantityField* addQuantity(class QGridLayout* grid, int line, const QString& label,
-                               const QString& objectName, const QString& accessibleName, bool acceleration);
+                               const QString& objectName, const QString& accessibleName,
+                               double MotionSettings::*part);
     void connectControls();
     [[nodiscard]] std::optional<intent::GoTo> entered() const;
     void move(bool later);
     void goHome();
     void run(bool reverse);
-    void keep();
+    void keep(const QuantityField& field, double MotionSettings::*part);
     void showGoal();
     void refresh();
     void refreshForecast();

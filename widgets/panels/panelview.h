@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "model/intent/intent.h"
@@ -10,6 +11,10 @@
 #include "model/settings/machine.h"
 
 namespace nmc {
+
+/// What the user has just changed of an axis, to be done to its settings as they are: the box that says so
+/// touches its own part of them, and knows nothing of the others.
+using SettingsEdit = std::function<void(AxisSettings&)>;
 
 /// Everything that the panel of a module shows, as one value; valid for the call only.
 struct PanelView {

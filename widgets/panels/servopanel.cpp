@@ -56,21 +56,21 @@ void ServoPanel::connectBoxes() {
     connect(m_head, &PanelHead::intentRequested, this, &ServoPanel::pass);
     connect(m_motion, &MotionBox::intentRequested, this, &ServoPanel::pass);
     connect(m_step, &StepByBox::intentRequested, this, &ServoPanel::pass);
-    connect(m_step, &StepByBox::settingsEdited, this, &ServoPanel::passSettings);
+    connect(m_step, &StepByBox::settingsEdited, this, &ServoPanel::passEdit);
     connect(m_io, &IoBox::intentRequested, this, &ServoPanel::pass);
     connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
     connect(m_homing, &HomingBox::intentRequested, this, &ServoPanel::pass);
-    connect(m_homing, &HomingBox::settingsEdited, this, &ServoPanel::passSettings);
+    connect(m_homing, &HomingBox::settingsEdited, this, &ServoPanel::passEdit);
     connect(m_gains, &GainsBox::applyRequested, this,
             [this](const servo::SetGain& gains) { pass(intent::ApplyGains{gains}); });
     connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
     connect(m_jog, &JogBox::holdRequested, this, &ServoPanel::holdRequested);
     connect(m_jog, &JogBox::holdReleased, this, &ServoPanel::holdReleased);
     connect(m_motion, &MotionBox::accelerationEdited, m_jog, &JogBox::endHold);
-    connect(m_motion, &MotionBox::settingsEdited, this, &ServoPanel::passSettings);
-    connect(m_gains, &GainsBox::settingsEdited, this, &ServoPanel::passSettings);
-    connect(m_axis, &AxisBox::settingsEdited, this, &ServoPanel::passSettings);
+    connect(m_motion, &MotionBox::settingsEdited, this, &ServoPanel::passEdit);
+    connect(m_gains, &GainsBox::settingsEdited, this, &ServoPanel::passEdit);
+    connect(m_axis, &AxisBox::settingsEdited, this, &ServoPanel::passEdit);
 }
 
 void ServoPanel::setBusy(bool busy) {

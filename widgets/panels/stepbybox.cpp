@@ -55,7 +55,7 @@ void StepByBox::buildDistance(QGridLayout* grid, int& line) {
         refresh();
         if (const auto counts = m_distance->native(); counts && m_module) {
             m_settings.motion.stepSize = *counts;
-            emit settingsEdited(m_settings);
+            emit settingsEdited([counts](AxisSettings& axis) { axis.motion.stepSize = *counts; });
         }
     });
     connect(m_reverse, &QPushButton::clicked, this, [this] { step(true); });

@@ -35,7 +35,7 @@ public:
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     void buildDistance(QGridLayout* grid, int& line);

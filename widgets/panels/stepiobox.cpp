@@ -27,6 +27,14 @@ bool bitOf(unsigned mask, std::size_t bit) {
     return (mask >> bit & 1U) != 0;
 }
 
+std::string& outputName(AxisSettings& axis, std::size_t number) {
+    return axis.outputNames.at(number);
+}
+
+std::string& inputName(AxisSettings& axis, std::size_t number) {
+    return axis.inputNames.at(number);
+}
+
 QLabel* newHeading(const QString& text, QWidget* parent) {
     auto* heading = new QLabel(text, parent);
     QFont bold = parent->font();
@@ -61,14 +69,19 @@ StepIoBox::StepIoBox(QWidget* parent)
     connect(m_send, &QPushButton::clicked, this, &StepIoBox::sendAll);
 }
 
-QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessibleName) {
-    auto* name = new QLineEdit(this);
-    look::name(name, objectName, accessibleName);
-    name->setMaxLength(kLongestName);
-    name->setPlaceholderText(tr("name"));
-    name->setToolTip(tr("What it is on this machine. Sends nothing."));
-    connect(name, &QLineEdit::textEdited, this, &StepIoBox::keepNames);
-    return name;
+QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessibleName, Name name,
+                              std::size_t number) {
+    auto* field = new QLineEdit(this);
+    look::name(field, objectName, accessibleName);
+    field->setMaxLength(kLongestName);
+    field->setPlaceholderText(tr("name"));
+    field->setToolTip(tr("What it is on this machine. Sends nothing."));
+    connect(field, &QLineEdit::textEdited, this, [this, name, number](const QString& text) {
+        const std::string typed = text.toStdString();
+        name(m_settings, number) = typed;
+        emit settingsEdited([=](AxisSettings& axis) { name(axis, number) = typed; });
+    });
+    return field;
 }
 
 void StepIoBox::buildOutputs(QGridLayout* grid) {
@@ -81,7 +94,8 @@ void StepIoBox::buildOutputs(QGridLayout* grid) {
         look::name(output.box, u"stepOutput%1Box"_s.arg(number), tr("Output %1").arg(number));
         output.state = look::newMutedLabel({}, this);
         output.state->setObjectName(u"stepOutput%1State"_s.arg(number));
-        output.name = newName(u"stepOutput%1Name"_s.arg(number), tr("Name of output %1").arg(number));
+        output.name =
+            newName(u"stepOutput%1Name"_s.arg(number), tr("Name of output %1").arg(number), outputName, i);
         grid->addWidget(output.box, line, 0);
         grid->addWidget(output.state, line, 1);
         grid->addWidget(output.name, line, 2, 1, 2);
@@ -118,7 +132,8 @@ void StepIoBox::buildInputs(QGridLayout* grid, int line) {
         grid->addLayout(who, row, 0);
         grid->addWidget(input.state, row, 1);
         if (i == 1 || i == 2) {
-            input.name = newName(u"stepInput%1Name"_s.arg(i), tr("Name of input %1").arg(i));
+            input.name =
+                newName(u"stepInput%1Name"_s.arg(i), tr("Name of input %1").arg(i), inputName, i - 1);
             grid->addWidget(input.name, row, 2, 1, 2);
         } else {
             input.effect = look::newMutedLabel({}, this);
@@ -141,14 +156,6 @@ void StepIoBox::showNames() {
         show(m_outputs[i].name, m_settings.outputNames[i]);
     for (std::size_t i = 0; i < m_settings.inputNames.size(); ++i)
         show(m_inputs[i + 1].name, m_settings.inputNames[i]);
-}
-
-void StepIoBox::keepNames() {
-    for (std::size_t i = 0; i < kOutputs; ++i)
-        m_settings.outputNames[i] = m_outputs[i].name->text().toStdString();
-    for (std::size_t i = 0; i < m_settings.inputNames.size(); ++i)
-        m_settings.inputNames[i] = m_inputs[i + 1].name->text().toStdString();
-    emit settingsEdited(m_settings);
 }
 
 void StepIoBox::showModule(const PanelView& view) {

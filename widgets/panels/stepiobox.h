@@ -32,7 +32,7 @@ public:
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     static constexpr std::size_t kOutputs = 5;
@@ -51,9 +51,10 @@ private:
 
     void buildOutputs(QGridLayout* grid);
     void buildInputs(QGridLayout* grid, int line);
-    QLineEdit* newName(const QString& objectName, const QString& accessibleName);
+    using Name = std::string& (*)(AxisSettings& axis, std::size_t number);
+    QLineEdit* newName(const QString& objectName, const QString& accessibleName, Name name,
+                       std::size_t number);
     void choose(std::size_t output, bool on);
-    void keepNames();
     void showNames();
     void sendAll();
     [[nodiscard]] std::optional<std::uint8_t> staged() const;

@@ -174,9 +174,10 @@ void StepMotionBox::showSpeed() {
 
 void StepMotionBox::keepSpeed() {
     if (const auto speed = m_speed->native()) {
-        m_settings.motion.*speedSetting() = *speed;
+        const auto part = speedSetting();
+        m_settings.motion.*part = *speed;
         m_shownSpeed = *speed;
-        emit settingsEdited(m_settings);
+        emit settingsEdited([part, speed](AxisSettings& axis) { axis.motion.*part = *speed; });
     }
     refresh();
 }

@@ -37,7 +37,7 @@ public:
 
 signals:
     void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
     void holdRequested(const nmc::bus::HoldToMove& hold);
     void holdReleased();
 

@@ -44,12 +44,12 @@ StepPanel::StepPanel(QWidget* parent)
     connect(m_parameters, &StepParametersBox::intentRequested, this, &StepPanel::pass);
     connect(m_io, &StepIoBox::intentRequested, this, &StepPanel::pass);
     connect(m_homing, &HomingBox::intentRequested, this, &StepPanel::pass);
-    connect(m_homing, &HomingBox::settingsEdited, this, &StepPanel::passSettings);
-    connect(m_axis, &AxisBox::settingsEdited, this, &StepPanel::passSettings);
+    connect(m_homing, &HomingBox::settingsEdited, this, &StepPanel::passEdit);
+    connect(m_axis, &AxisBox::settingsEdited, this, &StepPanel::passEdit);
     connect(m_details, &StepDetailsBox::intentRequested, this, &StepPanel::pass);
-    connect(m_motion, &StepMotionBox::settingsEdited, this, &StepPanel::passSettings);
-    connect(m_parameters, &StepParametersBox::settingsEdited, this, &StepPanel::passSettings);
-    connect(m_io, &StepIoBox::settingsEdited, this, &StepPanel::passSettings);
+    connect(m_motion, &StepMotionBox::settingsEdited, this, &StepPanel::passEdit);
+    connect(m_parameters, &StepParametersBox::settingsEdited, this, &StepPanel::passEdit);
+    connect(m_io, &StepIoBox::settingsEdited, this, &StepPanel::passEdit);
     connect(m_motion, &StepMotionBox::holdRequested, this, &StepPanel::holdRequested);
     connect(m_motion, &StepMotionBox::holdReleased, this, &StepPanel::holdReleased);
 }

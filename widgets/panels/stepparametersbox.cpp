@@ -302,7 +302,7 @@ void StepParametersBox::edit() {
         m_drafts[m_state->info.index.value()] = entries();
     if (const auto parameters = entered(); parameters && parameters != m_settings.parameters) {
         m_settings.parameters = m_shown = parameters;
-        emit settingsEdited(m_settings);
+        emit settingsEdited([parameters](AxisSettings& axis) { axis.parameters = parameters; });
     }
     refresh();
 }
@@ -322,7 +322,7 @@ void StepParametersBox::revert() {
     m_drafts.remove(m_state->info.index.value());
     m_settings.parameters = m_shown = m_state->stepper.parameters();
     showSettings();
-    emit settingsEdited(m_settings);
+    emit settingsEdited([kept = m_shown](AxisSettings& axis) { axis.parameters = kept; });
     refresh();
 }
 

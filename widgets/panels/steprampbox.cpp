@@ -61,14 +61,14 @@ StepRampBox::StepRampBox(QWidget* parent)
     connect(m_time, &NumberField::edited, this, [this] {
         if (const auto time = m_time->value()) {
             m_settings.accelerationTime = *time;
-            emit settingsEdited(m_settings);
+            emit settingsEdited([time](AxisSettings& axis) { axis.accelerationTime = *time; });
         }
         refresh();
     });
     connect(m_cap, &QuantityField::nativeEdited, this, [this] {
         if (const auto cap = m_cap->native()) {
             m_settings.motion.holdCap = *cap;
-            emit settingsEdited(m_settings);
+            emit settingsEdited([cap](AxisSettings& axis) { axis.motion.holdCap = *cap; });
         }
     });
 }

@@ -25,7 +25,7 @@ public:
     void showModule(const PanelView& view);
 
 signals:
-    void settingsEdited(const nmc::AxisSettings& settings);
+    void settingsEdited(const nmc::SettingsEdit& edit);
 
 private:
     void refresh();
