@@ -3256,6 +3256,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Hide this message</source>
         <translation>Diese Meldung ausblenden</translation>
     </message>
+    <message>
+        <source>Shows the whole text, and all other messages, in the list of messages.</source>
+        <translation>Zeigt den ganzen Text und alle anderen Meldungen in der Liste der Meldungen.</translation>
+    </message>
+    <message>
+        <source>Show the list of messages</source>
+        <translation>Die Liste der Meldungen zeigen</translation>
+    </message>
+    <message>
+        <source>%1 more…</source>
+        <translation>%1 weitere…</translation>
+    </message>
+    <message>
+        <source>Read all…</source>
+        <translation>Alles lesen…</translation>
+    </message>
 </context>
 <context>
     <name>nmc::BenchTruth</name>

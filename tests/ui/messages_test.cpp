@@ -39,6 +39,17 @@ TEST_F(Messages, WhatBecomesKnownLaterIsNoRepeat) {
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
 }
 
+TEST_F(Messages, TheOthersAndAllWordsAreOneClickAway) {
+    window->findChild<QAction*>(u"messagesDockAction"_s)->trigger();
+    ASSERT_FALSE(list()->isVisible());
+    window->showMessage(texts::powerLost(ModuleIndex(1)));
+    EXPECT_EQ(button(u"bannerAll"_s)->text(), u"Read all…"_s);
+    window->showMessage(texts::tripped(ModuleIndex(0), 400));
+    EXPECT_EQ(button(u"bannerAll"_s)->text(), u"1 more…"_s);
+    click(u"bannerAll"_s);
+    EXPECT_TRUE(list()->isVisible());
+}
+
 TEST_F(Messages, NewestIsFirst) {
     window->showMessage(texts::garbled(ModuleIndex(0)));
     window->showMessage(texts::powerLost(ModuleIndex(1)));

@@ -145,6 +145,7 @@ TEST_F(NumberFieldWheel, MarksABadFieldWithAShapeNotOnlyAColour) {
                 count += image.pixelColor(x, y) == QColor(0xE6, 0x9F, 0x00) ? 1 : 0;
         return count;
     };
+    QApplication::processEvents();  // laid out, as one sees it
     EXPECT_EQ(orange(), 0);
     type(u"goalField"_s, u"99999999999"_s);
     EXPECT_GT(orange(), 20) << "the triangle at the left of the field";

@@ -36,10 +36,14 @@ QColor mix(const QColor& a, const QColor& b, float shareOfB) {
                             a.blueF() * shareOfA + b.blueF() * shareOfB);
 }
 
-/// A label in the muted colour of whatever palette it finds itself in.
+/// A label in the muted colour of whatever palette it finds itself in. It keeps its line while it is empty:
+/// nothing moves when it speaks.
 class MutedLabel : public QLabel {
 public:
-    MutedLabel(const QString& text, QWidget* parent) : QLabel(text, parent) { adopt(); }
+    MutedLabel(const QString& text, QWidget* parent) : QLabel(text, parent) {
+        setMinimumHeight(fontMetrics().height());
+        adopt();
+    }
 
 protected:
     void changeEvent(QEvent* event) override {

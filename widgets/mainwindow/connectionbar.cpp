@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "protocol/baud.h"
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -20,6 +21,10 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+constexpr int kStopResultLines = 3;  // the stop button is higher
+}
+
 ConnectionBar::ConnectionBar(QWidget* parent)
     : QFrame(parent),
       m_port(new PortBox(this)),
@@ -28,7 +33,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
       m_readOnly(new QAction(tr("Connect read-&only"), this)),
       m_moreWays(new QToolButton(this)),
       m_disconnect(new QPushButton(icons::tinted(u"plug-connected-x"_s), tr("&Disconnect"), this)),
-      m_stopResult(new QLabel(this)),
+      m_stopResult(new ElidedLabel(kStopResultLines, this)),
       m_stop(new StopButton(this)) {
     look::name(this, u"connectionBar"_s, tr("Connection and stop"));
     look::name(m_port, u"portBox"_s, tr("Port"));
@@ -48,9 +53,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     connect(m_moreWays, &QToolButton::clicked, this,
             [this, ways] { ways->popup(m_moreWays->mapToGlobal(m_moreWays->rect().bottomLeft())); });
     m_stopResult->setObjectName(u"stopResultLabel"_s);
-    m_stopResult->setWordWrap(true);
     m_stopResult->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_stopResult->setTextFormat(Qt::PlainText);
     m_port->setMinimumContentsLength(26);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_port->setToolTip(tr("The serial port the modules are on, or the simulator."));

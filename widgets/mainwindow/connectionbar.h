@@ -9,12 +9,12 @@
 #include "model/module/linkstate.h"
 
 class QAction;
-class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace nmc {
 
+class ElidedLabel;
 class StopButton;
 
 /// A combo box that says when its list is about to be opened.
@@ -71,7 +71,7 @@ private:
     QAction* m_readOnly;
     QToolButton* m_moreWays;  ///< to connect
     QPushButton* m_disconnect;
-    QLabel* m_stopResult;
+    ElidedLabel* m_stopResult;
     StopButton* m_stop;
     QList<PortEntry> m_ports;
     QString m_chosen;  ///< empty until the user or the command line chose

@@ -74,6 +74,7 @@ void MainWindow::buildTop() {
     m_bar = new ConnectionBar(top);
     fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks);
     buildRibbons(top);
+    m_banner = new Banner(top);
     auto* layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -81,6 +82,7 @@ void MainWindow::buildTop() {
     layout->addWidget(m_bar);
     layout->addWidget(m_simulatorRibbon);
     layout->addWidget(m_readOnlyRibbon);
+    layout->addWidget(m_banner);
     setMenuWidget(top);
     setMinimumWidth(m_bar->minimumSizeHint().width());
     QWidget::setTabOrder(m_bar, m_chain);
@@ -99,21 +101,14 @@ void MainWindow::buildRibbons(QWidget* top) {
 }
 
 void MainWindow::buildCentre() {
-    auto* centre = new QWidget(this);
-    m_banner = new Banner(centre);
-    m_panel = new ModulePanel(centre);
-    auto* scroll = new QScrollArea(centre);
+    auto* scroll = new QScrollArea(this);
+    m_panel = new ModulePanel(scroll);
     look::name(scroll, u"panelScroll"_s, tr("Panel of the selected module"));
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_panel);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_banner);
-    layout->addWidget(scroll, 1);
-    setCentralWidget(centre);
+    setCentralWidget(scroll);
 }
 
 void MainWindow::connectParts() {
@@ -150,6 +145,10 @@ void MainWindow::connectParts() {
             [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
+    connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
+        showDockOf(*m_messages);
+        m_messages->reveal(key);
+    });
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
 

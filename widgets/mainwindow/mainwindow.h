@@ -151,6 +151,7 @@ private:
     void connectParts();
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
+    void showDockOf(const QWidget& content);
     void addSimulatorDock();
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomForStepResponse(QDockWidget& messages);

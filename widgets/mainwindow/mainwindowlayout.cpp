@@ -37,6 +37,14 @@ QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title
     return dock;
 }
 
+void MainWindow::showDockOf(const QWidget& content) {
+    for (QDockWidget* dock : m_docks)
+        if (dock->widget() == &content) {
+            dock->show();
+            dock->raise();
+        }
+}
+
 void MainWindow::buildDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_chain = new ChainView(this);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window hands to its scope.
-#include <QDockWidget>
 #include <algorithm>
 #include <utility>
 
@@ -38,11 +37,7 @@ void MainWindow::showHistory(const History& history, TimePoint now) {
 }
 
 void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
-    for (QDockWidget* dock : m_docks)
-        if (dock->widget() == m_scope) {
-            dock->show();
-            dock->raise();
-        }
+    showDockOf(*m_scope);
     m_scope->showRecord(std::move(record));
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/banner.h"
 
-#include <QGridLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -19,9 +19,10 @@ using namespace Qt::StringLiterals;
 Banner::Banner(QWidget* parent)
     : QFrame(parent),
       m_glyph(new GlyphLabel(this)),
-      m_headline(new QLabel(this)),
-      m_body(new QLabel(this)),
+      m_headline(new ElidedLabel(1, this)),
+      m_body(new ElidedLabel(1, this)),
       m_actions(new QHBoxLayout),
+      m_all(new QPushButton(this)),
       m_dismiss(new QToolButton(this)) {
     look::name(this, u"banner"_s, tr("Important message"));
     m_headline->setObjectName(u"bannerHeadline"_s);
@@ -30,11 +31,10 @@ Banner::Banner(QWidget* parent)
     bold.setBold(true);
     m_headline->setFont(bold);
     m_glyph->setFont(look::scaled(font(), 1.4));
-    for (QLabel* label : {m_headline, m_body}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
+    m_all->setFlat(true);
+    m_all->setToolTip(tr("Shows the whole text, and all other messages, in the list of messages."));
+    look::name(m_all, u"bannerAll"_s, tr("Show the list of messages"));
+    connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });
     m_dismiss->setIcon(icons::tinted(u"x"_s));
     m_dismiss->setAutoRaise(true);
     m_dismiss->setToolTip(tr("Hide this message here. It stays in the list of messages."));
@@ -42,23 +42,35 @@ Banner::Banner(QWidget* parent)
     connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
 
     const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(unit * 2, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
-    grid->addWidget(m_glyph, 0, 0, Qt::AlignTop);
-    grid->addWidget(m_headline, 0, 1);
-    grid->addWidget(m_dismiss, 0, 2, Qt::AlignTop);
-    grid->addWidget(m_body, 1, 1, 1, 2);
+    auto* first = new QHBoxLayout;
+    first->setSpacing(unit);
+    first->addWidget(m_glyph);
+    first->addWidget(m_headline, 1);
+    first->addWidget(m_all);
+    first->addWidget(m_dismiss);
+    auto* second = new QHBoxLayout;
+    second->setSpacing(unit);
+    second->addWidget(m_body, 1);
     m_actions->setSpacing(unit);
-    grid->addLayout(m_actions, 2, 1, 1, 2);
-    grid->setColumnStretch(1, 1);
+    second->addLayout(m_actions);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
+    layout->setSpacing(0);
+    layout->addLayout(first, 1);
+    layout->addLayout(second, 1);
+    QSizePolicy place(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    place.setRetainSizeWhenHidden(true);
+    setSizePolicy(place);
     hide();
+}
+
+QSize Banner::sizeHint() const {
+    return {0, m_all->sizeHint().height() * 2 + look::gridUnit(this)};
 }
 
 void Banner::showMessage(const Message& message) {
     endMessage(message.key);
-    // What went well is not worth moving everything below, though it can be looked at from the list.
+    // What went well is not worth a banner, though it can be looked at from the list.
     const bool toDo =
         std::any_of(message.actions.begin(), message.actions.end(),
                     [](const Message::Action& action) { return action.id != texts::action::kShowRecord; });
@@ -109,7 +121,8 @@ void Banner::present() {
     m_glyph->showSeverity(message->severity);
     m_headline->setText(message->headline);
     m_body->setText(message->body);
-    m_body->setVisible(!message->body.isEmpty());
+    const auto others = static_cast<int>(m_active.size()) - 1;
+    m_all->setText(others > 0 ? tr("%1 more…").arg(others) : tr("Read all…"));
     setToolTip(message->details);
     setAccessibleDescription(texts::severity(message->severity) + u": "_s + message->headline + u' ' +
                              message->body);
@@ -120,7 +133,6 @@ void Banner::present() {
                 [this, key = message->key, id = action.id] { emit actionTriggered(key, id); });
         m_actions->addWidget(button);
     }
-    m_actions->addStretch(1);
     show();
     update();
 }

@@ -6,15 +6,18 @@
 
 #include "widgets/common/texts.h"
 
-class QLabel;
 class QBoxLayout;
+class QPushButton;
 class QToolButton;
 
 namespace nmc {
 
+class ElidedLabel;
 class GlyphLabel;
 
-/// The most important message that is not over, above the panel, with its actions. Never modal.
+/// The most important message that is not over, with its actions. Never modal. Its place is kept while there
+/// is none, and is the same for every message: nothing below it ever moves under the pointer. What does not
+/// fit, and the other messages, are one click away.
 class Banner : public QFrame {
     Q_OBJECT
 
@@ -26,8 +29,14 @@ public:
     void amendMessage(const Message& message);
     void endMessage(const QString& key);
 
+    /// That of its place, whatever it says.
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
 signals:
     void actionTriggered(const QString& key, const QString& actionId);
+    /// The user wants to read all of the message that is shown, and the others.
+    void allWanted(const QString& key);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,9 +48,10 @@ private:
     QList<Message> m_active;  ///< oldest first
     QString m_shown;
     GlyphLabel* m_glyph;
-    QLabel* m_headline;
-    QLabel* m_body;
+    ElidedLabel* m_headline;
+    ElidedLabel* m_body;
     QBoxLayout* m_actions;
+    QPushButton* m_all;
     QToolButton* m_dismiss;
 };
 

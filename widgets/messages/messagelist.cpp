@@ -73,4 +73,9 @@ void MessageList::endMessage(const QString& key, const QDateTime& time) {
         row->end(time);
 }
 
+void MessageList::reveal(const QString& key) {
+    if (MessageRow* row = active(key))
+        ensureWidgetVisible(row);
+}
+
 }  // namespace nmc

@@ -27,6 +27,9 @@ public:
     /// Says that it is over. A message that comes again later starts a row of its own.
     void endMessage(const QString& key, const QDateTime& time = QDateTime::currentDateTime());
 
+    /// Scrolls to it, if it is not over.
+    void reveal(const QString& key);
+
     /// The rows, newest first.
     [[nodiscard]] const QList<MessageRow*>& rows() const { return m_rows; }
 

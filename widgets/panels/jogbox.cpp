@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -49,10 +50,8 @@ void JogBox::build() {
     buttons->addWidget(m_reverse);
     buttons->addWidget(m_forward);
     grid->addLayout(buttons, line++, quantitygrid::kButtonColumn);
-    m_hint = new QLabel(this);
+    m_hint = new ElidedLabel(1, this);
     m_hint->setObjectName(u"jogHint"_s);
-    m_hint->setWordWrap(true);
-    m_hint->setTextFormat(Qt::PlainText);
     grid->addWidget(m_hint, line++, 0, 1, quantitygrid::kColumns);
 
     connect(m_velocity, &QuantityField::nativeEdited, this, [this] {
@@ -122,7 +121,6 @@ void JogBox::refresh() {
     look::setPossible(m_reverse, reason, tr("Moves in reverse while it is held, then stops."));
     const QString hint = m_velocity->problemText();
     look::setText(m_hint, hint);
-    m_hint->setVisible(!hint.isEmpty());
 }
 
 void JogBox::hold(const HoldButton& button, bool reverse) {

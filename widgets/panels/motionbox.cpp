@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "model/intent/moveforecast.h"
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -59,10 +60,8 @@ void MotionBox::build() {
     buildMove(grid, line);
     grid->setRowMinimumHeight(line++, look::gridUnit(this));
     buildRun(grid, line);
-    m_hint = new QLabel(this);
+    m_hint = new ElidedLabel(1, this);
     m_hint->setObjectName(u"motionHint"_s);
-    m_hint->setWordWrap(true);
-    m_hint->setTextFormat(Qt::PlainText);
     grid->addWidget(m_hint, line++, 0, 1, quantitygrid::kColumns);
 }
 
@@ -304,7 +303,6 @@ void MotionBox::refresh() {
         if (hint.isEmpty())
             hint = field->problemText();
     look::setText(m_hint, hint);
-    m_hint->setVisible(!hint.isEmpty());
 }
 
 void MotionBox::move(bool later) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "model/intent/stepplan.h"
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -93,18 +94,22 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
     look::name(m_startLoaded, u"stepStartLoadedButton"_s, tr("Start the motion that was loaded"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
-    for (QPushButton* button : {m_go, m_runReverse, m_runForward})
+    for (QPushButton* button : {m_go, m_runReverse, m_runForward}) {
+        // The longest that it ever says: the other direction must not come under the pointer.
+        const QString text = button->text();
+        button->setText(tr("Stop, wait: %1").arg(text));
+        button->setMinimumWidth(button->sizeHint().width());
+        button->setText(text);
         buttons->addWidget(button);
+    }
     buttons->addStretch(1);
     auto* later = new QHBoxLayout;
     later->setSpacing(look::gridUnit(this));
     later->addWidget(m_loadOnly);
     later->addWidget(m_startLoaded);
     later->addStretch(1);
-    m_hint = new QLabel(this);
+    m_hint = new ElidedLabel(2, this);
     m_hint->setObjectName(u"stepMotionHint"_s);
-    m_hint->setWordWrap(true);
-    m_hint->setTextFormat(Qt::PlainText);
     grid->addLayout(buttons, line, 1, 1, 4);
     grid->addLayout(later, line + 1, 1, 1, 4);
     grid->addWidget(m_hint, line + 2, 0, 1, 5);
