@@ -14,6 +14,7 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/connectionbar.h"
@@ -40,6 +41,7 @@ using namespace settingskeys;
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
+      m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_machine, m_link, this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
@@ -150,6 +152,10 @@ void MainWindow::connectParts() {
         m_messages->reveal(key);
     });
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+    return !m_focus->leave() && (m_focus->resume(next) || QMainWindow::focusNextPrevChild(next));
 }
 
 void MainWindow::showPorts(const QList<PortEntry>& ports) {
