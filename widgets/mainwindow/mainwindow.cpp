@@ -25,6 +25,7 @@
 #include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
+#include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
+    new WheelFilter(this);  // before the first box asks for the focus by the wheel
     buildCentre();
     buildDocks();
     buildTop();
