@@ -8,6 +8,7 @@
 #include "widgets/chain/doctorpage.h"
 #include "widgets/chain/groupspage.h"
 #include "widgets/chain/ratepage.h"
+#include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 
 namespace nmc {
@@ -16,6 +17,7 @@ using namespace Qt::StringLiterals;
 
 ChainDialog::ChainDialog(QWidget* parent)
     : QDialog(parent),
+      m_focus(new FocusKeeper(*this)),
       m_pages(new QTabWidget(this)),
       m_doctor(new DoctorPage(this)),
       m_groups(new GroupsPage(this)),
@@ -29,6 +31,7 @@ ChainDialog::ChainDialog(QWidget* parent)
     m_pages->addTab(m_doctor, tr("Doctor"));
     m_pages->addTab(m_groups, tr("Groups"));
     m_pages->addTab(m_rate, tr("Rate"));
+    keepFocusOnTabs(*m_pages);
     auto* layout = new QVBoxLayout(this);
     const int unit = look::gridUnit(this);
     layout->setContentsMargins(unit, unit, unit, unit);
@@ -40,6 +43,10 @@ ChainDialog::ChainDialog(QWidget* parent)
     connect(m_groups, &GroupsPage::groupChangeRequested, this, &ChainDialog::groupChangeRequested);
     connect(m_groups, &GroupsPage::groupCommandRequested, this, &ChainDialog::groupCommandRequested);
     connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);
+}
+
+bool ChainDialog::focusNextPrevChild(bool next) {
+    return !m_focus->leave() && (m_focus->resume(next) || QDialog::focusNextPrevChild(next));
 }
 
 void ChainDialog::openAt(Page page) {

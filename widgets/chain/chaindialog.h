@@ -12,6 +12,7 @@ class QTabWidget;
 namespace nmc {
 
 class DoctorPage;
+class FocusKeeper;
 class GroupsPage;
 class RatePage;
 
@@ -29,6 +30,9 @@ public:
     /// Emits nothing.
     void showChain(const Machine& machine, const LinkState& link);
 
+protected:
+    bool focusNextPrevChild(bool next) override;
+
 signals:
     void scanRequested();
     void restartRequested();
@@ -38,6 +42,7 @@ signals:
     void rateRequested(quint32 baud);
 
 private:
+    FocusKeeper* m_focus;
     QTabWidget* m_pages;
     DoctorPage* m_doctor;
     GroupsPage* m_groups;

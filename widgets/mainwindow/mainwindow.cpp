@@ -14,6 +14,7 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/connectionbar.h"
@@ -22,8 +23,10 @@
 #include "widgets/mainwindow/menus.h"
 #include "widgets/mainwindow/otherwindows.h"
 #include "widgets/mainwindow/pressfilter.h"
+#include "widgets/mainwindow/repeatfilter.h"
 #include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
+#include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
@@ -40,11 +43,13 @@ using namespace settingskeys;
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
+      m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_machine, m_link, this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
+    new WheelFilter(this);  // before the first box asks for the focus by the wheel
     buildCentre();
     buildDocks();
     buildTop();
@@ -127,6 +132,7 @@ void MainWindow::connectParts() {
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
+    new RepeatFilter(this);
     connect(new OtherWindows(this), &OtherWindows::opened, m_panel, &ModulePanel::endHold);
 
     connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
@@ -150,6 +156,10 @@ void MainWindow::connectParts() {
         m_messages->reveal(key);
     });
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+    return !m_focus->leave() && (m_focus->resume(next) || QMainWindow::focusNextPrevChild(next));
 }
 
 void MainWindow::showPorts(const QList<PortEntry>& ports) {

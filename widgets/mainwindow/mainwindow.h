@@ -27,6 +27,7 @@ namespace nmc {
 class Banner;
 class ChainView;
 class ConnectionBar;
+class FocusKeeper;
 class LinkBar;
 class ChainMenu;
 class MachineMenu;
@@ -141,6 +142,7 @@ signals:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
 private:
@@ -181,6 +183,7 @@ private:
     std::vector<bool> m_live;  ///< of its modules, as they are shown
     Machine m_machine;
     std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
+    FocusKeeper* m_focus;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 
 namespace nmc {
@@ -17,6 +18,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     pages->setDocumentMode(true);
     pages->tabBar()->setAccessibleName(pages->accessibleName());
     pages->tabBar()->setObjectName(pages->objectName() + u"Bar"_s);
+    keepFocusOnTabs(*pages);
     const int unit = look::gridUnit(this);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(unit * 3 / 2);

@@ -89,6 +89,9 @@ void ModulePanel::stageGains(const servo::SetGain& gains) {
 void ModulePanel::bringUp(QWidget* page) {
     if (page == currentWidget())
         return;
+    // Qt would hand the focus of the page that goes to what comes first on the other: Enable.
+    if (QWidget* focused = window()->focusWidget(); focused != nullptr && isAncestorOf(focused))
+        focused->clearFocus();
     for (int i = 0; i < count(); ++i) {
         const auto policy = widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
         widget(i)->setSizePolicy(policy, policy);

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QWheelEvent>
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -21,20 +20,6 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-/// The wheel scrolls past it unless it has the focus.
-class CalmComboBox : public QComboBox {
-public:
-    explicit CalmComboBox(QWidget* parent) : QComboBox(parent) { setFocusPolicy(Qt::StrongFocus); }
-
-protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus())
-            QComboBox::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
 
 std::optional<int> whole(const std::optional<double>& value) {
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
@@ -61,7 +46,7 @@ constexpr std::size_t indexOf(StepParameter parameter) {
 
 StepParametersBox::StepParametersBox(QWidget* parent)
     : QWidget(parent),
-      m_speedMode(new CalmComboBox(this)),
+      m_speedMode(new QComboBox(this)),
       m_minimumSpeed(new QuantityField(QuantityField::Kind::Velocity, this)),
       m_runCurrent(new NumberField(0, this)),
       m_holdCurrent(new NumberField(0, this)),

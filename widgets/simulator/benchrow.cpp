@@ -2,7 +2,6 @@
 #include "widgets/simulator/benchrow.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -64,7 +63,6 @@ void BenchRow::addSlider(const QString& prefix, QWidget* parent) {
                        static_cast<int>(std::lround(m_quantity.sliderMax / m_quantity.step)));
     m_slider->setToolTip(m_quantity.meaning);
     m_slider->setFocusPolicy(Qt::StrongFocus);
-    m_slider->installEventFilter(this);
     connect(m_slider, &QSlider::valueChanged, this, [this](int steps) {
         m_field->showValue(steps * m_quantity.step);
         commit();
@@ -78,13 +76,6 @@ void BenchRow::addTo(QGridLayout& grid) {
     grid.addWidget(m_unit, line, 2);
     if (m_slider != nullptr)
         grid.addWidget(m_slider, ++line, 0, 1, 3);
-}
-
-bool BenchRow::eventFilter(QObject* /*watched*/, QEvent* event) {
-    if (event->type() != QEvent::Wheel || m_slider->hasFocus())
-        return false;
-    event->ignore();
-    return true;
 }
 
 void BenchRow::commit() {

@@ -56,10 +56,6 @@ signals:
     /// `value` as the control line takes it.
     void entered(const QString& name, const QString& value);
 
-protected:
-    /// The wheel scrolls the page unless the slider has the focus, as in a NumberField.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void addSlider(const QString& prefix, QWidget* parent);
     void commit();
