@@ -43,7 +43,7 @@ TEST(ModuleState, OneAnswerOfAnotherModuleIsNoTrip) {
     module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.4, kMoveDone | kPower, kServoOn));
     module.apply(sampleOf(0.5, kMoveDone | kPosError | kPower, 0));
-    EXPECT_EQ(module.activity(), Activity::PositionError);
+    EXPECT_EQ(module.activity(), Activity::Tripped);
 }
 
 TEST(ModuleState, ATrapezoidalMoveGoesThroughItsPhases) {
