@@ -225,7 +225,7 @@ void Chain::Private::watchForHaste(const LineByte& byte) {
     if (!complete)
         return;
     const Packet& packet = m_monitor.packet();
-    if (m_hasty && packet.sumIsRight() && packet.code() != CommandCode::StopMotor)
+    if (m_hasty && !hasteIsUnknown && packet.sumIsRight() && packet.code() != CommandCode::StopMotor)
         violations.add({now, m_hurried, ViolationKind::CommandInFlight, packet.bytes()});
     m_hasty = false;
 }
@@ -243,8 +243,12 @@ void Chain::setHostBaud(std::uint32_t baud) {
     d->line.setBaud(baud);
 }
 
-void Chain::hostSends(ByteSpan bytes, TimePoint now) {
+void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
     d->runTo(now);
+    if (readLate)
+        d->hasteIsUnknown = true;
+    else if (!d->line.nextDue() && d->busyModule() == nullptr)
+        d->hasteIsUnknown = false;
     d->line.send(bytes, d->now);
 }
 

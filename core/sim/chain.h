@@ -61,8 +61,10 @@ public:
     void setHostBaud(std::uint32_t baud);
 
     /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving. The
-    /// line holds 65 536 bytes; more are lost and counted.
-    void hostSends(ByteSpan bytes, TimePoint now);
+    /// line holds 65 536 bytes; more are lost and counted. `readLate`: the host wrote them before `now`, but
+    /// nobody knows when; whether it waited for its answers (CommandInFlight) is judged again when bytes that
+    /// are in time find the chain at rest.
+    void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
 
     /// Another host on the same line sends `bytes`, behind what is leaving: they are carried out and answered
     /// like this host's. A sentence when faults are not enabled.

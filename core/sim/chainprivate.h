@@ -24,6 +24,8 @@ public:
     void updateAddressLines();
     void powerUp(std::size_t module);
     void clearFaults();
+    /// The first module that owes an answer.
+    [[nodiscard]] const Module* busyModule() const;
 
     ChainOptions options;
     std::vector<std::unique_ptr<Module>> modules;
@@ -36,6 +38,7 @@ public:
     ChainStatistics statistics;
     FaultInjector faults;
     TimePoint now;
+    bool hasteIsUnknown = false;  ///< what is on the line was read late
 
 private:
     void runModule(std::size_t index);
@@ -49,7 +52,6 @@ private:
     void deliverToModules(const LineByte& byte);
     void moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error);
     void watchForHaste(const LineByte& byte);
-    [[nodiscard]] const Module* busyModule() const;
     void catchUp();
 
     // Faults.

@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QJsonArray>
 
 #include "tests/app/othermaster.h"
 #include "tests/app/panel.h"

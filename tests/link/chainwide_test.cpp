@@ -18,7 +18,7 @@ protected:
         connection.openSerial(sim.terminal());
         ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
     }
-    void TearDown() override { EXPECT_TRUE(sim.violations().isEmpty()); }
+    void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
 
     [[nodiscard]] bus::Outcome carryOut(std::variant<bus::GroupChange, bus::GroupCommand> what) {
         connection.forgetNews();

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <QCoreApplication>
+#include <QJsonArray>
 #include <QProcess>
 
 #include "link/terminal/ptyserver.h"

@@ -40,6 +40,18 @@ TEST_F(Violations, ACommandThatCutsAReplyIsOneAndHasItsBytesAndTime) {
     EXPECT_LE(v.time, wire.now);
 }
 
+TEST_F(Violations, WhoWasReadLateIsNotCalledHasty) {
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now, true);
+    wire.chain.hostSends(packet(2, 0x0E), wire.now, true);
+    wire.wait(milliseconds(1));
+    wire.exchange(packet(2, 0x0E));
+    EXPECT_EQ(wire.violations(), Kinds{}) << "in time itself, but behind what was not";
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    wire.exchange(packet(2, 0x0E));
+    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "the chain was at rest between";
+}
+
 TEST_F(Violations, AStopMotorMayCutAReply) {
     wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
     wire.wait(milliseconds(5));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/nmcsimprocess.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 
 namespace nmc::testing_support {
@@ -26,6 +27,11 @@ NmcsimProcess::~NmcsimProcess() {
 QJsonObject NmcsimProcess::control(const QString& line) {
     m_process.write(line.toUtf8() + '\n');
     return QJsonDocument::fromJson(readLine()).object();
+}
+
+std::string NmcsimProcess::violations() {
+    const QJsonArray all = control(QStringLiteral("stats"))[QStringLiteral("violations")].toArray();
+    return all.isEmpty() ? std::string() : QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
 }
 
 void NmcsimProcess::quit() {

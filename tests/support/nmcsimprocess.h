@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QJsonArray>
 #include <QJsonObject>
 #include <QProcess>
 #include <QStringList>
+
+#include <string>
 
 namespace nmc::testing_support {
 
@@ -18,9 +19,8 @@ public:
     [[nodiscard]] const QString& terminal() const { return m_terminal; }
     [[nodiscard]] QJsonObject control(const QString& line);
     [[nodiscard]] QJsonObject state(int module) { return control(QStringLiteral("state %1").arg(module)); }
-    [[nodiscard]] QJsonArray violations() {
-        return control(QStringLiteral("stats"))[QStringLiteral("violations")].toArray();
-    }
+    /// What the host did that the data sheets do not allow, as the simulator says it; empty when nothing.
+    [[nodiscard]] std::string violations();
     /// Ends it; a terminal that is open is hung up.
     void quit();
 

@@ -19,7 +19,10 @@ namespace {
 
 /// A line that never ends must not fill the memory.
 constexpr std::size_t kMaxLine = 4'096;
-constexpr Duration kAtLeastEvery = std::chrono::milliseconds(50);
+/// With kLate, well below what any host waits for an answer: a host that gave up on a simulator that slept is
+/// not in haste.
+constexpr Duration kAtLeastEvery = std::chrono::milliseconds(5);
+constexpr Duration kLate = std::chrono::milliseconds(2);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
 constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
@@ -42,9 +45,11 @@ void SimServer::run(int stopFd) {
         std::array<pollfd, 3> fds{{{stopFd, POLLIN, 0},
                                    {m_terminal.fd(), POLLIN, 0},
                                    {m_controlOpen ? m_controlIn : -1, POLLIN, 0}}};
-        pollUntil(fds, wakeUpAt());
+        const auto alarm = wakeUpAt();
+        pollUntil(fds, alarm);
         if (fds[0].revents != 0)
             return;
+        m_overslept = alarm && monotonicNow() > *alarm + kLate;
         catchUp();
         if (fds[1].revents != 0)
             serveHost();
@@ -106,18 +111,19 @@ void SimServer::followRate() {
 void SimServer::serveHost() {
     const std::vector<std::uint8_t> bytes = m_terminal.read();
     m_received += bytes.size();
+    const bool late = m_overslept || wantedNow() > m_now + kLate;
     const std::size_t before = endOfLastSetBaud(bytes);
     const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
     if (baud == m_hostBaud) {
-        m_chain.hostSends(bytes, m_now);
+        m_chain.hostSends(bytes, m_now, late);
         return;
     }
     // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
     // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
-    m_chain.hostSends(ByteSpan(bytes).first(before), m_now);
+    m_chain.hostSends(ByteSpan(bytes).first(before), m_now, late);
     m_hostBaud = baud;
     m_chain.setHostBaud(baud);
-    m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now);
+    m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now, late);
 }
 
 std::size_t SimServer::endOfLastSetBaud(ByteSpan bytes) {

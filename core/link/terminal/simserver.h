@@ -58,7 +58,8 @@ private:
     std::uint32_t m_hostBaud = 0;
     sim::Receiver m_monitor;  ///< hears the host, whatever the rates
     TimePoint m_started;
-    TimePoint m_now;  ///< simulated time that has been reached
+    TimePoint m_now;           ///< simulated time that has been reached
+    bool m_overslept = false;  ///< what the host wrote may have waited
     std::uint64_t m_received = 0;
     std::uint64_t m_sent = 0;
     Lateness m_lateness;  ///< of the bytes to the host, since last asked
