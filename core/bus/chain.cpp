@@ -139,7 +139,7 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
     std::vector<std::uint8_t> burst;
     if (m_readOnly)
         return burst;
-    const auto pause = static_cast<std::size_t>(kTurnaround / byteTimeAtBaud(m_rate)) + 1;
+    const std::size_t pause = nullsForTurnaround(byteTimeAtBaud(m_rate));
     for (const Step& stop : stops()) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
@@ -169,14 +169,14 @@ Line::Script Chain::stopScript(const std::vector<Step>& stops) const {
         const Payload payload = payloadOf(step.command);
         if (all) {
             // Every module is a member of group FF, which has no leader: nobody answers.
-            script.insert(script.end(), {Line::Packet{toPacket({kEverybody, payload})}, Line::Gap{}});
+            script.insert(script.end(), {Line::Packet{toPacket({kEverybody, payload})}, Line::Spacer{}});
             break;
         }
         const std::size_t reply = layoutOf(belief(step.module), payload).length();
         script.insert(
             script.end(),
-            {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply},
-             Line::Pause{kTurnaround + byteTimeAtBaud(m_rate) * static_cast<Duration::rep>(reply)}});
+            {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply}, Line::Spacer{},
+             Line::Pause{byteTimeAtBaud(m_rate) * static_cast<Duration::rep>(reply)}});
     }
     return script;
 }

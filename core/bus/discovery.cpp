@@ -188,7 +188,7 @@ Line::Script Discovery::restartScript() const {
         for (unsigned group = kFirstGroup; group <= kEverybody.value(); ++group) {
             const BusAddress address(static_cast<std::uint8_t>(group));
             script.insert(script.end(),
-                          {Line::Packet{toPacket({address, HardReset{}.encode()})}, Line::Gap{}});
+                          {Line::Packet{toPacket({address, HardReset{}.encode()})}, Line::Spacer{}});
         }
         // The port's rate must not change before its own buffer has run empty; the adapter may lag.
         script.emplace_back(Line::Lag{});

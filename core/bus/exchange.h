@@ -18,6 +18,10 @@ namespace nmc::bus {
 /// Longest time from a command's last byte to its execution, and the shortest gap before the next one when
 /// nobody answers (DS-V 4.1: 0.51 ms, one servo tick).
 inline constexpr Duration kTurnaround = kServoTick;
+/// Nulls that take as long on the wire: whoever writes them waits, whatever an adapter puts together.
+[[nodiscard]] constexpr std::size_t nullsForTurnaround(Duration byteTime) {
+    return static_cast<std::size_t>(kTurnaround / byteTime) + 1;
+}
 /// Shortest adapter latency to count with (link.md 2.1).
 inline constexpr Duration kMinLatency = std::chrono::milliseconds(4);
 /// Surplus bytes this many character times after a reply still belong to it (link.md 2.2).

@@ -137,7 +137,7 @@ Next GroupWork::send(const GroupCommand& command, TimePoint now) {
             m_chain.tell(index, commandFor(command.action, member.info().identity.type), latched);
     }
     if (!leader)
-        return Line::Script{Line::Packet{packet}, Line::Pause{kTurnaround}};
+        return Line::Script{Line::Packet{packet}, Line::Spacer{}};
     Ask ask =
         m_chain.command(Purpose::Operation,
                         {*leader, commandFor(command.action, m_chain.belief(*leader).info().identity.type)});

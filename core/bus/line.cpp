@@ -200,6 +200,10 @@ void Line::perform(const Action& action, TimePoint now) {
                 m_output.emplace_back(discard);
             },
             [&](const Nulls&) { send(kNulls, now); },
+            [&](const Spacer&) {
+                send(std::vector<std::uint8_t>(nullsForTurnaround(m_timing.byteTime)), now);
+                waitUntil(m_free, now);  // or a stop would find a long queue in front of it
+            },
             [&](const Gap&) { waitUntil(m_free + kTurnaround, now); },
             [&](const Pause& pause) { waitUntil(std::max(now, m_free) + pause.time, now); },
             [&](const Lag& lag) { waitUntil(std::max(now, m_free) + lag.time + m_timing.adapter(), now); },

@@ -31,6 +31,9 @@ public:
     struct Nulls {};
     /// Until another packet may follow the last byte that was sent; nothing when that is long past.
     struct Gap {};
+    /// The same behind a packet that nobody answers, made of nulls: an adapter that holds bytes back puts
+    /// packets together that were written apart, and the second would take the place of the first (DS-V 4.1).
+    struct Spacer {};
     /// From now, or from when the last byte has left if that is later.
     struct Pause {
         Duration time;
@@ -44,7 +47,7 @@ public:
         PacketBytes bytes;
         std::size_t replyBytes = 0;
     };
-    using Action = std::variant<SetHostBaud, DiscardInput, Nulls, Gap, Pause, Lag, Packet>;
+    using Action = std::variant<SetHostBaud, DiscardInput, Nulls, Gap, Spacer, Pause, Lag, Packet>;
     using Script = std::vector<Action>;
     /// What a script sent, and when.
     struct Unanswered {

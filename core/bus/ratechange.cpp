@@ -97,8 +97,11 @@ Line::Script RateChange::tellAll(std::uint32_t rate) const {
     const auto row = findBaud(rate);
     const Payload payload = SetBaud{row ? row->brd : kPowerUpBrd}.encode();
     Line::Script script{Line::Gap{}};
-    for (const BusAddress group : m_groups)
-        script.insert(script.end(), {Line::Packet{toPacket({group, payload})}, Line::Gap{}});
+    for (const BusAddress group : m_groups) {
+        if (group != m_groups.front())
+            script.emplace_back(Line::Spacer{});
+        script.emplace_back(Line::Packet{toPacket({group, payload})});
+    }
     // The port changes when its own buffer has run empty.
     script.emplace_back(Line::Lag{kTurnaround});
     return script;

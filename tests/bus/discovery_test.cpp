@@ -40,7 +40,8 @@ TEST(Discovery, RestartsWithAResetAtEveryRate) {
         for (const Output& output : bus.engine.takeOutput())
             if (const auto* rate = std::get_if<SetHostBaud>(&output))
                 rates.push_back(rate->baud);
-            else if (const auto* send = std::get_if<Send>(&output))
+            else if (const auto* send = std::get_if<Send>(&output);
+                     send != nullptr && !ScriptedBus::isSpacer(send->bytes))
                 bus.sent.push_back({bus.now, toHex(send->bytes)});
         bus.now = *bus.engine.nextDeadline();
         bus.engine.onDeadline(bus.now);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "bus/line.h"
@@ -298,6 +299,27 @@ TEST(Line, RunsAScriptInOrder) {
     EXPECT_EQ(std::get<SetHostBaud>(output[0]).baud, 115'200U);
     EXPECT_TRUE(line.idle());
     EXPECT_EQ(line.timing().byteTime, Duration(86'805));
+}
+
+/// DS-V 4.1: 0.51 ms behind a packet that nobody answers, on the wire, where an adapter cannot take them
+/// away.
+TEST(Line, KeepsPacketsApartThatNobodyAnswersEvenIfTheyAreWrittenTogether) {
+    for (const std::uint32_t rate : {9'600U, 19'200U, 57'600U, 115'200U}) {
+        Line line(4ms, 10ms);
+        line.run({SetHostBaud{rate}, Line::Packet{toPacket({BusAddress(0x81), SaveAsHome{}.encode()})},
+                  Line::Spacer{}, Line::Packet{toPacket({BusAddress(0x82), SaveAsHome{}.encode()})}},
+                 TimePoint(1s));
+        auto output = line.takeOutput();
+        ASSERT_EQ(output.size(), 3U) << rate;
+        EXPECT_EQ(*line.deadline(),
+                  TimePoint(1s) +
+                      byteTimeAtBaud(rate) * (4 + static_cast<int>(std::get<Send>(output[2]).bytes.size())))
+            << "nothing waits in a buffer that a stop would have to wait for";
+        const auto& nulls = std::get<Send>(output[2]).bytes;
+        EXPECT_THAT(nulls, testing::Each(0));
+        EXPECT_GE(static_cast<double>(nulls.size()) * 10.0 / rate, 0.51e-3) << rate;
+        EXPECT_LT(static_cast<double>(nulls.size()) * 10.0 / rate, 0.51e-3 + 10.0 / rate * 1.05) << rate;
+    }
 }
 
 TEST(Line, LeavesTheGapOnlyWhereItIsNeeded) {

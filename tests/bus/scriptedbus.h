@@ -146,6 +146,8 @@ public:
         return withSum(bytes);
     }
 
+    /// Nulls that only keep two packets apart: too few to empty a command buffer.
+    [[nodiscard]] static bool isSpacer(ByteSpan bytes) { return bytes.front() == 0 && bytes.size() < 16; }
     static constexpr const char* kNulls = "00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00";
 
 private:
@@ -155,7 +157,8 @@ private:
     };
 
     void carry(const std::vector<std::uint8_t>& bytes) {
-        sent.push_back({now, toHex(bytes)});
+        if (!isSpacer(bytes))
+            sent.push_back({now, toHex(bytes)});
         m_free = std::max(m_free, now) + m_byteTime * static_cast<Duration::rep>(bytes.size());
         auto back = bytes.front() == kHeader ? answer(bytes) : std::vector<std::uint8_t>{};
         if (!back.empty())

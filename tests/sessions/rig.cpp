@@ -284,10 +284,14 @@ bool Rig::isOn(std::uint8_t place) {
 }
 
 bool Rig::resetOnTheWay(std::uint8_t place) {
-    if (wire.empty() || wire.back().code() != CommandCode::HardReset || lineFree + kServoTick <= bus.now)
+    auto last = wire.rbegin();
+    TimePoint left = lineFree;
+    for (; last != wire.rend() && last->packet.empty(); ++last)
+        left -= byteTimeAtBaud(last->baud) * static_cast<Duration::rep>(last->nulls);
+    if (last == wire.rend() || last->code() != CommandCode::HardReset || left + kServoTick <= bus.now)
         return false;
     const sim::ModuleSnapshot truth = bus.chain.snapshot(ModuleIndex(place), bus.now);
-    return wire.back().address() == truth.address || wire.back().address() == truth.group;
+    return last->address() == truth.address || last->address() == truth.group;
 }
 
 bool Rig::atRest(std::uint8_t place) {
