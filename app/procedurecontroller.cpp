@@ -137,6 +137,8 @@ void ProcedureController::tell(Run& run) {
     const ProcedureReport report = run.procedure->report();
     if (run.overtaken || run.told == report)
         return;
+    if (report.kind == ProcedureKind::Homing && report.home && !(run.told && run.told->home))
+        m_store.noteHome(report.module, *report.home);
     run.told = report;
     emit reported(report);
 }

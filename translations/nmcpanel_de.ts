@@ -279,6 +279,41 @@
     </message>
 </context>
 <context>
+    <name>HomeTexts</name>
+    <message>
+        <source>Home: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>Home: not known</source>
+        <translation>Referenz: unbekannt</translation>
+    </message>
+    <message>
+        <source>Where home is, is not known in this connection. A search finds it, Save as home sets it; a restart, and whatever else sets the position unseen, loses it.</source>
+        <translation>Wo die Referenz liegt, ist in dieser Verbindung nicht bekannt. Eine Suche findet sie, Als Referenz speichern setzt sie; ein Neustart, und was sonst die Position ungesehen setzt, verliert sie.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. A search found it %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Eine Suche hat sie vor %2 min gefunden.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. It was saved %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min gespeichert.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move. Where 0 has been is lost: all positions are counted from here then.</source>
+        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Wo 0 bisher war, geht verloren: Alle Positionen zählen dann von hier.</translation>
+    </message>
+    <message>
+        <source>Home, now at %1, is at %2 then.</source>
+        <translation>Die Referenz, jetzt bei %1, liegt dann bei %2.</translation>
+    </message>
+    <message>
+        <source>What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.</source>
+        <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>About NMC Panel</source>
@@ -3079,6 +3114,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>STOP ALL</source>
         <translation>ALLES STOPP</translation>
     </message>
+    <message>
+        <source>Where home is, is not known: search for it, or save it.</source>
+        <translation>Wo die Referenz liegt, ist nicht bekannt: suchen oder speichern.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3775,10 +3814,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit laut Chip</translation>
     </message>
     <message>
-        <source>Home position</source>
-        <translation>Referenzposition</translation>
-    </message>
-    <message>
         <source>Raw</source>
         <translation>Rohdaten</translation>
     </message>
@@ -3809,6 +3844,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Keeps the present position as home. The motor does not move.</source>
         <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>Referenzregister</translation>
     </message>
 </context>
 <context>
@@ -4323,10 +4362,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>No search yet.</source>
         <translation>Noch keine Suche.</translation>
-    </message>
-    <message>
-        <source>Last home: %1</source>
-        <translation>Letzte Referenz: %1</translation>
     </message>
 </context>
 <context>
@@ -5523,16 +5558,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Startet die geladene Fahrt (Strg+G).</translation>
     </message>
     <message>
-        <source>The home position is not known.</source>
-        <translation>Die Referenzposition ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Makes the present position 0. The motor does not move.</source>
-        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht.</translation>
-    </message>
-    <message>
-        <source>Goes to the home position that the module has captured (Ctrl+Shift+G).</source>
-        <translation>Fährt zur Referenzposition, die das Modul erfasst hat (Ctrl+Shift+G).</translation>
+        <source>Goes to home (Ctrl+Shift+G).</source>
+        <translation>Fährt zur Referenz (Strg+Umschalt+G).</translation>
     </message>
 </context>
 <context>
@@ -6563,10 +6590,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>A/D (Temperatur)</translation>
     </message>
     <message>
-        <source>Home position</source>
-        <translation>Referenzposition</translation>
-    </message>
-    <message>
         <source>Raw</source>
         <translation>Rohdaten</translation>
     </message>
@@ -6587,12 +6610,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
-        <source>Makes the present position 0. The motor does not move.</source>
-        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht.</translation>
-    </message>
-    <message>
         <source>Keeps the present position as home. The motor does not move.</source>
         <translation>Merkt sich die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>Referenzregister</translation>
     </message>
 </context>
 <context>

@@ -154,10 +154,11 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
 }
 
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
-    m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status});
+    Chain::Module& known = m_chain.at(module);
+    m_events.emplace_back(
+        Sample{module, end.latched, trusted, end.late, end.report.status, known.plausibility.takeJump()});
     if (m_config.readOnly)
         return;  // whatever moves there is for others to start and to stop
-    Chain::Module& known = m_chain.at(module);
     // Attached, it may move as it likes; its velocity tells.
     const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
     if (known.ownMotion.onReport(end.report, end.latched, mayMove))

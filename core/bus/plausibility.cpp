@@ -142,6 +142,8 @@ std::optional<Rejection> Plausibility::judge(const ReplyEnd& end) {
             return contradiction;
         }
         m_known = *m_candidate;
+        m_jumped = m_jumped || *contradiction == Rejection::PositionJump ||
+                   *contradiction == Rejection::MovedWhileStopped;
     }
     if (tellsOf(m_contradiction, end.report))
         m_candidate.reset();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "bus/exchange.h"
 #include "bus/rejection.h"
@@ -41,6 +42,8 @@ public:
 
     /// Judges a reply whose sum is right. Nothing: it is believed, and later ones are judged by it.
     [[nodiscard]] std::optional<Rejection> judge(const ReplyEnd& end);
+    /// Since it was asked last, a position was believed that no motion leads to.
+    [[nodiscard]] bool takeJump() { return std::exchange(m_jumped, false); }
 
 private:
     /// What is remembered of the replies that were believed.
@@ -87,6 +90,7 @@ private:
     Known m_known;
     std::optional<Known> m_candidate;  ///< what a reply that contradicted said
     Rejection m_contradiction{};       ///< why it was rejected
+    bool m_jumped = false;
     Allowance m_position;
     Allowance m_home;
     Allowance m_homing;

@@ -119,6 +119,9 @@ struct Sample {
     Duration late{};
     /// The status byte as it came; `report` withholds what permits until another reply confirms it.
     std::optional<std::uint8_t> heard{};
+    /// Its position does not follow from the one before, and was confirmed: somebody else has set the
+    /// counter.
+    bool jumped = false;
 };
 
 /// A command was answered as carried out; `time` and `late` as in Sample. Polls are not reported.

@@ -75,9 +75,9 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     EXPECT_FALSE(button("homeButton")->isEnabled());
     EXPECT_FALSE(button("onLimit2Box")->isEnabled()) << "the search has its recipe";
     ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
-    EXPECT_TRUE(text("lastHomeLabel").contains(u"700 counts"_s) ||
-                text("lastHomeLabel").contains(u"701 counts"_s))
-        << text("lastHomeLabel").toStdString();
+    EXPECT_TRUE(text("homingResultLabel").contains(u"700 counts"_s) ||
+                text("homingResultLabel").contains(u"701 counts"_s))
+        << text("homingResultLabel").toStdString();
     const QJsonObject truth = sim.state(1);
     EXPECT_NEAR(truth[u"position"_s].toInt(), 0, 2);
     EXPECT_TRUE(truth[u"limit1"_s].toBool()) << "0 is where the switch closes";
@@ -85,6 +85,36 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     EXPECT_EQ(panel.count(u"has found its home"_s), 1);
     EXPECT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }));
     EXPECT_EQ(sim.violations(), "");
+}
+
+/// The shaft's word, whatever the counter was set to: home is where limit 1 closes, at -700.
+TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    const auto shaft = [&] { return sim.state(1)[u"shaft"_s].toDouble(); };
+    EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "nobody has searched for it";
+    EXPECT_EQ(text("homeState"), u"Home: not known"_s);
+    type("homingVelocityField", u"1,5"_s);
+    click("homeButton");
+    ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
+    const double home = shaft();
+    EXPECT_NEAR(home, -700, 3);
+    EXPECT_NEAR(sim.state(1)[u"home"_s].toInt(), -700, 3) << "the register was left as it was";
+    ASSERT_TRUE(panel.module().home.place());
+    EXPECT_NEAR(panel.module().home.place()->counts, 0, 2);
+    click("goHomeButton");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().motion == MotionMode::Trapezoidal; }));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
+    EXPECT_NEAR(shaft(), home, 3) << "it is there already";
+    type("goalField", u"500"_s);
+    click("goButton");
+    ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home - 500) <= 3; }));
+    click("zeroHereButton");
+    ASSERT_TRUE(panel.waitFor([&] { return text("homeState").contains(u"50"_s); }))
+        << text("homeState").toStdString();
+    click("goHomeButton");
+    ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home) <= 3; }));
+    EXPECT_TRUE(sim.violations().isEmpty());
 }
 
 TEST_F(HomingPage, TheIndexBehindTheLimit) {

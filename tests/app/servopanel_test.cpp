@@ -83,6 +83,7 @@ protected:
 TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
     ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(enable());
+    click("saveHomeButton");
     auto* kind = find<QComboBox>("goalKindBox");
     kind->setCurrentIndex(1);
     type("goalField", u"600"_s);
@@ -94,7 +95,7 @@ TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
     click("startButton");
     EXPECT_TRUE(arrives(1, 600));
     ASSERT_TRUE(panel.waitFor([&] { return !module(0).moving(); }));
-    click("goHomeButton");  // home is 0 since power-up
+    click("goHomeButton");
     EXPECT_TRUE(arrives(1, 0));
     EXPECT_EQ(sim.violations(), "");
 }

@@ -51,6 +51,20 @@ public:
     explicit Stepper(const StepState& first = {}) : Asked(1) { settle(first); }
 };
 
+TEST(Plausibility, TellsOnceOfACounterThatSomebodyElseHasSet) {
+    Servo servo({.position = 50'000});
+    EXPECT_EQ(servo.says({.position = 0}), Rejection::PositionJump);
+    EXPECT_FALSE(servo.judge.takeJump()) << "it may be a garbled reply";
+    EXPECT_EQ(servo.says({.position = 0}, kShort), std::nullopt);
+    EXPECT_TRUE(servo.judge.takeJump());
+    EXPECT_FALSE(servo.judge.takeJump());
+    // What this host sets is no news.
+    Servo ours({.position = 50'000});
+    ours.sends(ServoCommand(ResetPosition{}));
+    EXPECT_EQ(ours.says({.position = 0}), std::nullopt);
+    EXPECT_FALSE(ours.judge.takeJump());
+}
+
 TEST(Plausibility, RejectsALineThatIsHeldLowOrHigh) {
     Servo servo;
     const std::vector<std::uint8_t> low(10, 0x00);

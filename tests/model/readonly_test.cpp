@@ -21,6 +21,7 @@ HomingRecipe recipe(const ModuleState& module) {
 /// What one takes when it is in order, as this one is.
 std::vector<Intent> forServo(const ModuleState& module) {
     return {intent::GoTo(kGoTo),
+            intent::GoHome{CountsPerTick(1 << 16), CountsPerTickSquared(100)},
             intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(100)},
             intent::StopSmoothly{},
             intent::StopAbruptly{},
@@ -42,6 +43,7 @@ std::vector<Intent> forServo(const ModuleState& module) {
 ModuleState servoWithPower() {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1, kMoveDone | kPower, kServoOn));
+    module.home.found(0, module.latestTime);
     return module;
 }
 

@@ -210,5 +210,16 @@ TEST(StepState, ForgetsALoadWhenTheSpeedModeChanges) {
     EXPECT_FALSE(stepper.module.loadWaiting);
 }
 
+TEST(StepState, HomeGoesAlongWithTheCounter) {
+    Stepper stepper = Stepper::holding();
+    stepper.position = -300;
+    stepper.says(kOn);
+    stepper.says(kOn);
+    stepper.module.home.found(-300, stepper.time);
+    stepper.was(ResetPosition{});
+    ASSERT_TRUE(stepper.module.home.place());
+    EXPECT_EQ(stepper.module.home.place()->counts, 0);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -102,10 +102,10 @@ TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
 
 TEST_F(IoPage, GoesHomeAndStopsHere) {
     ModuleState module = Servo{.position = 10}.state();
-    module.latest->home = 4321;
+    module.home.found(4321, module.latestTime);
     window->showLink(connectedTo({module}));
     click(u"goHomeButton"_s);
-    EXPECT_EQ(only<intent::GoTo>().position.value(), 4321);
+    only<intent::GoHome>();
     showServo({.moveDone = false, .position = 77, .millisecond = 10});
     click(u"stopHereButton"_s);
     only<intent::StopHere>();

@@ -10,6 +10,8 @@
 
 namespace nmc {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 int unitOf(const QStyleOptionViewItem& option) {
     return qMax(4, option.fontMetrics.height() / 2);
@@ -98,7 +100,9 @@ void ChainDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const auto activity = static_cast<Activity>(index.data(ChainModel::ActivityValue).toInt());
     paintActivity(*painter, QRectF(body.left(), body.center().y() - side / 2.0 + 0.5, side, side), activity,
                   palette);
-    const QString position = index.data(ChainModel::Position).toString();
+    QString position = index.data(ChainModel::Position).toString();
+    if (index.data(ChainModel::HomeIsKnown).toBool())
+        position.prepend(u"⌂ "_s);
     QFont digits = look::tabular(option.font);
     const QRect word =
         body.adjusted(side + unit * 3 / 4, 0, -QFontMetrics(digits).horizontalAdvance(position) - unit, 0);

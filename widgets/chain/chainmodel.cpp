@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/module/modulescale.h"
+#include "widgets/common/homewords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 
@@ -26,6 +27,9 @@ ChainModel::Row ChainModel::rowOf(const LinkState& link, const ModuleState& modu
     row.unit = texts::unitOf(scale);
     if (module.latest.has_value() && module.latest->position.has_value())
         row.position = texts::fixedPosition(scale, *module.latest->position);
+    row.homeIsKnown = module.home.place().has_value();
+    row.home = texts::home(module.home, scale);
+    row.homeMeaning = texts::homeMeaning(module, scale);
     row.native = scale.native();
     row.old = !isLive(link, module);
     return row;
@@ -96,18 +100,22 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
                                       : tr("%1 · %2").arg(texts::activity(row.activity), row.rate);
         case Position:
             return row.native ? row.position : row.position + u' ' + row.unit;
+        case HomeIsKnown:
+            return row.homeIsKnown;
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:
             return tr("%1, address %2, %3, %4, position %5 %6")
-                .arg(row.name)
-                .arg(row.address)
-                .arg(row.type, texts::activity(row.activity), row.position, row.unit);
+                       .arg(row.name)
+                       .arg(row.address)
+                       .arg(row.type, texts::activity(row.activity), row.position, row.unit) +
+                   u". "_s + row.home;
         case Qt::ToolTipRole:
             return tr("%1 at address %2 on the wire. %3")
-                .arg(row.name)
-                .arg(row.address)
-                .arg(texts::activityMeaning(row.activity));
+                       .arg(row.name)
+                       .arg(row.address)
+                       .arg(texts::activityMeaning(row.activity)) +
+                   u'\n' + row.homeMeaning;
         default:
             return {};
     }

@@ -23,6 +23,7 @@ public:
         ActivityValue,
         ActivityText,  ///< "Holding · 92/s", with the status replies per second
         Position,      ///< "12 345", "1.250 mm", or a dash
+        HomeIsKnown,
         PositionIsOld  ///< the module does not answer
     };
 
@@ -45,6 +46,9 @@ private:
         Activity activity = Activity::Unknown;
         QString position;
         QString unit;
+        bool homeIsKnown = false;
+        QString home;
+        QString homeMeaning;
         bool native = true;
         bool old = false;
         bool operator==(const Row&) const = default;

@@ -186,6 +186,8 @@ QString refusal(Refusal refusal) {
             return Texts::tr("Nothing is loaded that could be started.");
         case Refusal::PositionUnknown:
             return Texts::tr("The position is not known.");
+        case Refusal::HomeUnknown:
+            return Texts::tr("Where home is, is not known: search for it, or save it.");
         case Refusal::ServoOn:
             return Texts::tr("The servo is on. Switch the motor off first.");
         case Refusal::VersionLacksIt:

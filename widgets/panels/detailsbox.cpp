@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/homewords.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -56,7 +57,8 @@ DetailsBox::DetailsBox(QWidget* parent)
     addBits(Byte::Second, tr("Auxiliary byte"), servo::kAuxBitNames, auxMeaning, u"bit_"_s);
     m_analog = addValue(tr("A/D (motor current)"), u"analogLabel"_s);
     m_velocity = addValue(tr("Velocity, as the chip says"), u"chipVelocityLabel"_s);
-    m_home = addValue(tr("Home position"), u"homeLabel"_s);
+    m_home = addValue(tr("Home register"), u"homeLabel"_s);
+    m_home->setToolTip(texts::homeRegisterMeaning());
     m_raw = addValue(tr("Raw"), u"rawLabel"_s);
     addButtons({m_clear, m_saveHome});
     connect(m_clear, &QPushButton::clicked, this,

@@ -49,7 +49,6 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
       m_cancel(new QPushButton(icons::tinted(u"x"_s), tr("Cancel search"), this)),
       m_stages(new QLabel(this)),
       m_result(new QLabel(this)),
-      m_lastHome(look::newMutedLabel({}, this)),
       m_hint(look::newMutedLabel({}, this)) {
     const auto named = [type](const QString& name) {
         return type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
@@ -59,7 +58,6 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     look::name(m_cancel, named(u"cancelHomingButton"_s), tr("Cancel the search for home"));
     look::name(m_stages, named(u"homingStagesLabel"_s), tr("Stages of the search"));
     look::name(m_result, named(u"homingResultLabel"_s), tr("How the search goes"));
-    m_lastHome->setObjectName(named(u"lastHomeLabel"_s));
     m_hint->setObjectName(named(u"homingHint"_s));
     m_home->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_H));
     m_cancel->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
@@ -70,7 +68,7 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     const int unit = look::gridUnit(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
-    buttons->addWidget(m_lastHome, 1);
+    buttons->addStretch(1);
     buttons->addWidget(m_cancel);
     buttons->addWidget(m_home);
     // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
@@ -141,14 +139,10 @@ void HomingBox::showModule(const PanelView& view) {
     m_scale = view.scale();
     m_state = view.module;
     m_connected = view.connected;
-    if (!m_connected) {
-        m_homes.clear();
+    if (!m_connected)
         m_report.reset();
-    } else if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::Homing) {
+    else if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::Homing)
         m_report = *view.procedure;
-        if (m_report->home && m_report->stage == ProcedureStage::Done)
-            m_homes[module.value()] = *m_report->home;
-    }
     m_form->showChip(m_scale, view.module.info.identity.version, speedUnit(view.module));
     if (m_limitStop != nullptr)
         m_limitStop->showModule(view);
@@ -230,10 +224,6 @@ void HomingBox::refreshProgress() {
     else
         result = tr("No search yet.");
     look::setText(m_result, result);
-    const auto home = m_module ? m_homes.constFind(m_module->value()) : m_homes.constEnd();
-    look::setText(m_lastHome, home == m_homes.constEnd()
-                                  ? QString()
-                                  : tr("Last home: %1").arg(texts::position(m_scale, *home)));
 }
 
 }  // namespace nmc

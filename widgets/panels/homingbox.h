@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QHash>
 #include <QWidget>
 #include <optional>
 
@@ -48,7 +47,6 @@ private:
     QPushButton* m_cancel;
     QLabel* m_stages;
     QLabel* m_result;
-    QLabel* m_lastHome;
     QLabel* m_hint;
 
     AxisSettings m_settings;
@@ -57,7 +55,6 @@ private:
     std::optional<ModuleIndex> m_module;
     std::optional<ProcedureReport> m_report;  ///< of the last search
     std::optional<HomingRecipe> m_shown;      ///< what the settings had when they were looked at last
-    QHash<int, std::int32_t> m_homes;         ///< found last, by module
     int m_reached = -1;                       ///< of stages()
     bool m_connected = false;
     bool m_busy = false;

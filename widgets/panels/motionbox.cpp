@@ -10,6 +10,7 @@
 
 #include "model/intent/moveforecast.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/homewords.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -288,12 +289,10 @@ void MotionBox::refresh() {
         m_load, move,
         tr("Loads the move and does not start it: Start does, or the start of the module's group (Ctrl+D)."));
     possible(m_start, reasonFor(Request::StartLoaded, {}), tr("Starts the move that was loaded (Ctrl+G)."));
-    QString home = reasonFor(Request::Move, {m_velocity, m_acceleration});
-    if (home.isEmpty() && !(m_module->latest && m_module->latest->home))
-        home = tr("The home position is not known.");
-    possible(m_goHome, home, tr("Goes to the home position that the module has captured (Ctrl+Shift+G)."));
+    possible(m_goHome, reasonFor(Request::GoHome, {m_velocity, m_acceleration}),
+             tr("Goes to home (Ctrl+Shift+G)."));
     possible(m_zero, reasonFor(Request::ResetPosition, {}),
-             tr("Makes the present position 0. The motor does not move."));
+             m_module ? texts::zeroMeaning(*m_module, m_goal->scale()) : QString());
     const QString run = reasonFor(Request::Run, {m_runVelocity, m_acceleration});
     possible(m_runForward, run, tr("Runs forward until it is stopped."));
     possible(m_runReverse, run, tr("Runs in reverse until it is stopped."));
@@ -317,8 +316,7 @@ void MotionBox::goHome() {
     const auto acceleration = this->acceleration();
     if (!m_goHome->isEnabled() || !velocity || !acceleration)
         return;
-    emit intentRequested(intent::GoTo{Counts(*m_module->latest->home),
-                                      CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration});
+    emit intentRequested(intent::GoHome{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration});
 }
 
 void MotionBox::run(bool reverse) {

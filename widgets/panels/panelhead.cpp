@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/common/glyphs.h"
+#include "widgets/common/homewords.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/promptbutton.h"
@@ -28,6 +29,7 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
       m_position(new QLabel(this)),
       m_positionUnit(look::newMutedLabel({}, this)),
       m_otherPosition(look::newMutedLabel({}, this)),
+      m_home(look::newMutedLabel({}, this)),
       m_enable(drive == Drive::Stepper
                    ? addButton(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
                                tr("Enable the amplifier of this module"), intent::Enable{})
@@ -58,6 +60,7 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     m_positionUnit->setObjectName(named(u"positionUnit"_s));
     m_otherPosition->setObjectName(named(u"otherPosition"_s));
     m_otherPosition->setFont(look::tabular(font()));
+    m_home->setObjectName(named(u"homeState"_s));
     m_meaning->setObjectName(named(u"stateMeaning"_s));
     m_meaning->setWordWrap(true);
 
@@ -75,6 +78,7 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     what->addSpacing(unit / 2);
     what->addWidget(m_state);
     what->addStretch(1);
+    what->addWidget(m_home, 0, Qt::AlignBottom);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->addWidget(m_enable);
@@ -152,6 +156,8 @@ void PanelHead::showModule(const PanelView& view) {
     m_glyph->showActivity(activity);
     m_glyph->setToolTip(texts::activityMeaning(activity));
     showPosition(view);
+    look::setText(m_home, texts::home(module.home, view.scale()));
+    m_home->setToolTip(texts::homeMeaning(module, view.scale()));
     refresh();
 }
 

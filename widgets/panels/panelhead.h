@@ -48,6 +48,7 @@ private:
     QLabel* m_position;
     QLabel* m_positionUnit;
     QLabel* m_otherPosition;
+    QLabel* m_home;
     QPushButton* m_enable;
     QPushButton* m_stopSmoothly;
     QPushButton* m_stopAbruptly;

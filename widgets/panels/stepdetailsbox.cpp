@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/homewords.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -74,7 +75,8 @@ StepDetailsBox::StepDetailsBox(QWidget* parent)
     m_mode = addValue(tr("Mode"), u"stepModeLabel"_s);
     m_timer = addValue(tr("Timer count"), u"stepTimerLabel"_s);
     m_analog = addValue(tr("A/D (temperature)"), u"stepAnalogLabel"_s);
-    m_home = addValue(tr("Home position"), u"stepHomeLabel"_s);
+    m_home = addValue(tr("Home register"), u"stepHomeLabel"_s);
+    m_home->setToolTip(texts::homeRegisterMeaning());
     m_raw = addValue(tr("Raw"), u"stepRawLabel"_s);
     addButtons({m_zero, m_saveHome});
     connect(m_zero, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ResetPosition{}); });
@@ -88,6 +90,7 @@ void StepDetailsBox::showModule(const PanelView& view) {
     showBits(Byte::Second, report ? report->aux : std::nullopt);
     showValues(view);
     m_whyNotZero = view.whyNot(Request::ResetPosition);
+    m_zeroMeaning = texts::zeroMeaning(view.module, view.scale());
     m_whyNotHome = view.whyNot(Request::SaveAsHome);
     refresh();
 }
@@ -131,8 +134,7 @@ void StepDetailsBox::refresh() {
                : m_busy ? tr("Waiting for the module's answer.")
                         : QString();
     };
-    look::setPossible(m_zero, reason(m_whyNotZero),
-                      tr("Makes the present position 0. The motor does not move."));
+    look::setPossible(m_zero, reason(m_whyNotZero), m_zeroMeaning);
     look::setPossible(m_saveHome, reason(m_whyNotHome),
                       tr("Keeps the present position as home. The motor does not move."));
 }

@@ -32,6 +32,7 @@ private:
     QPushButton* m_saveHome;
     std::optional<Refusal> m_whyNotZero = Refusal::NotConnected;
     std::optional<Refusal> m_whyNotHome = Refusal::NotConnected;
+    QString m_zeroMeaning;
     bool m_busy = false;
 };
 

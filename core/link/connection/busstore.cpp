@@ -149,6 +149,31 @@ void BusStore::note(const bus::OperationFinished& finished) {
         return;
     m_records[finished.module.value()].feed.doubt();
     doubtMotions({finished.module});
+    const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
+    if (command == CommandCode::ResetPosition || command == CommandCode::SaveAsHome)
+        m_link.modules[finished.module.value()].home.forget();
+}
+
+/// The same of a group.
+void BusStore::note(const bus::GroupFinished& finished) {
+    const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
+    if (command == nullptr || command->action != bus::GroupCommand::Action::SaveAsHome)
+        return;
+    for (const bus::GroupMember& member : finished.members)
+        if (known(member.module) &&
+            (member.outcome == bus::MemberOutcome::Unknown || member.outcome == bus::MemberOutcome::NoAnswer))
+            m_link.modules[member.module.value()].home.forget();
+}
+
+/// Its counters may have been set from there, by so little that it looks like a motion.
+void BusStore::note(const bus::ForeignTraffic& /*traffic*/) {
+    for (ModuleState& module : m_link.modules)
+        module.home.forget();
+}
+
+void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
+    if (known(module))
+        m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
 }
 
 void BusStore::note(const bus::OwedStopConfirmed& confirmed) {

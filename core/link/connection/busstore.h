@@ -54,6 +54,9 @@ public:
     [[nodiscard]] const History& history() const { return m_history; }
     [[nodiscard]] int movingMotors() const;
 
+    /// A search has found home there; shown with the next news.
+    void noteHome(ModuleIndex module, std::int32_t counts);
+
     /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
     [[nodiscard]] LinkFigures pullFigures(TimePoint now);
 
@@ -91,9 +94,10 @@ private:
     void note(const bus::StopFinished& stopped);
     void note(const bus::OwedStopConfirmed& confirmed);
     void note(const bus::ForeignMotion& motion);
-    void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::GroupFinished,
-                          bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed,
-                          bus::ForeignTraffic> auto&) {}
+    void note(const bus::GroupFinished& finished);
+    void note(const bus::ForeignTraffic& traffic);
+    void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::RateChangeFailed,
+                          bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
     /// What these were told has not been heard of: what moves them is for their positions to say.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
     void closed(const PortClosed& closed);

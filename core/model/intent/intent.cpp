@@ -50,6 +50,13 @@ struct Planner {
                        [&] { return stepsFor(module, trajectory(goTo), StartMotion{}); });
     }
 
+    Plan operator()(const intent::GoHome& goHome) const {
+        if (const auto refusal = whyNot(Request::GoHome, module))
+            return tl::unexpected(*refusal);
+        return (*this)(
+            intent::GoTo{Counts(module.home.place()->counts), goHome.velocity, goHome.acceleration});
+    }
+
     Plan operator()(const intent::LoadMove& load) const {
         if (const auto refusal = lacking(load.move))
             return tl::unexpected(*refusal);
@@ -196,13 +203,15 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::RunAtVelocity,
-                           intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
-                           intent::SaveAsHome, intent::LoadMove, intent::StartLoaded, intent::DrivePwm,
-                           intent::SetAmplifier, intent::ControlIo, intent::Home, intent::StepBy,
-                           intent::StepResponse, intent::CancelProcedure, intent::ArmLimitStop,
-                           stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                           stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
+                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
+                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
+                           intent::StepBy, intent::StepResponse, intent::CancelProcedure,
+                           intent::ArmLimitStop, stepintent::SetParameters, stepintent::SetOutputs,
+                           stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion> auto&) {
+                return false;
+            },
         },
         intent);
 }
@@ -234,6 +243,10 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             if (!module.servoOn())
                 return Refusal::ServoOff;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::GoHome:
+            if (!module.home.place())
+                return Refusal::HomeUnknown;
+            return whyNot(Request::Move, module);
         case Request::Run:
         case Request::Hold:
         case Request::StopMotion:  // to a servo that is off a stop would switch it on

@@ -26,6 +26,11 @@ struct GoTo {
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
 };
+/// To home as it is known when this is planned (model/module/homefact.h).
+struct GoHome {
+    CountsPerTick velocity;
+    CountsPerTickSquared acceleration;
+};
 struct RunAtVelocity {
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
@@ -91,13 +96,13 @@ struct ArmLimitStop {
 }  // namespace intent
 
 using Intent =
-    std::variant<intent::AskAnew, intent::Enable, intent::GoTo, intent::RunAtVelocity, intent::StopSmoothly,
-                 intent::StopAbruptly, intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits,
-                 intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                 intent::StopHere, intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                 intent::StepBy, intent::StepResponse, intent::CancelProcedure, intent::ArmLimitStop,
-                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                 stepintent::ChangeMotion>;
+    std::variant<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
+                 intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
+                 intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
+                 intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
+                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
+                 intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
+                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -116,6 +121,7 @@ enum class Refusal : std::uint8_t {
     NoVelocity,
     NothingLoaded,  ///< no confirmed load waits for a start
     PositionUnknown,
+    HomeUnknown,     ///< nobody has searched or saved it, or the counter may have been set since
     ServoOn,         ///< PWM mode is for a servo that is off
     VersionLacksIt,  ///< the chip's version cannot do it
     NothingToFind,   ///< no condition for home was chosen
@@ -148,6 +154,7 @@ enum class Refusal : std::uint8_t {
 enum class Request : std::uint8_t {
     Enable,
     Move,
+    GoHome,
     Run,
     Hold,
     StopMotion,

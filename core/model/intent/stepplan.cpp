@@ -179,10 +179,10 @@ struct Planner {
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
     /// plan() has answered that for both chips.
     Plan operator()(const intent::AskAnew&) const { return Steps{}; }
-    Plan operator()(
-        const AnyOf<intent::GoTo, intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
-                    intent::LoadMove, intent::StopHere, intent::DrivePwm, intent::ControlIo, intent::StepBy,
-                    intent::StepResponse, intent::ArmLimitStop> auto&) const {
+    Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
+                                intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
+                                intent::ControlIo, intent::StepBy, intent::StepResponse,
+                                intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
 };
@@ -246,6 +246,7 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::SaveAsHome:
         case Request::SetOutputs:
             return std::nullopt;
+        case Request::GoHome:
         case Request::ApplyGains:
         case Request::ClearStickyBits:
         case Request::StopHere:

@@ -53,6 +53,7 @@ void ModuleState::apply(const bus::Sample& sample) {
         latest.emplace();
     merge(*latest, sample.report);
     latestTime = sample.time;
+    home.apply(sample);
     watchHome(sample);
     if (isStepper()) {
         stepper.apply(*latest, sample.time);
@@ -108,6 +109,7 @@ void ModuleState::watchHome(const bus::Sample& sample) {
 
 void ModuleState::apply(const bus::CommandExecuted& executed) {
     homing.apply(executed);
+    home.apply(executed);
     if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
         stepper.apply(*step, executed.time);
         amplifierEnabled = stepper.amplifierOn();
@@ -146,6 +148,7 @@ void ModuleState::restarted() {
     gains.reset();
     io.reset();
     homing = {};
+    home = {};
     m_goal.reset();
     m_looksWhileOff = 0;
     loadWaiting = false;

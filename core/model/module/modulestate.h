@@ -8,6 +8,7 @@
 #include "base/time.h"
 #include "bus/types.h"
 #include "model/module/activity.h"
+#include "model/module/homefact.h"
 #include "model/module/homewatch.h"
 #include "model/module/stepstate.h"
 
@@ -46,6 +47,8 @@ struct ModuleState {
     std::optional<servo::IoControl> io;
     /// What Set Homing Mode last told it.
     HomeWatch homing;
+    /// Where home is, which is not what the chip's register says.
+    HomeFact home;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
     /// As above, and motor power was missing when it was noticed.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bus/types.h"
+
+namespace nmc {
+
+/// Where home of an axis is, as far as this connection knows; counts (steps), as the chip counts now.
+///
+/// The chip's home register is another thing (DS-V 5.2, DS-S 5.1): it holds what was captured or saved last,
+/// the neighbourhood of an index or the place of a limit stop say, and 0 after a restart; and Reset Position
+/// sets the counter to 0 and leaves the register, which then means another place. So home is what a search
+/// has found or the user has saved. It goes along when the counter is set to 0 while the motor stands, and is
+/// not known any more after all that may have set the counter unseen.
+class HomeFact {
+public:
+    enum class Source : std::uint8_t { Search, Saved };
+    struct Place {
+        std::int32_t counts = 0;
+        TimePoint since;  ///< when it was found or saved
+        Source source = Source::Search;
+        bool operator==(const Place&) const = default;
+    };
+
+    /// Nothing: not known.
+    [[nodiscard]] const std::optional<Place>& place() const { return m_place; }
+
+    /// A search has read it from the chip, twice.
+    void found(std::int32_t counts, TimePoint time);
+    void forget();
+    void apply(const bus::CommandExecuted& executed);
+    void apply(const bus::Sample& sample);
+
+private:
+    void counterReset(TimePoint time);
+
+    struct Look {
+        TimePoint time;
+        std::int32_t position = 0;
+        bool still = false;  ///< where it was the look before
+    };
+
+    std::optional<Place> m_place;
+    /// Save as home was carried out then; where that was, the register tells, in two looks that agree.
+    std::optional<TimePoint> m_saved;
+    std::optional<std::int32_t> m_reading;
+    std::optional<Look> m_look;
+};
+
+}  // namespace nmc

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where home is, by hand arithmetic: the register is not asked, but for what was saved.
+#include "model/module/homefact.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "model/intent/intent.h"
+#include "servofixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
+
+/// A servo that holds, whose statuses come 20 ms apart.
+struct Holding {
+    ModuleState module = holdingServo();
+    double time = 1.0;
+    std::int32_t inRegister = 0;
+
+    void says(std::int32_t position) {
+        bus::Sample sample = sampleOf(time += 0.02, kMoveDone | kPower, kServoOn, position);
+        sample.report.home = inRegister;
+        module.apply(sample);
+    }
+    void stands(std::int32_t position) {
+        says(position);
+        says(position);
+    }
+    /// The answer to the command itself comes right behind.
+    void does(ServoCommand command, std::int32_t position) {
+        module.apply(executedAt(time += 0.005, std::move(command)));
+        bus::Sample answer = sampleOf(time, kMoveDone | kPower, kServoOn, position);
+        answer.report.home = inRegister;
+        module.apply(answer);
+    }
+    void foundAt(std::int32_t home) { module.home.found(home, atSeconds(time)); }
+    std::optional<std::int32_t> home() const {
+        return module.home.place() ? std::optional(module.home.place()->counts) : std::nullopt;
+    }
+};
+
+TEST(HomeFact, IsNotKnownWhateverTheRegisterSays) {
+    Holding servo;
+    servo.inRegister = -304;
+    servo.stands(0);
+    EXPECT_EQ(servo.home(), std::nullopt);
+    const auto planned = plan(intent::GoHome{CountsPerTick(65'536), CountsPerTickSquared(100)}, servo.module);
+    ASSERT_FALSE(planned);
+    EXPECT_EQ(planned.error(), Refusal::HomeUnknown);
+}
+
+TEST(HomeFact, AZeroMadeAtHomeIsHome) {
+    Holding servo;
+    servo.inRegister = -304;
+    servo.stands(-304);
+    servo.foundAt(-304);
+    servo.does(ResetPosition{}, 0);
+    servo.stands(0);
+    EXPECT_EQ(servo.home(), 0);
+    const auto planned = plan(intent::GoHome{CountsPerTick(65'536), CountsPerTickSquared(100)}, servo.module);
+    ASSERT_TRUE(planned);
+    const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(planned->front().command));
+    EXPECT_EQ(load.position, Counts(0)) << "and not -304, which the register still says";
+}
+
+TEST(HomeFact, GoesAlongWithTheCounter) {
+    struct Case {
+        std::int32_t home, zeroAt, then;
+    };
+    for (const Case& c : {Case{512, 1'000, -488}, Case{-304, -1'000, 696}, Case{7, 0, 7},
+                          // 32 bits that wrap: from the last count to home it is 11 counts on.
+                          Case{-kLast + 9, kLast, 11}}) {
+        Holding servo;
+        servo.stands(c.zeroAt);
+        servo.foundAt(c.home);
+        servo.does(ResetPosition{}, 0);
+        EXPECT_EQ(servo.home(), c.then) << c.home << ", zero at " << c.zeroAt;
+    }
+}
+
+TEST(HomeFact, IsLostWithAZeroThatWasMadeNobodyKnowsWhere) {
+    Holding turning;
+    turning.foundAt(0);
+    turning.says(100);
+    turning.says(200);
+    turning.does(ResetPosition{}, 3);
+    EXPECT_EQ(turning.home(), std::nullopt);
+    Holding unheard;
+    unheard.stands(100);
+    unheard.foundAt(0);
+    unheard.time += 5;
+    unheard.does(ResetPosition{}, 0);
+    EXPECT_EQ(unheard.home(), std::nullopt);
+}
+
+TEST(HomeFact, IsWhereItWasSavedByTheRegistersWord) {
+    Holding servo;
+    servo.stands(750);
+    servo.foundAt(0);
+    servo.does(SaveAsHome{}, 750);  // its answer still has the old home
+    EXPECT_EQ(servo.home(), std::nullopt);
+    servo.inRegister = 751;
+    servo.says(750);
+    EXPECT_EQ(servo.home(), std::nullopt) << "one look permits nothing";
+    servo.says(750);
+    EXPECT_EQ(servo.home(), 751);
+    EXPECT_EQ(servo.module.home.place()->source, HomeFact::Source::Saved);
+}
+
+TEST(HomeFact, ALimitStopLeavesItAlone) {
+    // Armed it is a Set Homing Mode like any other: tripped, the register has the limit's place (DS-V 5.2).
+    Holding servo;
+    servo.stands(0);
+    servo.foundAt(0);
+    servo.does(servo::SetHoming{.onLimit1Change = true, .stopAbruptly = true}, 0);
+    servo.inRegister = 4'000;
+    servo.stands(4'000);
+    EXPECT_EQ(servo.home(), 0);
+}
+
+TEST(HomeFact, ARestartAndAJumpOfTheCounterLoseIt) {
+    Holding restarted;
+    restarted.foundAt(0);
+    restarted.module.restarted();
+    EXPECT_EQ(restarted.home(), std::nullopt);
+    Holding jumped;
+    jumped.stands(50'000);
+    jumped.foundAt(100);
+    bus::Sample sample = sampleOf(2, kMoveDone | kPower, kServoOn, 0);
+    sample.jumped = true;
+    jumped.module.apply(sample);
+    EXPECT_EQ(jumped.home(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace nmc
