@@ -61,6 +61,20 @@ TEST_F(Motion, U07_ADoubleClickIsOneCommandUntilTheModuleHasSpoken) {
     EXPECT_EQ(intents.size(), 2);
 }
 
+TEST_F(Motion, U07_AStatusThatWasOnItsWayEndsNoCommand) {
+    showServo();
+    click(u"goButton"_s);
+    ModuleState module = Servo{.millisecond = 10}.state();
+    module.awaited = bus::OperationId(1);
+    window->showLink(connectedTo({module}));
+    click(u"goButton"_s);
+    EXPECT_EQ(intents.size(), 1) << "the command has not been answered yet";
+    module.awaited.reset();
+    window->showLink(connectedTo({module}));
+    click(u"goButton"_s);
+    EXPECT_EQ(intents.size(), 2);
+}
+
 TEST_F(Motion, StopsNeverWait) {
     showServo();
     click(u"goButton"_s);

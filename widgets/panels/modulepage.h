@@ -48,7 +48,8 @@ private:
     AxisSettings m_settings;  ///< of m_module
     bool m_showing = false;
     TimePoint m_latestTime;
-    /// A click that was passed on, until the module has spoken again: a double click is one command.
+    /// A click that was passed on, until what it asked for has ended and the module has spoken again: a
+    /// double click is one command, and a status that was on its way ends nothing.
     std::optional<TimePoint> m_askedAt;
 };
 

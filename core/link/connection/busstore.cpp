@@ -143,7 +143,15 @@ void BusStore::executed(const bus::CommandExecuted& command) {
     noteGains(command);
 }
 
+void BusStore::noteAsked(ModuleIndex module, bus::OperationId operation) {
+    if (known(module))
+        m_link.modules[module.value()].awaited = operation;
+}
+
 void BusStore::note(const bus::OperationFinished& finished) {
+    if (known(finished.module))
+        if (auto& awaited = m_link.modules[finished.module.value()].awaited; awaited == finished.id)
+            awaited.reset();
     // It may have been carried out or not.
     if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
         return;

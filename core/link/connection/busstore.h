@@ -54,6 +54,8 @@ public:
     [[nodiscard]] const History& history() const { return m_history; }
     [[nodiscard]] int movingMotors() const;
 
+    /// Its end comes as OperationFinished.
+    void noteAsked(ModuleIndex module, bus::OperationId operation);
     /// A search has found home there; shown with the next news.
     void noteHome(ModuleIndex module, std::int32_t counts);
 

@@ -31,6 +31,8 @@ struct ModuleState {
     bool hasRestarted = false;
     /// Of a read-only connection: it is told nothing (faults.md H-02).
     bool readOnly = false;
+    /// What it was asked for last by this panel, as long as that has not ended; stops apart.
+    std::optional<bus::OperationId> awaited;
     /// Gains as last confirmed; empty: unknown.
     std::optional<servo::SetGain> gains;
     MotionMode motion = MotionMode::None;
