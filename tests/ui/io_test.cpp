@@ -100,6 +100,19 @@ TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
     only<intent::StartLoaded>();
 }
 
+TEST_F(IoPage, NothingThatWasTypedOutlivesTheConnection) {
+    showServo({.on = false});
+    const QString speed = field(u"pwmField"_s)->text();
+    type(u"pwmField"_s, u"51"_s);
+    type(u"kpField"_s, u"4321"_s);
+    type(u"goalField"_s, u"1234"_s);
+    window->showLink({});
+    showServo({.on = false, .gains = false, .millisecond = 10});
+    EXPECT_EQ(field(u"pwmField"_s)->text(), speed);
+    EXPECT_NE(field(u"kpField"_s)->text(), u"4321"_s);
+    EXPECT_NE(field(u"goalField"_s)->text(), u"1234"_s);
+}
+
 TEST_F(IoPage, GoesHomeAndStopsHere) {
     ModuleState module = Servo{.position = 10}.state();
     module.home.found(4321, module.latestTime);

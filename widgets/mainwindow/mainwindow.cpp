@@ -172,6 +172,7 @@ void MainWindow::choosePort(const QString& port, quint32 baud) {
 
 void MainWindow::showLink(const LinkState& state) {
     const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
+    const bool opened = state.phase != m_link.phase && m_link.phase == LinkPhase::Disconnected;
     const bool another = state.phase != m_link.phase || state.port != m_link.port ||
                          state.simulated != m_link.simulated || state.readOnly != m_link.readOnly;
     const std::optional<TimePoint> now = m_link.now;
@@ -179,6 +180,8 @@ void MainWindow::showLink(const LinkState& state) {
     m_link.now = now;
     if (state.phase == LinkPhase::Disconnected)
         m_disconnectAfterStop = false;
+    if (opened)
+        m_panel->forgetModules();
     if (connecting) {
         m_panel->resetSpeeds();
         m_procedures.clear();

@@ -65,6 +65,14 @@ void ModulePanel::adopt(ModulePage* page) {
     connect(page, &ModulePage::settingsEdited, this, &ModulePanel::settingsEdited);
 }
 
+void ModulePanel::forgetModules() {
+    showNothing(m_empty->text());
+    qDeleteAll(m_pages);
+    m_pages.clear();
+    m_servo = nullptr;
+    m_stepper = nullptr;
+}
+
 void ModulePanel::resetSpeeds() {
     for (ModulePage* page : m_pages)
         page->resetSpeeds();

@@ -26,7 +26,9 @@ public:
     void showModule(const PanelView& view);
     /// No module: `text` says why and what to do.
     void showNothing(const QString& text);
-    /// A new connection: low speeds again.
+    /// A new connection: nothing that was typed, found or remembered for the modules of the last one is left.
+    void forgetModules();
+    /// The chain is looked for anew: low speeds again.
     void resetSpeeds();
     void endHold();
     void setHoldInterval(int milliseconds);
