@@ -168,12 +168,17 @@ void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         m_window.showLink(m_store.link());
         endLeft(m_motionMarker.update(m_store.link()));
+        endAll(m_standing.look(m_store.link()));
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_procedures, &ProcedureController::stopAll);
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
     connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
+    connect(&m_procedures, &ProcedureController::idle, this, [this] {
+        if (m_scanWhenIdle)
+            scanAgain();
+    });
 }
 
 void Composition::connectTo(const ConnectTarget& target) {

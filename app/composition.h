@@ -15,6 +15,7 @@
 #include "app/portcontroller.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
+#include "app/standingmessages.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
@@ -82,6 +83,11 @@ private:
     void showFrameSoon();
 
     void tell(const StoreEvent& event);
+    void endAll(const QStringList& keys);
+    /// What a module did not do; over when it obeys again.
+    void tellOf(ModuleIndex module, const Message& message);
+    /// Of the chain as it is in this connection.
+    void tellOfChain(const Message& message);
     /// A message whose cause can be looked at in the scope afterwards.
     void tellIncident(Message message, std::optional<ModuleIndex> module = {});
     /// The same, of modules that were told to stop: the message says so when they are seen at rest.
@@ -128,6 +134,7 @@ private:
         m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
     MachineController m_machine;
+    StandingMessages m_standing;
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings{m_window, m_store};
     MotionMarker m_motionMarker;
@@ -142,6 +149,7 @@ private:
     std::map<QString, Message> m_stopMessages;
     std::optional<QString> m_troublePort;  ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
+    bool m_scanWhenIdle = false;  ///< as soon as no procedure runs any more
     bool m_enableFaults = false;
     bool m_guardianMissed = false;  ///< and said to be
     std::uint32_t m_lastOperation = 0;

@@ -38,9 +38,11 @@ std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
 
 void Composition::scanAgain() {
     if (m_worker.isOpen()) {
-        if (m_procedures.anyRunning())
-            return m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
-        m_worker.connectAgain();
+        m_scanWhenIdle = m_procedures.anyRunning();
+        if (m_scanWhenIdle)
+            m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
+        else
+            m_worker.connectAgain();
     } else if (m_target) {
         connectTo(*m_target);
     }

@@ -42,6 +42,21 @@ void Composition::tellIncident(Message message, std::optional<ModuleIndex> modul
     m_window.showMessage(texts::withRecord(std::move(message)));
 }
 
+void Composition::endAll(const QStringList& keys) {
+    for (const QString& key : keys)
+        m_window.endMessage(key);
+}
+
+void Composition::tellOf(ModuleIndex module, const Message& message) {
+    m_window.showMessage(message);
+    m_standing.untilObeyed(message.key, module);
+}
+
+void Composition::tellOfChain(const Message& message) {
+    m_window.showMessage(message);
+    m_standing.whileConnected(message.key);
+}
+
 void Composition::tellStop(const Message& message, bus::StopCause cause,
                            const std::vector<ModuleIndex>& modules) {
     for (const ModuleIndex module : modules)
@@ -62,14 +77,16 @@ void Composition::told(const bus::OwedStopConfirmed& confirmed) {
 }
 
 void Composition::told(const CurrentLimited& current) {
-    if (current.limited)
-        tellIncident(texts::currentLimited(current.module), current.module);
-    else
-        m_window.endMessage(texts::key::current(current.module));
+    if (!current.limited)
+        return;
+    tellIncident(texts::currentLimited(current.module), current.module);
+    m_standing.whileTrue(texts::key::current(current.module), current.module,
+                         [](const ModuleState& module) { return module.currentWasLimited(); });
 }
 
 void Composition::told(const bus::ChainFound& found) {
     m_toldToStop.clear();
+    endAll(m_standing.chainFound());
     m_motionMarker.found(monotonicNow());
     if (m_troublePort == m_target->port) {
         m_troublePort.reset();
@@ -82,9 +99,7 @@ void Composition::told(const bus::ChainFound& found) {
     m_window.endMessage(texts::key::badLink());
     // Where the module is known that has restarted, that is told of it.
     if (found.unaddressed && found.absent.empty())
-        m_window.showMessage(texts::unaddressed());
-    else
-        m_window.endMessage(texts::key::unaddressed());
+        tellOfChain(texts::unaddressed());
 }
 
 void Composition::told(const bus::ConnectFailed& failed) {
@@ -92,8 +107,10 @@ void Composition::told(const bus::ConnectFailed& failed) {
 }
 
 void Composition::told(const bus::OperationFinished& finished) {
-    if (finished.outcome != bus::Outcome::Done)
-        m_window.showMessage(texts::operationFailed(finished));
+    if (finished.outcome == bus::Outcome::Done)
+        endAll(m_standing.obeyed(finished.module));
+    else
+        tellOf(finished.module, texts::operationFailed(finished));
 }
 
 void Composition::told(const bus::StopFinished& finished) {
@@ -117,14 +134,15 @@ void Composition::told(const bus::ModuleSilence& silence) {
         const std::vector<ModuleState>& chain = m_store.link().modules;
         const auto answering =
             std::count_if(chain.begin(), chain.end(), [](const ModuleState& other) { return !other.silent; });
-        return m_window.showMessage(texts::moduleMissing(silence.module, static_cast<int>(answering)));
+        return tellOfChain(texts::moduleMissing(silence.module, static_cast<int>(answering)));
     }
     const double seconds = toSeconds(monotonicNow() - module->latestTime);
     tellIncident(texts::moduleSilent(silence.module, seconds, module->moving()), silence.module);
+    m_standing.untilChainFound(texts::key::silent(silence.module));
 }
 
 void Composition::told(const bus::CommandRefused& refused) {
-    m_window.showMessage(texts::refused(refused));
+    tellOf(refused.module, texts::refused(refused));
 }
 
 void Composition::told(const bus::LinkLost&) {
@@ -136,11 +154,13 @@ void Composition::told(const bus::LinkLost&) {
 }
 
 void Composition::told(const bus::EchoNoticed&) {
-    m_window.showMessage(texts::echoNoticed(m_target->port));
+    tellOfChain(texts::echoNoticed(m_target->port));
 }
 
 void Composition::told(const bus::HoldExpired& expired) {
-    tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module});
+    const Message message = texts::holdExpired(expired.module);
+    tellStop(message, bus::StopCause::HoldExpired, {expired.module});
+    m_standing.untilObeyed(message.key, expired.module);
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
@@ -156,6 +176,7 @@ void Composition::told(const bus::ModuleRestarted& restarted) {
     m_window.endMessage(texts::key::silent(restarted.module));
     tellIncident(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())),
                  restarted.module);
+    m_standing.whileConnected(texts::key::restarted(restarted.module));
 }
 
 void Composition::told(const bus::Readdressed& readdressed) {
@@ -165,19 +186,25 @@ void Composition::told(const bus::Readdressed& readdressed) {
 }
 
 void Composition::told(const bus::ReaddressFailed& failed) {
-    m_window.showMessage(texts::notReaddressed(failed));
+    tellOfChain(texts::notReaddressed(failed));
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {
-    tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module});
+    const Message message = texts::motionSuspect(suspect);
+    tellStop(message, bus::StopCause::MotionSuspect, {suspect.module});
+    m_standing.untilObeyed(message.key, suspect.module);
 }
 
 void Composition::told(const bus::ForeignTraffic& traffic) {
-    tellStop(texts::foreignTraffic(traffic), bus::StopCause::ForeignTraffic, traffic.toldToStop);
+    const Message message = texts::foreignTraffic(traffic);
+    tellStop(message, bus::StopCause::ForeignTraffic, traffic.toldToStop);
+    m_standing.whileConnected(message.key);
 }
 
 void Composition::told(const bus::ForeignMotion& motion) {
-    tellIncident(texts::foreignMotion(motion), motion.module);
+    const Message message = texts::foreignMotion(motion);
+    tellIncident(message, motion.module);
+    m_standing.whileConnected(message.key);
 }
 
 void Composition::told(const bus::GroupFinished& finished) {
@@ -185,11 +212,13 @@ void Composition::told(const bus::GroupFinished& finished) {
     if (finished.outcome == bus::Outcome::Done)
         return;
     if (!finished.stopped)
-        return m_window.showMessage(texts::groupFailed(finished));
+        return tellOfChain(texts::groupFailed(finished));
     std::vector<ModuleIndex> members;
     for (const bus::GroupMember& member : finished.members)
         members.push_back(member.module);
-    tellStop(texts::groupFailed(finished), bus::StopCause::GroupHalfStarted, members);
+    const Message message = texts::groupFailed(finished);
+    tellStop(message, bus::StopCause::GroupHalfStarted, members);
+    m_standing.whileConnected(message.key);
 }
 
 void Composition::told(const bus::RateChanged& changed) {
@@ -197,7 +226,7 @@ void Composition::told(const bus::RateChanged& changed) {
 }
 
 void Composition::told(const bus::RateChangeFailed& failed) {
-    m_window.showMessage(texts::rateNotChanged(failed));
+    tellOfChain(texts::rateNotChanged(failed));
 }
 
 void Composition::told(const PortClosed& closed) {
@@ -207,6 +236,8 @@ void Composition::told(const PortClosed& closed) {
     m_frameTimer.stop();
     m_figuresTimer.stop();
     m_window.showFigures({});
+    endAll(m_standing.connectionEnded());
+    m_scanWhenIdle = false;
     if (closed.error) {
         PortError error = *closed.error;
         error.port = m_target->port.toStdString();
@@ -247,17 +278,15 @@ void Composition::told(const GuardianMissing& missing) {
 
 void Composition::told(const ServoWentOff& off) {
     const ModuleState* module = m_store.module(off.module);
-    if (module != nullptr && module->isStepper()) {
-        tellIncident(texts::amplifierWentOff(off.module, off.activity), off.module);
-        return;
-    }
-    if (off.activity == Activity::PowerLost) {
-        tellIncident(texts::powerLost(off.module), off.module);
-        return;
-    }
     const auto limit =
         module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
-    tellIncident(texts::tripped(off.module, limit), off.module);
+    const Message message = module != nullptr && module->isStepper()
+                                ? texts::amplifierWentOff(off.module, off.activity)
+                            : off.activity == Activity::PowerLost ? texts::powerLost(off.module)
+                                                                  : texts::tripped(off.module, limit);
+    tellIncident(message, off.module);
+    m_standing.whileTrue(message.key, off.module,
+                         [](const ModuleState& state) { return state.switchedItselfOff; });
 }
 
 }  // namespace nmc

@@ -35,6 +35,7 @@ bool mayMove(const bus::ModuleCommand& command) {
 }  // namespace
 
 void Composition::carryOut(ModuleIndex index, const Intent& intent) {
+    m_scanWhenIdle = false;  // the user has gone on
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
@@ -46,19 +47,21 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (auto procedure = procedureFor(intent, *module)) {
         // The one before is still stopping its motor: nothing waits in a queue to move.
         if (!m_procedures.begin(std::move(procedure)))
-            m_window.showMessage(texts::notPossible(index, Refusal::Moving));
+            tellOf(index, texts::notPossible(index, Refusal::Moving));
         return;
     }
     auto steps = plan(intent, *module);
     if (!steps) {
         m_procedures.cancel(index);
-        m_window.showMessage(texts::notPossible(index, steps.error()));
+        tellOf(index, texts::notPossible(index, steps.error()));
         return;
     }
-    submit(std::move(*steps));
+    const bus::OperationId id = submit(std::move(*steps));
     m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
+    else
+        m_store.noteAsked(index, id);
 }
 
 bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
@@ -114,7 +117,7 @@ void Composition::showProcedure(const ProcedureReport& report) {
         return;
     const AxisScale scale = scaleOf(*module, m_machine.machine().axis(report.module));
     if (const auto message = texts::procedureEnded(report, scale))
-        m_window.showMessage(*message);
+        tellOf(report.module, *message);
 }
 
 }  // namespace nmc

@@ -107,14 +107,18 @@ void ProcedureController::advance() {
     if (m_stopping)
         return;
     const TimePoint now = monotonicNow();
+    const bool ran = anyRunning();
     for (auto it = m_runs.begin(); it != m_runs.end();) {
         bool over = false;
         if (const ModuleState* module = m_store.module(it->first))
             ask(it->second, *module, now, over);
         it = over ? m_runs.erase(it) : std::next(it);
     }
-    if (m_runs.empty())
-        m_timer.stop();
+    if (!m_runs.empty())
+        return;
+    m_timer.stop();
+    if (ran)
+        emit idle();
 }
 
 void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now, bool& over) {

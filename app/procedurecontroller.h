@@ -44,6 +44,8 @@ public:
     bool take(const StoreEvent& event);
 
 signals:
+    /// The last one that ran is over, and its motor told what it leaves behind.
+    void idle();
     void reported(const nmc::ProcedureReport& report);
 
 private:

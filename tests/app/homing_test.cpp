@@ -114,7 +114,23 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
         << text("homeState").toStdString();
     click("goHomeButton");
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home) <= 3; }));
-    EXPECT_TRUE(sim.violations().isEmpty());
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
+    NmcsimProcess sim(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(begin(sim));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    bool looked = false;
+    const BusStore& store = panel.composition().store();
+    QObject::connect(&store, &BusStore::linkChanged, &store,
+                     [&] { looked = looked || store.link().phase == LinkPhase::Connecting; });
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_F5);
+    EXPECT_TRUE(panel.waitFor([&] { return looked && panel.connected(); }));
+    EXPECT_FALSE(testing_support::moves(sim)) << "no motor is left to a search that nobody watches";
+    EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(HomingPage, TheIndexBehindTheLimit) {

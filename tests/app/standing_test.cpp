@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fault is told as long as it is one, and of the chain that has it.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QPushButton>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class Standing : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim)); }
+    void click(const QString& name) {
+        auto* button = panel.window().findChild<QAbstractButton*>(name);
+        ASSERT_NE(button, nullptr) << name.toStdString();
+        ASSERT_TRUE(panel.waitFor([&] { return button->isEnabled(); })) << name.toStdString();
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    /// The shaft is turned away from where the servo wants it, until that switches itself off.
+    void trip() {
+        (void)sim.control(u"set 1 load 50"_s);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"switched its servo off"_s) != nullptr; }))
+            << panel.headlines().join(u" | "_s).toStdString();
+        (void)sim.control(u"set 1 load 0"_s);
+    }
+    bool isOver(const QString& headline) {
+        return panel.count(headline) > 0 && panel.standing(headline) == nullptr;
+    }
+    [[nodiscard]] bool offersToClear() {
+        return panel.window().findChild<QPushButton*>(u"bannerAction_clearAndStayOff"_s) != nullptr ||
+               panel.window().findChild<QPushButton*>(u"listAction_clearAndStayOff"_s) != nullptr;
+    }
+
+    NmcsimProcess sim{u"servo,servo"_s, {u"--enable-faults"_s}};
+    IntentPanel panel;
+};
+
+TEST_F(Standing, ATripIsOverWhenTheServoIsOnAgain) {
+    ASSERT_NO_FATAL_FAILURE(trip());
+    EXPECT_TRUE(offersToClear());
+    EXPECT_TRUE(panel.window().findChild<QWidget*>(u"banner"_s)->isVisible());
+    click(u"enableButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(u"switched its servo off"_s); }));
+    EXPECT_FALSE(offersToClear());
+}
+
+TEST_F(Standing, ATripIsOverWhenTheMotorIsSwitchedOff) {
+    ASSERT_NO_FATAL_FAILURE(trip());
+    click(u"motorOffButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(u"switched its servo off"_s); }));
+}
+
+TEST_F(Standing, MissingPowerIsToldUntilTheServoIsOnAgain) {
+    (void)sim.control(u"set 1 power 0"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"has no motor power"_s) != nullptr; }));
+    (void)sim.control(u"set 1 power 1"_s);
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NE(panel.standing(u"has no motor power"_s), nullptr) << "its servo is still off by itself";
+    click(u"enableButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(u"has no motor power"_s); }));
+}
+
+TEST_F(Standing, ARestartedModuleIsOverWithTheRestartOfTheNetwork) {
+    (void)sim.control(u"power-cycle 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"restarted"_s) != nullptr; }))
+        << panel.headlines().join(u" | "_s).toStdString();
+    panel.window().findChild<QAction*>(u"restartNetworkAction"_s)->trigger();
+    click(u"restartButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.connected() && isOver(u"restarted"_s); }))
+        << panel.headlines().join(u" | "_s).toStdString();
+}
+
+TEST_F(Standing, AFaultOfAnotherChainActsOnNobody) {
+    ASSERT_NO_FATAL_FAILURE(trip());
+    click(u"disconnectButton"_s);
+    ASSERT_TRUE(
+        panel.waitFor([&] { return panel.composition().store().link().phase == LinkPhase::Disconnected; }));
+    EXPECT_TRUE(isOver(u"switched its servo off"_s));
+    EXPECT_FALSE(offersToClear());
+    NmcsimProcess other(u"servo,servo"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
+    EXPECT_FALSE(offersToClear()) << "it would switch the new module 1 off";
+    EXPECT_TRUE(isOver(u"switched its servo off"_s));
+}
+
+TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
+    panel.ask(intent::GoTo{Counts(100), CountsPerTick(65'536), CountsPerTickSquared(100)});
+    const QString refused = u"Not possible for module 1"_s;
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(refused) != nullptr; })) << "the motor runs";
+    click(u"stopAbruptlyButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(refused); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
+}  // namespace
+}  // namespace nmc
