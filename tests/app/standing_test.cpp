@@ -24,12 +24,11 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return button->isEnabled(); })) << name.toStdString();
         QTest::mouseClick(button, Qt::LeftButton);
     }
-    /// The shaft is turned away from where the servo wants it, until that switches itself off.
+    /// The motor runs into a hard stop, until its servo switches itself off.
     void trip() {
-        (void)sim.control(u"set 1 load 50"_s);
+        (void)sim.control(u"set 1 travel_max 30000"_s);
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"switched its servo off"_s) != nullptr; }))
             << panel.headlines().join(u" | "_s).toStdString();
-        (void)sim.control(u"set 1 load 0"_s);
     }
     bool isOver(const QString& headline) {
         return panel.count(headline) > 0 && panel.standing(headline) == nullptr;
