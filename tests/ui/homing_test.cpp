@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QTabWidget>
 
 #include "model/intent/homingplan.h"
@@ -199,6 +200,18 @@ TEST_F(Homing, ShowsItsCourseAndCancelNeverWaits) {
     EXPECT_TRUE(
         text(u"homingResultLabel"_s).contains(texts::procedureFailure(ProcedureFailure::LinkSuspect)));
     EXPECT_FALSE(text(u"homingResultLabel"_s).contains(u"Done"_s));
+}
+
+TEST_F(Homing, ReadsOutWhatTheSearchSays) {
+    show();
+    click(u"homeButton"_s);
+    report(ProcedureStage::Searching);
+    const auto spoken = [this](const QString& label) {
+        return QAccessible::queryAccessibleInterface(find<QLabel>(label))->text(QAccessible::Name);
+    };
+    EXPECT_EQ(spoken(u"homingResultLabel"_s), u"Searching"_s);
+    EXPECT_TRUE(spoken(u"homingStagesLabel"_s).contains(u"Searching"_s));
+    EXPECT_EQ(spoken(u"limitStopState"_s), text(u"limitStopState"_s));
 }
 
 TEST_F(Homing, EachModuleHasItsOwn) {

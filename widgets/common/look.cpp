@@ -188,6 +188,11 @@ void name(QWidget* widget, const QString& objectName, const QString& accessibleN
     widget->setAccessibleName(accessibleName);
 }
 
+void nameText(QLabel* label, const QString& objectName, const QString& what) {
+    label->setObjectName(objectName);
+    label->setAccessibleDescription(what);
+}
+
 void setPossible(QWidget* control, const QString& reason, const QString& meaning) {
     control->setEnabled(reason.isEmpty());
     const QString& tip = reason.isEmpty() ? meaning : reason;

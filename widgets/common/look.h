@@ -52,6 +52,8 @@ void setText(QLabel* label, const QString& text);
 
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
+/// Of a text that changes: its name, as it is read out, is what it says; `what` describes it.
+void nameText(QLabel* label, const QString& objectName, const QString& what);
 
 /// Enabled, with `meaning` as tool tip, or disabled with the reason; both for assistive technology as well.
 void setPossible(QWidget* control, const QString& reason, const QString& meaning);

@@ -56,8 +56,8 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     look::name(this, named(u"homingBox"_s), tr("Homing"));
     look::name(m_home, named(u"homeButton"_s), tr("Search for home"));
     look::name(m_cancel, named(u"cancelHomingButton"_s), tr("Cancel the search for home"));
-    look::name(m_stages, named(u"homingStagesLabel"_s), tr("Stages of the search"));
-    look::name(m_result, named(u"homingResultLabel"_s), tr("How the search goes"));
+    look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Stages of the search"));
+    look::nameText(m_result, named(u"homingResultLabel"_s), tr("How the search goes"));
     m_hint->setObjectName(named(u"homingHint"_s));
     m_home->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_H));
     m_cancel->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));

@@ -40,7 +40,7 @@ LimitStopBox::LimitStopBox(QWidget* parent)
     look::name(m_limit2, u"armLimit2Box"_s, tr("Stop at limit 2"));
     look::name(m_arm, u"armLimitStopButton"_s, tr("Arm the limit stop"));
     look::name(m_disarm, u"disarmLimitStopButton"_s, tr("Disarm the limit stop"));
-    look::name(m_state, u"limitStopState"_s, tr("State of the limit stop"));
+    look::nameText(m_state, u"limitStopState"_s, tr("State of the limit stop"));
     m_arm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L));
     m_disarm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
     m_state->setWordWrap(true);
