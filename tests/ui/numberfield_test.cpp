@@ -68,9 +68,20 @@ TEST_P(NumberFieldIn, U02_PastedTextFollowsTheSameRules) {
     EXPECT_EQ(target.value(), 2.75);
 }
 
+/// What the panel writes is what can be copied from it.
+TEST_P(NumberFieldIn, U02_ReadsTheGroupsAndTheMinusThatThePanelWrites) {
+    for (const char16_t space : {u' ', u'\u00a0', u'\u2009', u'\u202f'}) {
+        NumberField& target = shown();
+        QApplication::clipboard()->setText(u"\u22121"_s + QChar(space) + u"000"_s);
+        target.paste();
+        EXPECT_EQ(target.value(), -1000) << target.text().toStdString();
+    }
+}
+
 TEST_P(NumberFieldIn, U03_RefusesWhatIsNoNumber) {
-    for (const QString& text : {u"abc"_s, u"1e3"_s, u"nan"_s, u"inf"_s, u"0x10"_s, u"1 000"_s, u"--1"_s,
-                                u"-"_s, u"."_s, u"٣"_s, u"1\u202e2"_s}) {
+    for (const QString& text :
+         {u"abc"_s, u"1e3"_s, u"nan"_s, u"inf"_s, u"0x10"_s, u"1 00"_s, u"1 0000"_s, u"1  000"_s,
+          u"1 000 00"_s, u"--1"_s, u"-"_s, u"."_s, u"٣"_s, u"1\u202e2"_s}) {
         Problem problem = Problem::None;
         EXPECT_EQ(NumberField::parse(text, false, &problem), std::nullopt) << text.toStdString();
         EXPECT_NE(problem, Problem::None);

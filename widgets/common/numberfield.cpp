@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QStyleOptionFrame>
 #include <QWheelEvent>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -22,6 +23,15 @@ using namespace Qt::StringLiterals;
 namespace {
 /// Longer than any number here; a huge paste ends at this length, as a number that is out of range.
 constexpr int kMaxLength = 32;
+
+/// Between the groups of three that this program and others write: spaces of several widths.
+bool separatesGroups(const QString& text, qsizetype at) {
+    const auto isDigit = [&text](qsizetype i) {
+        return i >= 0 && i < text.size() && text.at(i) >= u'0' && text.at(i) <= u'9';
+    };
+    return text.at(at).isSpace() && isDigit(at - 1) && isDigit(at + 1) && isDigit(at + 2) &&
+           isDigit(at + 3) && !isDigit(at + 4);
+}
 }  // namespace
 
 NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_decimals(decimals) {
@@ -82,7 +92,7 @@ std::optional<double> NumberField::parse(const QString& text, bool wholeOnly, Pr
             ++marks;
         } else if (i == 0 && (c == u'-' || c == u'\u2212')) {
             plain += '-';
-        } else if (i != 0 || c != u'+') {
+        } else if ((i != 0 || c != u'+') && !separatesGroups(trimmed, i)) {
             return std::nullopt;
         }
     }
@@ -123,14 +133,30 @@ std::optional<double> NumberField::value() const {
     if (m_problem != Problem::None)
         return std::nullopt;
     Problem ignored = Problem::None;
-    return parse(text(), m_decimals == 0, &ignored);
+    return std::max(m_min, std::min(m_max, *parse(text(), m_decimals == 0, &ignored)));
+}
+
+/// With as many digits as it takes to tell it from 0.
+QString NumberField::limitText(double limit) const {
+    constexpr int kMostDecimals = 12;
+    int decimals = m_decimals;
+    while (decimals < kMostDecimals && limit != 0.0 && std::abs(limit) * std::pow(10.0, decimals) < 0.5)
+        ++decimals;
+    return format(limit, decimals);
+}
+
+bool NumberField::isAllowed(double number) const {
+    const auto writtenAs = [this, number](double limit) {
+        Problem ignored = Problem::None;
+        return parse(limitText(limit), m_decimals == 0, &ignored) == number;
+    };
+    return (number >= m_min && number <= m_max) || writtenAs(m_min) || writtenAs(m_max);
 }
 
 QString NumberField::problemText() const {
     const QString quantity = m_quantity.isEmpty() ? accessibleName() : m_quantity;
     const QString unit = m_unit.isEmpty() ? QString() : u" "_s + m_unit;
-    const QString range =
-        tr("%1 takes %2 to %3%4.").arg(quantity, format(m_min, m_decimals), format(m_max, m_decimals), unit);
+    const QString range = tr("%1 takes %2 to %3%4.").arg(quantity, limitText(m_min), limitText(m_max), unit);
     switch (m_problem) {
         case Problem::None:
             return {};
@@ -167,7 +193,7 @@ void NumberField::showText(const QString& text) {
 void NumberField::judge() {
     Problem problem = Problem::None;
     const std::optional<double> number = parse(text(), m_decimals == 0, &problem);
-    if (number.has_value() && (*number < m_min || *number > m_max))
+    if (number.has_value() && !isAllowed(*number))
         problem = Problem::OutOfRange;
     m_problem = problem;
     const QString trouble = problemText();

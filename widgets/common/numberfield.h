@@ -64,6 +64,9 @@ protected:
 private:
     void judge();
     void stepBy(int steps);
+    [[nodiscard]] QString limitText(double limit) const;
+    /// Within the range, or what the field itself writes for a limit, which rounding may have put beyond it.
+    [[nodiscard]] bool isAllowed(double number) const;
 
     int m_decimals;
     double m_min = 0;

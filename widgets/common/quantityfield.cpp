@@ -2,6 +2,7 @@
 #include "widgets/common/quantityfield.h"
 
 #include <QLabel>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/common/look.h"
@@ -17,6 +18,13 @@ constexpr int kAccelerationDecimals = 5;
 constexpr int kMostDecimals = 6;
 /// Digits that a velocity in the user's unit keeps below that of one count per tick.
 constexpr double kFinePart = 1e-4;
+
+/// 1, 2 or 5 times a power of ten.
+double roundBelow(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+    const double digit = value / decade + 1e-9;
+    return decade * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
+}
 }  // namespace
 
 QuantityField::QuantityField(Kind kind, QWidget* parent)
@@ -43,6 +51,11 @@ void QuantityField::setQuantity(const QString& quantity) {
 void QuantityField::setNativeRange(double min, double max) {
     m_min = min;
     m_max = max;
+    refresh();
+}
+
+void QuantityField::setNativeStep(double step) {
+    m_step = step;
     refresh();
 }
 
@@ -74,7 +87,7 @@ std::optional<double> QuantityField::native() const {
 
 void QuantityField::takeText() {
     const std::optional<double> user = value();
-    m_native = user ? std::optional(toNative(*user)) : std::nullopt;
+    m_native = user ? std::optional(std::clamp(toNative(*user), m_min, m_max)) : std::nullopt;
     refresh();
     emit nativeEdited();
 }
@@ -83,6 +96,8 @@ void QuantityField::refresh() {
     setDecimals(decimalsWanted());
     setWords(m_quantity, unitText());
     setRange(toUser(m_min), toUser(m_max));
+    const double finest = std::pow(10.0, -decimals());
+    setSingleStep(m_scale.native() ? m_step : std::max(roundBelow(std::abs(toUser(m_step))), finest));
     look::setText(m_unit, unitText());
     const std::optional<double> now = native();
     look::setText(m_other, now ? otherText(*now) : u"–"_s);

@@ -22,6 +22,8 @@ public:
     /// What the field is called in its sentences.
     void setQuantity(const QString& quantity);
     void setNativeRange(double min, double max);
+    /// What an arrow key adds: so much in the chip's numbers, in the user's unit the round number below it.
+    void setNativeStep(double step);
     /// Emits nothing. A servo rate that changes keeps the native number: the chip would, too.
     void setScale(const AxisScale& scale);
     [[nodiscard]] const AxisScale& scale() const { return m_scale; }
@@ -56,6 +58,7 @@ private:
     AxisScale m_scale;
     double m_min = 0;
     double m_max = 0;
+    double m_step = 1;
     std::optional<double> m_native;  ///< exact, however it is rounded for show
     QString m_quantity;
     QLabel* m_unit;

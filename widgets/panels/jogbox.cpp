@@ -32,7 +32,7 @@ void JogBox::build() {
     m_velocity = new QuantityField(QuantityField::Kind::Velocity, this);
     m_velocity->setName(u"holdVelocityField"_s, tr("Velocity while held"));
     m_velocity->setQuantity(tr("The velocity while held"));
-    m_velocity->setSingleStep(0.05);
+    m_velocity->setNativeStep(0.05);
     m_velocity->setMeaning(tr(
         "How fast the motor turns while a button is held. Low again after every connect; the cap is set on "
         "the page Axis."));

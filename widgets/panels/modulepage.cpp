@@ -52,9 +52,8 @@ void ModulePage::passEdit(const SettingsEdit& edit) {
 
 void ModulePage::showModule(const PanelView& view) {
     const ModuleState& module = view.module;
-    if (m_askedAt.has_value() &&
-        (module.info.index != m_module || !view.connected ||
-         (module.latestTime != *m_askedAt && !module.awaited))) {
+    if (m_askedAt.has_value() && (module.info.index != m_module || !view.connected ||
+                                  (module.latestTime != *m_askedAt && !module.awaited))) {
         m_askedAt.reset();
         setBusy(false);
     }

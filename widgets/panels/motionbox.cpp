@@ -45,7 +45,7 @@ QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString
     field->setName(objectName, accessibleName);
     field->setQuantity(accessibleName);
     field->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
-    field->setSingleStep(acceleration ? 0.0005 : 0.05);
+    field->setNativeStep(acceleration ? 0.0005 : 0.05);
     field->setMeaning(acceleration
                           ? tr("How fast the velocity changes. Used by every kind of motion here, and by a "
                                "smooth stop.")
@@ -73,7 +73,7 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_goal->setQuantity(tr("The goal position"));
     m_goal->setNativeRange(static_cast<double>(servo::kPositionRange.min),
                            static_cast<double>(servo::kPositionRange.max));
-    m_goal->setSingleStep(100);
+    m_goal->setNativeStep(100);
     m_goal->setMeaning(tr("Where to go. Enter starts the move."));
     quantitygrid::addRow(grid, line, tr("&Position"), m_goal);
     m_goalKind = new QComboBox(this);

@@ -26,7 +26,7 @@ StepHoldBox::StepHoldBox(QWidget* parent)
       m_reverse(new HoldButton(this)) {
     m_speed->setName(u"stepHoldVelocityField"_s, tr("Speed while held"));
     m_speed->setQuantity(tr("The speed while held"));
-    m_speed->setSingleStep(25);
+    m_speed->setNativeStep(25);
     m_outcome->setObjectName(u"stepHoldOutcome"_s);
     m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
     m_reverse->setText(tr("◂ Hold"));

@@ -52,13 +52,13 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     m_goal->setQuantity(tr("The goal position"));
     m_goal->setNativeRange(static_cast<double>(step::kPositionRange.min),
                            static_cast<double>(step::kPositionRange.max));
-    m_goal->setSingleStep(100);
+    m_goal->setNativeStep(100);
     m_relative = new QCheckBox(tr("b&y that much from here"), this);
     look::name(m_relative, u"stepRelativeBox"_s, tr("Move by that much from where the motor stands"));
     m_speed = new QuantityField(QuantityField::Kind::Velocity, this);
     m_speed->setName(u"stepSpeedField"_s, tr("Speed"));
     m_speed->setQuantity(tr("The speed"));
-    m_speed->setSingleStep(25);
+    m_speed->setNativeStep(25);
     const auto addRow = [&](QuantityField* field, const QString& text) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);

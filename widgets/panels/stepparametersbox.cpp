@@ -83,7 +83,7 @@ void StepParametersBox::buildRows(QGridLayout* grid) {
     m_speedMode->setPlaceholderText(tr("unknown"));
     m_speedMode->setCurrentIndex(-1);
     m_minimumSpeed->setQuantity(stepParameterName(StepParameter::MinimumSpeed));
-    m_minimumSpeed->setSingleStep(25);
+    m_minimumSpeed->setNativeStep(25);
     for (const auto& [field, parameter] : {std::pair{m_runCurrent, StepParameter::RunCurrent},
                                            {m_holdCurrent, StepParameter::HoldCurrent},
                                            {m_thermalLimit, StepParameter::ThermalLimit}}) {

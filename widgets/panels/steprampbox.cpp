@@ -31,7 +31,7 @@ StepRampBox::StepRampBox(QWidget* parent)
     m_state->setObjectName(u"stepAccelerationTimeState"_s);
     m_cap->setName(u"stepHoldCapField"_s, tr("Fastest speed of hold to move"));
     m_cap->setQuantity(tr("The fastest speed of hold to move"));
-    m_cap->setSingleStep(100);
+    m_cap->setNativeStep(100);
     m_cap->setMeaning(tr("Hold to move goes no faster than this. Set it so that a hand can still follow."));
     auto* heading = new QLabel(tr("With every motion"), this);
     QFont bold = font();

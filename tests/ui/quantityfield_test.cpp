@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A field counts in the chip's numbers, whatever unit it shows.
+#include "widgets/common/quantityfield.h"
+
+#include "widgets/panels/servodefaults.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using Kind = QuantityField::Kind;
+using Problem = NumberField::Problem;
+
+class Quantities : public testing::Test {
+protected:
+    QuantityField& shown(Kind kind, const AxisScale& scale) {
+        parent = std::make_unique<QWidget>();
+        auto* field = new QuantityField(kind, parent.get());
+        field->setAccessibleName(u"Speed"_s);
+        field->setScale(scale);
+        parent->show();
+        parent->activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(parent.get()));
+        field->setFocus();
+        return *field;
+    }
+    std::unique_ptr<QWidget> parent;
+};
+
+/// Lines of usual encoders, times 4, and steps in a millimetre; servo rates as they are used.
+TEST_F(Quantities, NoUnitRefusesALimitThatTheFieldItselfWrites) {
+    for (const double counts : {80.0, 400.0, 2'000.0, 2'048.0, 4'000.0, 4'096.0, 8'192.0, 10'000.0})
+        for (const int rate : {1, 2, 3, 5, 10, 255}) {
+            QuantityField& field = shown(Kind::Velocity, AxisScale::servo({UnitKind::Turns, counts}, rate));
+            field.setNativeRange(servodefaults::kSmallest, servodefaults::kHoldCap);
+            for (const double limit : {servodefaults::kSmallest, servodefaults::kHoldCap}) {
+                field.showNative(limit);
+                EXPECT_EQ(field.native(), limit) << counts << ' ' << rate << field.text().toStdString();
+                const QString written = field.text();
+                field.selectAll();
+                QTest::keyClicks(&field, written);
+                ASSERT_EQ(field.problem(), Problem::None)
+                    << counts << ' ' << rate << field.text().toStdString();
+                EXPECT_GE(*field.native(), servodefaults::kSmallest);
+                EXPECT_LE(*field.native(), servodefaults::kHoldCap);
+            }
+        }
+}
+
+TEST_F(Quantities, AnArrowKeyIsAsMuchInEveryUnit) {
+    const auto up = [this](const AxisScale& scale) {
+        QuantityField& field = shown(Kind::Position, scale);
+        field.setNativeRange(-1e9, 1e9);
+        field.setNativeStep(100);
+        field.showNative(0);
+        QTest::keyClick(&field, Qt::Key_Up);
+        return field.native();
+    };
+    EXPECT_EQ(up(AxisScale::servo({}, 1)), 100);
+    EXPECT_EQ(up(AxisScale::servo({UnitKind::Turns, 2'000}, 1)), 100) << "0.05 turns";
+    EXPECT_EQ(up(AxisScale::step({UnitKind::Millimetres, 80})), 80) << "1.25 mm are no round number; 1 mm is";
+    EXPECT_EQ(up(AxisScale::servo({UnitKind::Degrees, 10}, 1)), 100) << "10 degrees";
+}
+
+TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {
+    QuantityField& field = shown(Kind::Velocity, AxisScale::servo({}, 1));
+    field.setQuantity(u"The speed"_s);
+    field.setNativeRange(1.0 / 65'536, 32'767);
+    QTest::keyClicks(&field, u"0"_s);
+    EXPECT_EQ(field.problem(), Problem::OutOfRange);
+    // 1/65536 = 0.0000153
+    EXPECT_TRUE(field.problemText().contains(u"takes 0.00002 to 32767"_s))
+        << field.problemText().toStdString();
+}
+
+}  // namespace
+}  // namespace nmc
