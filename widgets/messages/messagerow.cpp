@@ -91,9 +91,10 @@ void MessageRow::present() {
         }
         delete item;
     }
-    if (m_over.isValid())
-        return;
     for (const Message::Action& action : m_message.actions) {
+        // What was kept of it can be looked at for ever; nothing else is to be done any more.
+        if (m_over.isValid() && action.id != texts::action::kShowRecord)
+            continue;
         auto* button = new QPushButton(action.text, this);
         button->setFlat(true);
         look::name(button, u"listAction_"_s + action.id, action.text);
