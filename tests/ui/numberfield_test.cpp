@@ -55,7 +55,7 @@ TEST_P(NumberFieldIn, U02_TwoMarksAreRefusedNeverMultiplied) {
 
 TEST_P(NumberFieldIn, ReadsBackWhatItShows) {
     NumberField& target = shown();
-    for (double value : {2.75, -0.125, 0.0, 999.5}) {
+    for (double value : {2.75, -0.125, 0.0, 999.5, 0.0005, 0.0002, -0.000031}) {
         target.showValue(value);
         EXPECT_EQ(target.value(), value);
     }

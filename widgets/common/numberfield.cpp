@@ -136,19 +136,19 @@ std::optional<double> NumberField::value() const {
     return std::max(m_min, std::min(m_max, *parse(text(), m_decimals == 0, &ignored)));
 }
 
-/// With as many digits as it takes to tell it from 0.
-QString NumberField::limitText(double limit) const {
+QString NumberField::textOf(double value) const {
     constexpr int kMostDecimals = 12;
     int decimals = m_decimals;
-    while (decimals < kMostDecimals && limit != 0.0 && std::abs(limit) * std::pow(10.0, decimals) < 0.5)
+    while (m_decimals > 0 && decimals < kMostDecimals && value != 0.0 &&
+           std::abs(value) * std::pow(10.0, decimals) < 10.0)
         ++decimals;
-    return format(limit, decimals);
+    return format(value, decimals);
 }
 
 bool NumberField::isAllowed(double number) const {
     const auto writtenAs = [this, number](double limit) {
         Problem ignored = Problem::None;
-        return parse(limitText(limit), m_decimals == 0, &ignored) == number;
+        return parse(textOf(limit), m_decimals == 0, &ignored) == number;
     };
     return (number >= m_min && number <= m_max) || writtenAs(m_min) || writtenAs(m_max);
 }
@@ -156,7 +156,7 @@ bool NumberField::isAllowed(double number) const {
 QString NumberField::problemText() const {
     const QString quantity = m_quantity.isEmpty() ? accessibleName() : m_quantity;
     const QString unit = m_unit.isEmpty() ? QString() : u" "_s + m_unit;
-    const QString range = tr("%1 takes %2 to %3%4.").arg(quantity, limitText(m_min), limitText(m_max), unit);
+    const QString range = tr("%1 takes %2 to %3%4.").arg(quantity, textOf(m_min), textOf(m_max), unit);
     switch (m_problem) {
         case Problem::None:
             return {};
@@ -175,7 +175,7 @@ QString NumberField::problemText() const {
 }
 
 void NumberField::showValue(double value) {
-    showText(format(value, m_decimals));
+    showText(textOf(value));
 }
 
 void NumberField::showNothing() {

@@ -64,7 +64,8 @@ protected:
 private:
     void judge();
     void stepBy(int steps);
-    [[nodiscard]] QString limitText(double limit) const;
+    /// With two digits at least that are no leading zeros.
+    [[nodiscard]] QString textOf(double value) const;
     /// Within the range, or what the field itself writes for a limit, which rounding may have put beyond it.
     [[nodiscard]] bool isAllowed(double number) const;
 
