@@ -3925,8 +3925,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Lässt alles, wie es ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it.</source>
-        <translation>„%1“ weicht vom Stand hier ab. Vor dem Anwenden ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich dadurch.</translation>
+        <source>&quot;%1&quot; differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it. What was typed and not sent gives way to the file.</source>
+        <translation>„%1“ weicht vom Stand hier ab. Vor dem Anwenden ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich dadurch. Was eingetippt und nicht gesendet ist, weicht der Datei.</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -10,18 +10,9 @@
 namespace nmc {
 namespace {
 
-/// A servo whose settings are kept, as the program keeps them.
 class Axis : public WindowTest {
 protected:
-    Axis() {
-        QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
-                         [this](ModuleIndex module, const AxisSettings& edited) {
-                             machine.axes.resize(module.value() + std::size_t{1});
-                             machine.axes[module.value()] = edited;
-                             window->showMachine(machine);
-                         });
-        showServo({.position = 500});
-    }
+    Axis() { showServo({.position = 500}); }
     ~Axis() override { texts::setModuleNames({}); }
     void showPage(const QString& page) {
         auto* pages = find<QTabWidget>(u"servoPages"_s);
@@ -39,7 +30,6 @@ protected:
         auto* combo = find<QComboBox>(box);
         combo->setCurrentIndex(combo->findText(entry));
     }
-    Machine machine;
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
 };
 

@@ -34,7 +34,6 @@ protected:
         window->showLink(link);
     }
     ~ChainWindow() override { texts::setModuleNames({}); }
-    Machine machine;
     LinkState link;
     QSignalSpy changes{&window->chainMenu(), &ChainMenu::groupChangeRequested};
     QSignalSpy commands{&window->chainMenu(), &ChainMenu::groupCommandRequested};

@@ -103,6 +103,26 @@ TEST_F(Gains, EachModuleHasItsOwnDraft) {
     EXPECT_EQ(field(u"kpField"_s)->value(), 42);
 }
 
+/// One rule for both chips: what an opened file says goes before what was typed and not sent.
+TEST_F(Gains, AMachineFileGoesBeforeWhatWasTypedAndUndoBringsThatBack) {
+    showServos({{.gains = false}, {.gains = false}});
+    type(u"kpField"_s, u"42"_s);
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    const auto select = [chain](int row) { chain->setCurrentIndex(chain->model()->index(row, 0)); };
+    select(1);
+    type(u"kpField"_s, u"43"_s);
+    machine.axes.resize(2);
+    for (AxisSettings& axis : machine.axes)
+        axis.gains = someGains();
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"kpField"_s)->value(), someGains().kp);
+    click(u"undoGainsButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 43);
+    select(0);
+    EXPECT_EQ(field(u"kpField"_s)->value(), someGains().kp)
+        << "also where the file came while another was shown";
+}
+
 TEST_F(Gains, ToolTipsGiveMeaningRangeAndAdvice) {
     showServo();
     EXPECT_TRUE(field(u"kdField"_s)->toolTip().contains(u"hum"_s));

@@ -12,18 +12,8 @@
 namespace nmc {
 namespace {
 
-/// The homing page of a window whose settings are kept, as the program keeps them.
 class Homing : public WindowTest {
 protected:
-    Homing() {
-        QObject::connect(
-            window.get(), &MainWindow::axisEdited, window.get(),
-            [this](ModuleIndex module, const AxisSettings& edited) {
-                machine.axes.resize(std::max<std::size_t>(machine.axes.size(), module.value() + 1U));
-                machine.axes[module.value()] = edited;
-                window->showMachine(machine);
-            });
-    }
     void open() { find<QTabWidget>(u"servoPages"_s)->setCurrentWidget(find(u"homingBox"_s)); }
     void show(const Servo& servo = {}) {
         showServo(servo);
@@ -53,7 +43,6 @@ protected:
         window->showProcedure(r);
     }
 
-    Machine machine;
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
     QSignalSpy edits{window.get(), &MainWindow::axisEdited};
 };

@@ -16,16 +16,11 @@ namespace nmc {
 
 using testing_support::Stepper;
 
-/// Two modules of each chip in a window whose settings are kept, as the program keeps them.
+/// Two modules of each chip.
 class OwnSettings : public WindowTest {
 protected:
     OwnSettings() {
         machine.axes.resize(4);
-        QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
-                         [this](ModuleIndex module, const AxisSettings& edited) {
-                             machine.axes.at(module.value()) = edited;
-                             window->showMachine(machine);
-                         });
         for (int i = 0; i < 2; ++i)
             modules.push_back(Servo{.index = i}.state());
         for (std::uint8_t i = 2; i < 4; ++i) {
@@ -94,7 +89,6 @@ protected:
         return true;
     }
 
-    Machine machine;
     std::vector<ModuleState> modules;
     QAbstractItemView* list = nullptr;
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};

@@ -18,16 +18,6 @@ using testing_support::Stepper;
 class StepPanelTest : public WindowTest {
 protected:
     void show(const Stepper& stepper) { window->showLink(connectedTo({stepper.module})); }
-    /// As the composition does it: what was edited comes back.
-    void echoSettings() {
-        QObject::connect(
-            window.get(), &MainWindow::axisEdited, window.get(),
-            [this](ModuleIndex module, const AxisSettings& edited) {
-                machine.axes.resize(std::max(machine.axes.size(), module.value() + std::size_t{1}));
-                machine.axes[module.value()] = edited;
-                window->showMachine(machine);
-            });
-    }
     template <typename T>
     std::optional<T> asked(int number = 0) {
         if (intents.size() <= number)
@@ -40,7 +30,6 @@ protected:
     void bringUp(int page) { find<QTabWidget>(u"stepPages"_s)->setCurrentIndex(page); }
     QString plain(const QString& label) { return text(label).replace(QChar(0x202F), u' '); }
 
-    Machine machine;
     QSignalSpy intents{window.get(), &MainWindow::intentRequested};
     QSignalSpy edits{window.get(), &MainWindow::axisEdited};
     QSignalSpy holds{window.get(), &MainWindow::holdRequested};
@@ -111,7 +100,6 @@ TEST_F(StepPanelTest, SaysTheRangeAndSendsNothingOutOfIt) {
 }
 
 TEST_F(StepPanelTest, KeepsSpeedsInTheSettingsPerKindOfMotion) {
-    echoSettings();
     show(Stepper::holding());
     type(u"stepSpeedField"_s, u"800"_s);
     choose(u"stepModeProfile"_s);
@@ -125,7 +113,6 @@ TEST_F(StepPanelTest, KeepsSpeedsInTheSettingsPerKindOfMotion) {
 }
 
 TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
-    echoSettings();
     show(Stepper::holding());
     type(u"stepGoalField"_s, u"1000"_s);
     const auto before = edits.size();
@@ -144,7 +131,6 @@ TEST_F(StepPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
 
 // 200 of 255 at half a degree each, from -10.
 TEST_F(StepPanelTest, ReadsTheTemperatureInTheUsersScale) {
-    echoSettings();
     show(Stepper::holding());
     EXPECT_EQ(text(u"stepAnalogLabel"_s), u"3.92 V (200 of 255)"_s);
     machine.axes.resize(1);
@@ -198,7 +184,6 @@ TEST_F(StepPanelTest, NeverHoldsFasterThanWhatStandsThere) {
 }
 
 TEST_F(StepPanelTest, StagesParametersAndSendsThemAllAtOnce) {
-    echoSettings();
     Stepper fresh;
     fresh.says(kStepPower);
     show(fresh);

@@ -140,7 +140,6 @@ TEST_F(StepResponses, TheShortcutMovesNothingThatIsNotInSight) {
 
 TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {
     openWith();
-    Machine machine;
     machine.axes.resize(1);
     machine.axes[0].unit = {UnitKind::Millimetres, 50.0, {}};
     window->showMachine(machine);

@@ -55,6 +55,14 @@ QPalette darkPalette() {
 WindowTest::WindowTest() {
     settings.setValue(u"safety/understood"_s, true);
     window = std::make_unique<MainWindow>(settings);
+    // The settings of the axes are kept, as the program keeps them.
+    QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
+                     [this](ModuleIndex module, const AxisSettings& edited) {
+                         if (machine.axes.size() <= module.value())
+                             machine.axes.resize(module.value() + 1U);
+                         machine.axes.at(module.value()) = edited;
+                         window->showMachine(machine);
+                     });
     window->resize(1280, 864);
     window->show();
     window->activateWindow();

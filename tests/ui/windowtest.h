@@ -63,6 +63,7 @@ protected:
 
     QTemporaryDir directory;
     QSettings settings{directory.filePath(u"settings.ini"_s), QSettings::IniFormat};
+    Machine machine;
     std::unique_ptr<MainWindow> window;
 };
 

@@ -114,9 +114,10 @@ void DifferencesDialog::build() {
 }
 
 void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
-    m_text->setText(tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you "
-                       "apply it; no motor is moved by it.")
-                        .arg(file));
+    m_text->setText(
+        tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you "
+           "apply it; no motor is moved by it. What was typed and not sent gives way to the file.")
+            .arg(file));
     {
         const QSignalBlocker blocker(m_table);
         m_table->clear();

@@ -207,15 +207,16 @@ void GainsBox::keep() {
     if (!m_module)
         return;
     const Texts texts = shown();
+    const std::optional<servo::SetGain> gains = entered();
+    const bool changed = gains && gains != m_settings.gains;
+    if (changed)
+        m_settings.gains = gains;
     if (texts == textsOf(m_sent))
         m_drafts.remove(m_module->value());
     else
-        m_drafts[m_module->value()] = texts;
-    const std::optional<servo::SetGain> gains = entered();
-    if (!gains || gains == m_settings.gains)
-        return;
-    m_settings.gains = gains;
-    emit settingsEdited([gains](AxisSettings& axis) { axis.gains = gains; });
+        m_drafts[m_module->value()] = {texts, m_settings.gains};
+    if (changed)
+        emit settingsEdited([gains](AxisSettings& axis) { axis.gains = gains; });
 }
 
 void GainsBox::fill(const std::function<std::optional<int>(Gain)>& value) {
@@ -254,17 +255,24 @@ void GainsBox::showModule(const PanelView& view) {
     m_live = module.servoOn();
     m_hasDeadband = module.info.identity.version >= servo::kDeadbandVersion;
     if (news) {
-        const auto draft = m_drafts.constFind(module.info.index.value());
+        const int index = module.info.index.value();
+        const auto typed = m_drafts.constFind(index);
+        const bool overtaken = typed != m_drafts.constEnd() && typed->axis != m_settings.gains;
+        if (overtaken)
+            m_drafts.remove(index);
+        const auto draft = m_drafts.constFind(index);
         const bool sentNow = !another && m_sent && shown() == textsOf(m_sent);
-        const Texts texts = draft != m_drafts.constEnd() && !sentNow ? *draft
+        const Texts texts = draft != m_drafts.constEnd() && !sentNow ? draft->texts
                             : m_settings.gains                       ? textsOf(m_settings.gains)
                                                                      : textsOf(m_sent);
         if (texts != shown())
             for (Row& row : m_rows)
                 row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+        if (overtaken && !another)
+            edited(std::nullopt);  // what was typed comes back by Undo
         m_before = shown();
         if (m_before == textsOf(m_sent))
-            m_drafts.remove(module.info.index.value());
+            m_drafts.remove(index);
     }
     refresh();
 }

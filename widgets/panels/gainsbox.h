@@ -90,7 +90,13 @@ private:
     QPushButton* m_zero = nullptr;
     QPushButton* m_undo = nullptr;
     QPushButton* m_redo = nullptr;
-    QHash<int, Texts> m_drafts;  ///< of modules whose fields differ from what was sent
+    /// Typed and not sent.
+    struct Draft {
+        Texts texts;
+        std::optional<servo::SetGain>
+            axis;  ///< what the axis had then: others since, from a machine file, win
+    };
+    QHash<int, Draft> m_drafts;  ///< of modules whose fields differ from what was sent
     QHash<int, QUndoStack*> m_undoStacks;
     Texts m_before;  ///< what stood there before the edit that is being made
     std::optional<ModuleIndex> m_module;

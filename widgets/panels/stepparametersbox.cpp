@@ -261,11 +261,12 @@ void StepParametersBox::showModule(const PanelView& view) {
     const int index = view.module.info.index.value();
     const bool reloaded = !other && m_settings.parameters != m_shown;
     m_shown = m_settings.parameters;
-    if (reloaded)
+    if (const auto typed = m_drafts.constFind(index);
+        typed != m_drafts.constEnd() && typed->axis != m_settings.parameters)
         m_drafts.remove(index);
     const auto draft = m_drafts.constFind(index);
     if (other && draft != m_drafts.constEnd())
-        showEntries(*draft);
+        showEntries(draft->entries);
     else if (draft == m_drafts.constEnd() && (other || reloaded || newlySent))
         showSettings();
     if (m_drafts.contains(index) && m_state->stepper.parameters() &&
@@ -283,12 +284,14 @@ void StepParametersBox::setBusy(bool busy) {
 
 void StepParametersBox::edit() {
     m_minimumSpeed->setNativeRange(speeds().slowest(), speeds().fastest());
-    if (m_state)
-        m_drafts[m_state->info.index.value()] = entries();
-    if (const auto parameters = entered(); parameters && parameters != m_settings.parameters) {
+    const auto parameters = entered();
+    const bool changed = parameters && parameters != m_settings.parameters;
+    if (changed)
         m_settings.parameters = m_shown = parameters;
+    if (m_state)
+        m_drafts[m_state->info.index.value()] = {entries(), m_settings.parameters};
+    if (changed)
         emit settingsEdited([parameters](AxisSettings& axis) { axis.parameters = parameters; });
-    }
     refresh();
 }
 

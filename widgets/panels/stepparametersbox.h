@@ -82,7 +82,12 @@ private:
     QPushButton* m_apply;
     QLabel* m_hint;
 
-    QHash<int, Entries> m_drafts;  ///< of modules with edits that are not sent
+    /// Typed and not sent.
+    struct Draft {
+        Entries entries;
+        std::optional<step::SetParameters> axis;  ///< what the axis had then: others since, from a file, win
+    };
+    QHash<int, Draft> m_drafts;  ///< of modules with edits that are not sent
     std::optional<ModuleState> m_state;
     AxisSettings m_settings;
     std::optional<step::SetParameters> m_shown;  ///< of the settings, as last shown or emitted
