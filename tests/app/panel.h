@@ -23,7 +23,12 @@ public:
                          const QString& data = {})
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
                      QSettings::IniFormat),
-          m_composition(m_settings, std::move(places), data) {}
+          m_composition(m_settings, std::move(places), data) {
+        QObject::connect(&m_composition.store(), &BusStore::happened, &m_composition.store(),
+                         [this](const StoreEvent& event) {
+                             m_chainsFound += std::holds_alternative<bus::ChainFound>(event) ? 1 : 0;
+                         });
+    }
 
     void start() { m_composition.show({}); }
     /// Connects, and waits until the modules are there.
@@ -31,6 +36,8 @@ public:
         emit window().connectRequested(port, 115'200);
         ASSERT_TRUE(waitFor([&] { return connected(); }));
     }
+    /// How often a look has found one: the phase in between may be over before it is seen.
+    [[nodiscard]] int chainsFound() const { return m_chainsFound; }
     [[nodiscard]] bool connected() const {
         return m_composition.store().link().phase == LinkPhase::Connected;
     }
@@ -103,6 +110,7 @@ private:
     QTemporaryDir m_directory;
     QSettings m_settings;
     Composition m_composition;
+    int m_chainsFound = 0;
 };
 
 /// Module 1 of nmcsim is on its way.

@@ -75,7 +75,7 @@ TEST_F(H02_ReadOnly, WhatIsAskedForIsRefusedWithTheReason) {
 TEST_F(H02_ReadOnly, ScanningAgainLooksAgainAndConnectFullyGoesOn) {
     ASSERT_NO_FATAL_FAILURE(look());
     panel.window().findChild<QAction*>(QStringLiteral("scanAction"))->trigger();
-    ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.chainsFound() == 2; }));
     ASSERT_TRUE(panel.waitFor([&] { return looks(); }));
     ASSERT_NO_FATAL_FAILURE(click("connectFullyButton"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && !looks(); }));

@@ -189,6 +189,7 @@ TEST_P(OwedStopAcross, ASearchThatFindsTheChain) {
     ASSERT_TRUE(rig.runUntil([&] { return rig.bus.now >= *owed.deafUntil; }, 1s));
     EXPECT_TRUE(rig.runUntil([&] { return rig.atRest(0); }, kSoon)) << "it runs on";
     rig.runToRest();
+    EXPECT_EQ(owed.confirmed().size(), 1U) << "the search has stopped it blindly, and nobody has looked";
     rig.expectEnds();
     EXPECT_THAT(rig.complaints, IsEmpty());
 }
