@@ -228,6 +228,32 @@ TEST(ChainRate, DoesNotHoldUpAStop) {
     }
 }
 
+/// Nobody knows who is at which rate: it goes out at both, before anything is cleared up. What is on the wire
+/// ends (9 ms at most); then at 19 200 Bd sixteen nulls, 1 ms, a stop and the adapter's 4 ms, 18 ms in all,
+/// and 4 ms for the same at 115 200 Bd.
+TEST(ChainRate, SendsAStopAtBothRatesAtOnce) {
+    for (const bool deaf : {false, true})
+        for (int ms = 0; ms < 260; ms += 4) {
+            SCOPED_TRACE(ms);
+            RateBus bus(servos(3), {}, withFaults());
+            makeReady(bus);
+            if (deaf)
+                bus.makeDeaf(1);
+            bus.engine.changeRate(115'200, bus.now);
+            bus.runFor(std::chrono::milliseconds(ms));
+            if (bus.ended())
+                break;
+            const auto stops = [&bus](std::size_t module) {
+                return bus.chain.statistics().modules[module].executions(CommandCode::StopMotor);
+            };
+            const std::array before{stops(0), stops(1), stops(2)};
+            bus.engine.stopAll(bus.now);
+            bus.runFor(40ms);
+            for (std::size_t i = 0; i < before.size(); ++i)
+                EXPECT_GT(stops(i), before[i]) << i;
+        }
+}
+
 TEST(ChainRate, OutlivesStopsInARow) {
     for (int us = 0; us < 60'000; us += 3'100) {
         SCOPED_TRACE(us);
