@@ -22,7 +22,7 @@ void AskDialog::ask(const Question& question, std::initializer_list<Choice> choi
 }
 
 void AskDialog::reviewAll(const QWidget& window) {
-    for (AskDialog* dialog : window.findChildren<AskDialog*>())
+    for (AskDialog* dialog : window.findChildren<AskDialog*>(Qt::FindDirectChildrenOnly))
         if (dialog->isVisible())
             dialog->review();
 }
