@@ -88,10 +88,10 @@ private:
     void tellOf(ModuleIndex module, const Message& message);
     /// Of the chain as it is in this connection.
     void tellOfChain(const Message& message);
-    /// A message whose cause can be looked at in the scope afterwards.
-    void tellIncident(Message message, std::optional<ModuleIndex> module = {});
+    /// A message whose cause can be looked at in the scope afterwards. Returns its key.
+    QString tellIncident(Message message, std::optional<ModuleIndex> module = {});
     /// The same, of modules that were told to stop: the message says so when they are seen at rest.
-    void tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
+    QString tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
     void noteChain(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);

@@ -36,10 +36,12 @@ void Composition::tell(const StoreEvent& event) {
     std::visit([this](const auto& news) { told(news); }, event);
 }
 
-void Composition::tellIncident(Message message, std::optional<ModuleIndex> module) {
+QString Composition::tellIncident(Message message, std::optional<ModuleIndex> module) {
+    QString key = message.key;
     m_flight.note(message.key, message.headline, module, monotonicNow());
     m_recordings.note(message.headline);
     m_window.showMessage(texts::withRecord(std::move(message)));
+    return key;
 }
 
 void Composition::endAll(const QStringList& keys) {
@@ -57,12 +59,12 @@ void Composition::tellOfChain(const Message& message) {
     m_standing.whileConnected(message.key);
 }
 
-void Composition::tellStop(const Message& message, bus::StopCause cause,
-                           const std::vector<ModuleIndex>& modules) {
+QString Composition::tellStop(const Message& message, bus::StopCause cause,
+                              const std::vector<ModuleIndex>& modules) {
     for (const ModuleIndex module : modules)
         m_toldToStop[{cause, module}] = message.key;
     m_stopMessages[message.key] = texts::withRecord(message);
-    tellIncident(message, modules.size() == 1 ? std::optional(modules.front()) : std::nullopt);
+    return tellIncident(message, modules.size() == 1 ? std::optional(modules.front()) : std::nullopt);
 }
 
 void Composition::told(const bus::OwedStopConfirmed& confirmed) {
@@ -79,8 +81,7 @@ void Composition::told(const bus::OwedStopConfirmed& confirmed) {
 void Composition::told(const CurrentLimited& current) {
     if (!current.limited)
         return;
-    tellIncident(texts::currentLimited(current.module), current.module);
-    m_standing.whileTrue(texts::key::current(current.module), current.module,
+    m_standing.whileTrue(tellIncident(texts::currentLimited(current.module), current.module), current.module,
                          [](const ModuleState& module) { return module.currentWasLimited(); });
 }
 
@@ -137,8 +138,8 @@ void Composition::told(const bus::ModuleSilence& silence) {
         return tellOfChain(texts::moduleMissing(silence.module, static_cast<int>(answering)));
     }
     const double seconds = toSeconds(monotonicNow() - module->latestTime);
-    tellIncident(texts::moduleSilent(silence.module, seconds, module->moving()), silence.module);
-    m_standing.untilChainFound(texts::key::silent(silence.module));
+    m_standing.untilChainFound(
+        tellIncident(texts::moduleSilent(silence.module, seconds, module->moving()), silence.module));
 }
 
 void Composition::told(const bus::CommandRefused& refused) {
@@ -158,9 +159,9 @@ void Composition::told(const bus::EchoNoticed&) {
 }
 
 void Composition::told(const bus::HoldExpired& expired) {
-    const Message message = texts::holdExpired(expired.module);
-    tellStop(message, bus::StopCause::HoldExpired, {expired.module});
-    m_standing.untilObeyed(message.key, expired.module);
+    m_standing.untilObeyed(
+        tellStop(texts::holdExpired(expired.module), bus::StopCause::HoldExpired, {expired.module}),
+        expired.module);
 }
 
 void Composition::told(const bus::HealthChanged& changed) {
@@ -174,9 +175,8 @@ void Composition::told(const bus::HealthChanged& changed) {
 
 void Composition::told(const bus::ModuleRestarted& restarted) {
     m_window.endMessage(texts::key::silent(restarted.module));
-    tellIncident(texts::restarted(restarted, static_cast<int>(m_store.link().modules.size())),
-                 restarted.module);
-    m_standing.whileConnected(texts::key::restarted(restarted.module));
+    const auto modules = static_cast<int>(m_store.link().modules.size());
+    m_standing.whileConnected(tellIncident(texts::restarted(restarted, modules), restarted.module));
 }
 
 void Composition::told(const bus::Readdressed& readdressed) {
@@ -190,21 +190,18 @@ void Composition::told(const bus::ReaddressFailed& failed) {
 }
 
 void Composition::told(const bus::MotionSuspect& suspect) {
-    const Message message = texts::motionSuspect(suspect);
-    tellStop(message, bus::StopCause::MotionSuspect, {suspect.module});
-    m_standing.untilObeyed(message.key, suspect.module);
+    m_standing.untilObeyed(
+        tellStop(texts::motionSuspect(suspect), bus::StopCause::MotionSuspect, {suspect.module}),
+        suspect.module);
 }
 
 void Composition::told(const bus::ForeignTraffic& traffic) {
-    const Message message = texts::foreignTraffic(traffic);
-    tellStop(message, bus::StopCause::ForeignTraffic, traffic.toldToStop);
-    m_standing.whileConnected(message.key);
+    m_standing.whileConnected(
+        tellStop(texts::foreignTraffic(traffic), bus::StopCause::ForeignTraffic, traffic.toldToStop));
 }
 
 void Composition::told(const bus::ForeignMotion& motion) {
-    const Message message = texts::foreignMotion(motion);
-    tellIncident(message, motion.module);
-    m_standing.whileConnected(message.key);
+    m_standing.whileConnected(tellIncident(texts::foreignMotion(motion), motion.module));
 }
 
 void Composition::told(const bus::GroupFinished& finished) {
@@ -216,9 +213,8 @@ void Composition::told(const bus::GroupFinished& finished) {
     std::vector<ModuleIndex> members;
     for (const bus::GroupMember& member : finished.members)
         members.push_back(member.module);
-    const Message message = texts::groupFailed(finished);
-    tellStop(message, bus::StopCause::GroupHalfStarted, members);
-    m_standing.whileConnected(message.key);
+    m_standing.whileConnected(
+        tellStop(texts::groupFailed(finished), bus::StopCause::GroupHalfStarted, members));
 }
 
 void Composition::told(const bus::RateChanged& changed) {
@@ -284,8 +280,7 @@ void Composition::told(const ServoWentOff& off) {
                                 ? texts::amplifierWentOff(off.module, off.activity)
                             : off.activity == Activity::PowerLost ? texts::powerLost(off.module)
                                                                   : texts::tripped(off.module, limit);
-    tellIncident(message, off.module);
-    m_standing.whileTrue(message.key, off.module,
+    m_standing.whileTrue(tellIncident(message, off.module), off.module,
                          [](const ModuleState& state) { return state.switchedItselfOff; });
 }
 

@@ -93,8 +93,8 @@ private:
     /// Typed and not sent.
     struct Draft {
         Texts texts;
-        std::optional<servo::SetGain>
-            axis;  ///< what the axis had then: others since, from a machine file, win
+        /// What the axis had then: others since, from a machine file, win.
+        std::optional<servo::SetGain> axis;
     };
     QHash<int, Draft> m_drafts;  ///< of modules whose fields differ from what was sent
     QHash<int, QUndoStack*> m_undoStacks;
