@@ -49,6 +49,8 @@ void QuantityField::setQuantity(const QString& quantity) {
 }
 
 void QuantityField::setNativeRange(double min, double max) {
+    if (min == m_min && max == m_max)
+        return;  // with every status of its module
     m_min = min;
     m_max = max;
     refresh();
