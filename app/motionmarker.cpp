@@ -9,7 +9,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -177,7 +176,7 @@ QStringList MotionMarker::stopped(const std::vector<ModuleIndex>& modules) {
 }
 
 void MotionMarker::forget(const QString& file) {
-    QFile::remove(file);
+    m_files.remove(file);
     m_left.erase(
         std::remove_if(m_left.begin(), m_left.end(), [&file](const Left& left) { return left.file == file; }),
         m_left.end());
@@ -188,21 +187,16 @@ void MotionMarker::write(const std::set<ModuleIndex>& moving) {
         return;
     m_own.modules = moving;
     if (moving.empty()) {
-        QFile::remove(m_own.file);
+        m_files.remove(m_own.file);
         return;
     }
     QJsonArray numbers;
     for (const ModuleIndex module : moving)
         numbers.append(module.value() + 1);
-    QDir().mkpath(m_folder);
-    QSaveFile file(m_own.file);
-    if (!file.open(QIODevice::WriteOnly))
-        return;  // that nothing can be kept is said at the start
-    file.write(QJsonDocument(QJsonObject{{QStringLiteral("port"), m_own.port},
-                                         {QStringLiteral("baud"), static_cast<qint64>(m_own.baud)},
-                                         {QStringLiteral("modules"), numbers}})
-                   .toJson(QJsonDocument::Compact));
-    file.commit();
+    const QJsonObject json{{QStringLiteral("port"), m_own.port},
+                           {QStringLiteral("baud"), static_cast<qint64>(m_own.baud)},
+                           {QStringLiteral("modules"), numbers}};
+    m_files.write(m_own.file, QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
 }
 
 }  // namespace nmc

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "link/files/filekeeper.h"
 #include "model/module/linkstate.h"
 
 namespace nmc {
@@ -14,7 +15,7 @@ namespace nmc {
 /// Remembers on disk which motors move, or may, as long as they do: a program that is killed cannot stop
 /// them, and the next one can at least say so. Each connection of each program has a file of its own; those
 /// of programs that are gone are found by the next start, and stay until their modules were seen at rest or
-/// the user has looked. Writes only when something changes. GUI thread.
+/// the user has looked. Writes only when something changes, and waits for no disk. GUI thread.
 class MotionMarker {
 public:
     /// What moved when a session ended without a word, or when its port was unplugged.
@@ -58,6 +59,7 @@ private:
     [[nodiscard]] QStringList forgetOver();
 
     QString m_folder;
+    FileKeeper m_files;
     std::vector<Left> m_left;
     Left m_own;
     bool m_owns = true;
