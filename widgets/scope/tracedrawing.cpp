@@ -163,6 +163,7 @@ void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) c
 /// Where there is a column in nearly every pixel, each pixel's reach is filled: a third of what lines cost.
 void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) const {
     const double dashes = dashesPerSecond(geometry);
+    QVarLengthArray<QRectF, 4096> rects;
     double pixel = 0, low = 0, high = 0;
     bool open = false;
     const auto close = [&] {
@@ -171,7 +172,7 @@ void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) c
         const double phase = geometry.seconds(pixel) * dashes;
         const bool gap = dashed && high - low < kPenWidth * 2 && phase - std::floor(phase) > kDashShare;
         if (!gap)
-            painter.fillRect(QRectF(pixel, low - kPenWidth / 2, 1, high - low + kPenWidth), colour);
+            rects.append(QRectF(pixel, low - kPenWidth / 2, 1, high - low + kPenWidth));
         open = false;
     };
     const auto reach = [&](double x, double from, double to) {
@@ -205,6 +206,10 @@ void TraceDrawing::paintDense(QPainter& painter, const PlotGeometry& geometry) c
         beforeY = exit;
     }
     close();
+    // All at once: the painter sets out anew for each call.
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRects(rects.constData(), static_cast<int>(rects.size()));
 }
 
 void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) const {
