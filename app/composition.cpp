@@ -165,8 +165,10 @@ void Composition::wireWindow() {
 }
 
 void Composition::wireStore() {
+    m_linkTimer.setSingleShot(true);
+    connect(&m_linkTimer, &QTimer::timeout, this, &Composition::showLink);
     connect(&m_store, &BusStore::linkChanged, this, [this] {
-        m_window.showLink(m_store.link());
+        showLinkSoon();
         endLeft(m_motionMarker.update(m_store.link()));
         endAll(m_standing.look(m_store.link()));
     });
@@ -308,6 +310,23 @@ void Composition::showFrame() {
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
     m_window.showHistory(history, now);
+}
+
+/// Statuses come faster than anybody reads numbers; a phase is news at once.
+void Composition::showLinkSoon() {
+    constexpr int kReadable = 40;  // ms
+    const bool due = !m_linkShown.isValid() || m_linkShown.elapsed() >= kReadable;
+    if (due || m_store.link().phase != m_shownPhase)
+        showLink();
+    else if (!m_linkTimer.isActive())
+        m_linkTimer.start(kReadable - static_cast<int>(m_linkShown.elapsed()));
+}
+
+void Composition::showLink() {
+    m_linkTimer.stop();
+    m_linkShown.start();
+    m_shownPhase = m_store.link().phase;
+    m_window.showLink(m_store.link());
 }
 
 void Composition::showFrameSoon() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSettings>
 #include <QTimer>
@@ -79,6 +80,8 @@ private:
     void readdress(const QString& key);
     /// Of the module that the message of this key is about.
     void clearTrip(const QString& key);
+    void showLinkSoon();
+    void showLink();
     void showFrame();
     void showFrameSoon();
 
@@ -139,6 +142,9 @@ private:
     RecordingController m_recordings{m_window, m_store};
     MotionMarker m_motionMarker;
     SleepInhibitor m_sleep;
+    QTimer m_linkTimer;
+    QElapsedTimer m_linkShown;
+    LinkPhase m_shownPhase = LinkPhase::Disconnected;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     std::optional<ConnectTarget> m_target;    ///< what is connected, or was last

@@ -26,6 +26,8 @@ bool endsHold(const StoreEvent& event) {
 }  // namespace
 
 void Composition::tell(const StoreEvent& event) {
+    if (m_linkTimer.isActive())
+        showLink();  // what is told now is told of what can be seen
     if (endsHold(event))
         m_window.endHold();
     if (const auto* operation = std::get_if<bus::OperationFinished>(&event))

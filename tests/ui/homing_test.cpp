@@ -267,7 +267,6 @@ TEST_F(Homing, ALimitThatIsActiveIsNotArmed) {
 // ---- a stepper's ----
 
 TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
-    HomingBox box(nullptr, ModuleType::Step);
     ModuleState module;
     module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Step, 1}};
     bus::Sample sample{module.info.index, TimePoint(std::chrono::seconds(1)), {}};
@@ -283,8 +282,10 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     const AxisSettings settings;
     PanelView view{module, settings};
     view.connected = true;
-    box.showModule(view);
-    QSignalSpy intents(&box, &HomingBox::intentRequested);
+    ModuleContext context(view);
+    HomingBox box(context, nullptr);
+    box.show();
+    QSignalSpy intents(&context, &ModuleContext::asked);
     auto* home = box.findChild<QAbstractButton*>(u"stepHomeButton"_s);
     ASSERT_NE(home, nullptr);
     EXPECT_TRUE(home->isEnabled()) << home->toolTip().toStdString();
@@ -304,7 +305,7 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     EXPECT_EQ(recipe.velocity, 50.0);
     PanelView other{untold, settings};
     other.connected = true;
-    box.showModule(other);
+    context.show(other);
     EXPECT_EQ(home->toolTip(), texts::refusal(Refusal::ParametersUnknown));
 }
 

@@ -288,7 +288,7 @@ TEST_F(Monitor, IsWorkedByKeyboard) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return dock()->recording() != paused; }));
     }
     showFour();
-    QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier);
+    QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_TRUE(QTest::qWaitFor([this] { return rows() == 0; }));
 }
 

@@ -88,7 +88,7 @@ TEST_F(Wheel, ChangesNoGroup) {
 }
 
 TEST_F(Wheel, OverABoxScrollsThePage) {
-    window->resize(1280, 800);
+    window->resize(800, 600);
     QApplication::processEvents();
     auto* bar = find<QScrollArea>(u"panelScroll"_s)->verticalScrollBar();
     auto* box = find<QComboBox>(u"goalKindBox"_s);

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <memory>
+#include <type_traits>
 
 #include "widgets/common/numberfield.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -52,8 +53,13 @@ protected:
     T* find(const QString& objectName) {
         T* widget = window->findChild<T*>(objectName);
         EXPECT_NE(widget, nullptr) << objectName.toStdString();
+        if constexpr (std::is_base_of_v<QWidget, T>)
+            if (widget != nullptr)
+                turnTo(*widget);
         return widget;
     }
+    /// To the tab that it stands on, as everybody must who wants to see it.
+    static void turnTo(const QWidget& widget);
     NumberField* field(const QString& objectName) { return find<NumberField>(objectName); }
     QAbstractButton* button(const QString& objectName) { return find<QAbstractButton>(objectName); }
     QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }

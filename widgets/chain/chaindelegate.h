@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QFont>
+#include <QHash>
+#include <QPixmap>
 #include <QStyledItemDelegate>
 
 namespace nmc {
 
 /// A row of the chain: the wire with the module's address on it, name and type, state glyph and word,
-/// position.
+/// position. What changes with every status is the position alone: the rest of a row is kept as a picture.
 class ChainDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -17,8 +20,22 @@ public:
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
-    static void paintWire(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+    struct Still {
+        QString key;  ///< everything that it shows, and depends on
+        QPixmap picture;
+        QFont digits;
+    };
+
+    [[nodiscard]] const Still& stillOf(const QStyleOptionViewItem& option, const QModelIndex& index,
+                                       double devicePixelRatio) const;
+    static void paintStill(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                           const QFont& digits);
+    static void paintWire(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
                           const QRect& column);
+    static void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                           const QFont& digits);
+
+    mutable QHash<int, Still> m_still;  ///< by row
 };
 
 }  // namespace nmc

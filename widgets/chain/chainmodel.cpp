@@ -12,53 +12,69 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainModel::Row ChainModel::rowOf(const LinkState& link, const ModuleState& module,
-                                  const AxisSettings& settings) {
-    Row row;
-    row.address = module.info.address.value();
-    row.name = texts::moduleName(module.info.index);
-    row.title = settings.name.empty() ? row.name : QString::fromStdString(settings.name);
-    row.type = texts::moduleType(module.info.identity);
-    if (module.repliesPerSecond > 0.0)
-        row.rate = tr("%1/s").arg(texts::readout(std::round(module.repliesPerSecond)));
-    row.activity = module.activity();
-    const AxisScale scale = scaleOf(module, settings);
-    row.position = u"–"_s;
-    row.unit = texts::unitOf(scale);
-    if (module.latest.has_value() && module.latest->position.has_value())
-        row.position = texts::fixedPosition(scale, *module.latest->position);
-    row.homeIsKnown = module.home.place().has_value();
-    row.home = texts::home(module.home, scale);
-    row.homeMeaning = texts::homeMeaning(module, scale);
-    row.native = scale.native();
-    row.old = !isLive(link, module);
-    return row;
+ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& machine,
+                                      const Procedures& procedures) {
+    const AxisSettings& settings = machine.axis(module.info.index);
+    Facts facts;
+    facts.name = texts::moduleName(module.info.index);
+    facts.axis = settings.name;
+    facts.identity = module.info.identity;
+    facts.address = module.info.address.value();
+    facts.rate = qRound(module.repliesPerSecond);
+    facts.activity = module.activity();
+    if (const auto run = procedures.find(module.info.index); run != procedures.end() && !run->second.over())
+        facts.procedure = run->second;
+    facts.scale = scaleOf(module, settings);
+    facts.home = module.home.place();
+    return facts;
 }
 
-void ChainModel::showLink(const LinkState& state, const Machine& machine) {
+bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const ModuleState& module) {
+    const bool first = row.type.isEmpty();
+    const bool others = first || !(facts == row.facts);
+    const auto counts = module.latest ? module.latest->position : std::nullopt;
+    const bool old = !isLive(link, module);
+    const bool moved = others || counts != row.counts;
+    const bool news = moved || old != row.old;
+    row.seen = module.latestTime;
+    row.old = old;
+    if (others) {
+        row.facts = std::move(facts);
+        row.title = row.facts.axis.empty() ? row.facts.name : QString::fromStdString(row.facts.axis);
+        row.type = texts::moduleType(row.facts.identity);
+        row.activity = row.facts.procedure ? texts::procedureStage(*row.facts.procedure)
+                                           : texts::activity(row.facts.activity);
+        row.unit = texts::unitOf(row.facts.scale);
+    }
+    if (moved) {
+        row.counts = counts;
+        row.position = counts ? texts::fixedPosition(row.facts.scale, *counts) : u"–"_s;
+    }
+    return news;
+}
+
+void ChainModel::showLink(const LinkState& state, const Machine& machine, const Procedures& procedures) {
     const bool open = state.phase != LinkPhase::Disconnected;
     const std::size_t count = open ? state.modules.size() : 0;
-    if (open != m_open || count != m_rows.size()) {
+    const bool others = open != m_open || count != m_rows.size();
+    if (others) {
         beginResetModel();
         m_open = open;
-        m_rows.clear();
-        for (std::size_t i = 0; i < count; ++i)
-            m_rows.push_back(rowOf(state, state.modules[i], machine.axis(state.modules[i].info.index)));
-        m_host = texts::portName(QString::fromStdString(state.port));
-        endResetModel();
-        return;
+        m_rows.assign(count, {});
     }
     for (std::size_t i = 0; i < count; ++i) {
-        Row row = rowOf(state, state.modules[i], machine.axis(state.modules[i].info.index));
-        if (row == m_rows[i])
+        const ModuleState& module = state.modules[i];
+        if (!show(m_rows[i], factsOf(module, machine, procedures), state, module) || others)
             continue;
-        m_rows[i] = std::move(row);
         const QModelIndex changed = index(static_cast<int>(i));
         emit dataChanged(changed, changed);
     }
     const QString host = texts::portName(QString::fromStdString(state.port));
-    if (host != m_host) {
-        m_host = host;
+    const bool otherHost = host != m_host;
+    m_host = host;
+    if (others) {
+        endResetModel();
+    } else if (otherHost && open) {
         const QModelIndex changed = index(moduleCount());
         emit dataChanged(changed, changed);
     }
@@ -84,38 +100,39 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case Qt::DisplayRole:
         case Name:
-            return row.name;
+            return row.facts.name;
         case Title:
             return row.title;
         case IsHost:
             return false;
         case Address:
-            return row.address;
+            return row.facts.address;
         case TypeText:
             return row.type;
         case ActivityValue:
-            return static_cast<int>(row.activity);
+            return static_cast<int>(row.facts.activity);
         case ActivityText:
-            return row.rate.isEmpty() ? texts::activity(row.activity)
-                                      : tr("%1 · %2").arg(texts::activity(row.activity), row.rate);
+            return row.facts.rate == 0
+                       ? row.activity
+                       : tr("%1 · %2").arg(row.activity, tr("%1/s").arg(texts::readout(row.facts.rate)));
         case Position:
-            return row.native ? row.position : row.position + u' ' + row.unit;
+            return row.facts.scale.native() ? row.position : row.position + u' ' + row.unit;
         case HomeIsKnown:
-            return row.homeIsKnown;
+            return row.facts.home.has_value();
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:
             return tr("%1, address %2, %3, %4, position %5 %6")
-                       .arg(row.name)
-                       .arg(row.address)
-                       .arg(row.type, texts::activity(row.activity), row.position, row.unit) +
-                   u". "_s + row.home;
+                       .arg(row.facts.name)
+                       .arg(row.facts.address)
+                       .arg(row.type, row.activity, row.position, row.unit) +
+                   u". "_s + texts::home(row.facts.home, row.facts.scale);
         case Qt::ToolTipRole:
             return tr("%1 at address %2 on the wire. %3")
-                       .arg(row.name)
-                       .arg(row.address)
-                       .arg(texts::activityMeaning(row.activity)) +
-                   u'\n' + row.homeMeaning;
+                       .arg(row.facts.name)
+                       .arg(row.facts.address)
+                       .arg(texts::activityMeaning(row.facts.activity)) +
+                   u'\n' + texts::homeMeaning(row.facts.home, row.seen, row.facts.scale);
         default:
             return {};
     }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <map>
 #include <vector>
 
 #include "model/module/linkstate.h"
+#include "model/procedure/procedure.h"
+#include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
 
 namespace nmc {
@@ -21,15 +24,17 @@ public:
         Title,     ///< "X axis"; "Module 1" without a name: its number stands on the wire
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
-        ActivityText,  ///< "Holding · 92/s", with the status replies per second
+        ActivityText,  ///< "Holding · 92/s", with the status replies per second; of a procedure its stage
         Position,      ///< "12 345", "1.250 mm", or a dash
         HomeIsKnown,
         PositionIsOld  ///< the module does not answer
     };
 
+    using Procedures = std::map<ModuleIndex, ProcedureReport>;  ///< the last of each module
+
     using QAbstractListModel::QAbstractListModel;
 
-    void showLink(const LinkState& state, const Machine& machine);
+    void showLink(const LinkState& state, const Machine& machine, const Procedures& procedures);
     [[nodiscard]] int moduleCount() const { return static_cast<int>(m_rows.size()); }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -37,24 +42,35 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:
-    struct Row {
-        int address = 0;
+    /// What the words of a row are made from: they are made anew when it changes.
+    struct Facts {
         QString name;
+        std::string axis;
+        ModuleIdentity identity;
+        int address = 0;
+        int rate = 0;  ///< status replies a second
+        Activity activity = Activity::Unknown;
+        std::optional<ProcedureReport> procedure;  ///< while it runs
+        AxisScale scale;
+        std::optional<HomeFact::Place> home;
+        bool operator==(const Facts&) const = default;
+    };
+    struct Row {
+        Facts facts;
+        std::optional<std::int32_t> counts;
+        bool old = false;
+        TimePoint seen;
+        // The words:
         QString title;
         QString type;
-        QString rate;
-        Activity activity = Activity::Unknown;
+        QString activity;
         QString position;
         QString unit;
-        bool homeIsKnown = false;
-        QString home;
-        QString homeMeaning;
-        bool native = true;
-        bool old = false;
-        bool operator==(const Row&) const = default;
     };
-    [[nodiscard]] static Row rowOf(const LinkState& link, const ModuleState& module,
-                                   const AxisSettings& settings);
+    [[nodiscard]] static Facts factsOf(const ModuleState& module, const Machine& machine,
+                                       const Procedures& procedures);
+    /// Whether anything in it is news.
+    static bool show(Row& row, Facts facts, const LinkState& link, const ModuleState& module);
 
     std::vector<Row> m_rows;
     QString m_host;

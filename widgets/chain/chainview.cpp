@@ -25,9 +25,10 @@ ChainView::ChainView(QWidget* parent) : QListView(parent), m_model(new ChainMode
     setMinimumWidth(fontMetrics().height() * 14);
 }
 
-void ChainView::showLink(const LinkState& state, const Machine& machine) {
+void ChainView::showLink(const LinkState& state, const Machine& machine,
+                         const std::map<ModuleIndex, ProcedureReport>& procedures) {
     const QScopedValueRollback<bool> showing(m_showing, true);
-    m_model->showLink(state, machine);
+    m_model->showLink(state, machine, procedures);
     const int modules = m_model->moduleCount();
     if (modules > 0 && !currentIndex().isValid())
         setCurrentIndex(m_model->index(qMin(m_lastRow, modules - 1)));
@@ -38,6 +39,10 @@ std::optional<ModuleIndex> ChainView::selectedModule() const {
     if (!current.isValid() || current.row() >= m_model->moduleCount())
         return std::nullopt;
     return ModuleIndex(static_cast<std::uint8_t>(current.row()));
+}
+
+void ChainView::choose(ModuleIndex module) {
+    setCurrentIndex(m_model->index(module.value()));
 }
 
 QSize ChainView::sizeHint() const {

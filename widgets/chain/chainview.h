@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QListView>
+#include <map>
 #include <optional>
 
 #include "model/module/linkstate.h"
+#include "model/procedure/procedure.h"
 #include "model/settings/machine.h"
 
 namespace nmc {
@@ -19,8 +21,11 @@ public:
     explicit ChainView(QWidget* parent = nullptr);
 
     /// Emits nothing, not even when the first chain appears and its first module becomes the selected one.
-    void showLink(const LinkState& state, const Machine& machine);
+    void showLink(const LinkState& state, const Machine& machine,
+                  const std::map<ModuleIndex, ProcedureReport>& procedures);
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
+    /// As a click on its row would.
+    void choose(ModuleIndex module);
 
     [[nodiscard]] QSize sizeHint() const override;
 

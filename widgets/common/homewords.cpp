@@ -12,26 +12,26 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+using Place = std::optional<HomeFact::Place>;
+
 class Texts {
     Q_DECLARE_TR_FUNCTIONS(HomeTexts)
 };
 
 }  // namespace
 
-QString home(const HomeFact& home, const AxisScale& scale) {
-    return home.place() ? Texts::tr("Home: %1").arg(position(scale, home.place()->counts))
-                        : Texts::tr("Home: not known");
+QString home(const Place& place, const AxisScale& scale) {
+    return place ? Texts::tr("Home: %1").arg(position(scale, place->counts)) : Texts::tr("Home: not known");
 }
 
-QString homeMeaning(const ModuleState& module, const AxisScale& scale) {
-    const auto& place = module.home.place();
+QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
     if (!place)
         return Texts::tr(
             "Where home is, is not known in this connection. A search finds it, Save as home sets it; a "
             "restart, and whatever else sets the position unseen, loses it.");
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
-    const double minutes = std::floor(toSeconds(module.latestTime - place->since) / 60.0);
+    const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
     return place->source == HomeFact::Source::Search
                ? Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes)
                : Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);

@@ -10,9 +10,10 @@
 namespace nmc::texts {
 
 /// "Home: 512 counts", "Home: not known"
-[[nodiscard]] QString home(const HomeFact& home, const AxisScale& scale);
-/// Where, since when and by what; or what would make it known.
-[[nodiscard]] QString homeMeaning(const ModuleState& module, const AxisScale& scale);
+[[nodiscard]] QString home(const std::optional<HomeFact::Place>& place, const AxisScale& scale);
+/// Where, since when and by what; or what would make it known. `seen`: when the module has spoken last.
+[[nodiscard]] QString homeMeaning(const std::optional<HomeFact::Place>& place, TimePoint seen,
+                                  const AxisScale& scale);
 /// What "Zero here" does, and what is lost by it.
 [[nodiscard]] QString zeroMeaning(const ModuleState& module, const AxisScale& scale);
 /// What the chip's own register is, beside all that.

@@ -177,6 +177,20 @@ void setText(QLabel* label, const QString& text) {
         label->setText(text);
 }
 
+void setReadout(QLabel* label, const QString& text) {
+    if (label->text() == text)
+        return;
+    // A label of a fixed size is not laid out anew.
+    const QMargins margins = label->contentsMargins();
+    const QSize needed(
+        label->fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + gridUnit(label),
+        label->fontMetrics().height() + margins.top() + margins.bottom());
+    const bool first = label->maximumWidth() == QWIDGETSIZE_MAX;
+    if (first || needed.width() > label->width() || needed.height() > label->height())
+        label->setFixedSize(first ? needed : needed.expandedTo(label->size()));
+    label->setText(text);
+}
+
 QLabel* newMutedLabel(const QString& text, QWidget* parent) {
     auto* label = new MutedLabel(text, parent);
     label->setTextFormat(Qt::PlainText);

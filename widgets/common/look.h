@@ -47,6 +47,9 @@ inline constexpr int kTraceColours = 6;
 
 /// setText that costs nothing when there is no news.
 void setText(QLabel* label, const QString& text);
+/// The same of a number that changes all the time: the label grows with it, never shrinks, and what is laid
+/// out around it stays as it is.
+void setReadout(QLabel* label, const QString& text);
 /// Quiet secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
 

@@ -68,13 +68,26 @@ int positionDecimals(const AxisScale& scale) {
     return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMost);
 }
 
-QString fixedPosition(const AxisScale& scale, double counts) {
-    const double value = scale.position(counts);
-    const QString digits = QLocale::c().toString(std::abs(value), 'f', positionDecimals(scale)).remove(u',');
+namespace {
+/// Always so many decimals, the whole part grouped.
+QString fixed(double value, int decimals) {
+    const QString digits = QLocale::c().toString(std::abs(value), 'f', decimals).remove(u',');
     const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());
     const QString fraction = digits.section(u'.', 1);
     const QString text = fraction.isEmpty() ? whole : whole + QLocale().decimalPoint() + fraction;
     return value < 0 ? QChar(0x2212) + text : text;
+}
+}  // namespace
+
+QString fixedPosition(const AxisScale& scale, double counts) {
+    return fixed(scale.position(counts), positionDecimals(scale));
+}
+
+QString measuredVelocity(const AxisScale& scale, double countsPerSecond) {
+    // What is seen within a fifth of a second tells no more.
+    constexpr int kMostDecimals = 3;
+    const int decimals = qBound(0, positionDecimals(scale) - 1, kMostDecimals);
+    return fixed(scale.position(countsPerSecond), decimals) + u' ' + measuredVelocityUnitOf(scale);
 }
 
 QString position(const AxisScale& scale, double counts) {

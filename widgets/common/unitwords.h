@@ -15,6 +15,9 @@ namespace nmc::texts {
 [[nodiscard]] QString velocityUnitOf(const AxisScale& scale);
 /// "counts/s", "turns/s": of a speed that was measured, whatever the chip counts in.
 [[nodiscard]] QString measuredVelocityUnitOf(const AxisScale& scale);
+/// "1 953 counts/s", "12.50 mm/s": a speed that was measured, in counts (steps) a second; always as many
+/// decimals.
+[[nodiscard]] QString measuredVelocity(const AxisScale& scale, double countsPerSecond);
 [[nodiscard]] QString accelerationUnitOf(const AxisScale& scale);
 /// Digits for a readout that changes all the time: as many decimals as counts can tell apart, always.
 [[nodiscard]] QString fixedPosition(const AxisScale& scale, double counts);

@@ -56,6 +56,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     m_stopResult->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_port->setMinimumContentsLength(26);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_port->setMinimumWidth(fontMetrics().height() * 9);  // before STOP ALL gives way
     m_port->setToolTip(tr("The serial port the modules are on, or the simulator."));
     m_baud->setToolTip(tr("The rate to work at. Connecting starts at 19 200 Bd, then changes to this one."));
     for (const BaudRow& row : kBaudRows)

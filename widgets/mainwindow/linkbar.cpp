@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -13,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 LinkBar::LinkBar(QWidget* parent)
     : QStatusBar(parent),
-      m_link(new QLabel(this)),
+      m_link(new ElidedLabel(1, this)),
       m_rate(new QLabel(this)),
       m_errors(new QLabel(this)),
       m_roundTrip(new QLabel(this)) {
@@ -45,6 +46,7 @@ void LinkBar::showLink(const LinkState& state) {
     look::setText(m_rate, tr("– exchanges/s"));
     look::setText(m_errors, tr("– errors"));
     look::setText(m_roundTrip, tr("round trip –"));
+    makeRoom();
 }
 
 void LinkBar::showFigures(const LinkFigures& figures) {
@@ -58,6 +60,20 @@ void LinkBar::showFigures(const LinkFigures& figures) {
                               : tr("%1 errors").arg(texts::grouped(static_cast<qint64>(figures.errors)));
     look::setText(m_errors, tr("%1, %2/s").arg(total, texts::readout(figures.errorsPerSecond, 2)));
     look::setText(m_roundTrip, tr("round trip %1 ms").arg(texts::readout(figures.meanRoundTripMs, 3)));
+    makeRoom();
+}
+
+void LinkBar::makeRoom() {
+    int used = fontMetrics().horizontalAdvance(m_link->text()) + look::gridUnit(this) * 4;
+    for (QLabel* label : {m_rate, m_errors, m_roundTrip}) {
+        used += label->sizeHint().width() + look::gridUnit(this);
+        label->setVisible(used <= width());
+    }
+}
+
+void LinkBar::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    makeRoom();
 }
 
 }  // namespace nmc

@@ -19,7 +19,13 @@ public:
     void showLink(const LinkState& state);
     void showFigures(const LinkFigures& figures);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    /// The figures for which there is room beside the words.
+    void makeRoom();
+
     QLabel* m_link;
     QLabel* m_rate;
     QLabel* m_errors;

@@ -5,7 +5,6 @@
 #include <QGuiApplication>
 #include <QMenuBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -106,14 +105,8 @@ void MainWindow::buildRibbons(QWidget* top) {
 }
 
 void MainWindow::buildCentre() {
-    auto* scroll = new QScrollArea(this);
-    m_panel = new ModulePanel(scroll);
-    look::name(scroll, u"panelScroll"_s, tr("Panel of the selected module"));
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(m_panel);
-    setCentralWidget(scroll);
+    m_panel = new ModulePanel(this);
+    setCentralWidget(m_panel);
 }
 
 void MainWindow::connectParts() {
@@ -142,6 +135,7 @@ void MainWindow::connectParts() {
     connect(m_panel, &ModulePanel::intentRequested, this, &MainWindow::intentRequested);
     connect(m_panel, &ModulePanel::holdRequested, this, &MainWindow::holdRequested);
     connect(m_panel, &ModulePanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(m_panel, &ModulePanel::pageChanged, this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
     connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
@@ -198,7 +192,7 @@ void MainWindow::showLink(const LinkState& state) {
 
 void MainWindow::showModules() {
     m_live = liveModules();
-    m_chain->showLink(m_link, m_machine);
+    m_chain->showLink(m_link, m_machine, m_procedures);
     m_chainMenu->refresh();
     showSelected();
 }
@@ -257,12 +251,16 @@ std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
     return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
 }
 
+PanelView MainWindow::viewOf(const ModuleState& module) const {
+    const auto procedure = m_procedures.find(module.info.index);
+    return {module, m_machine.axis(module.info.index),
+            procedure != m_procedures.end() ? &procedure->second : nullptr,
+            m_link.phase == LinkPhase::Connected, ageOf(module)};
+}
+
 void MainWindow::showSelected() {
     if (const ModuleState* module = selectedState()) {
-        const auto procedure = m_procedures.find(module->info.index);
-        const PanelView view{*module, m_machine.axis(module->info.index),
-                             procedure != m_procedures.end() ? &procedure->second : nullptr,
-                             m_link.phase == LinkPhase::Connected, ageOf(*module)};
+        const PanelView view = viewOf(*module);
         m_panel->showModule(view);
         m_stepResponse->showModule(view);
     } else {
@@ -302,7 +300,7 @@ void MainWindow::showMachine(const Machine& machine) {
 
 void MainWindow::showProcedure(const ProcedureReport& report) {
     m_procedures.insert_or_assign(report.module, report);
-    showSelected();
+    showModules();
 }
 
 void MainWindow::showStepRun(const KeptRun& run) {

@@ -17,9 +17,12 @@
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
 #include "widgets/common/texts.h"
+#include "widgets/mainwindow/commandpalette.h"
+#include "widgets/panels/panelview.h"
 #include "widgets/scope/scoperecord.h"
 
 class QDockWidget;
+class QMenu;
 class QSettings;
 
 namespace nmc {
@@ -108,6 +111,10 @@ public:
     void askBeforeRestart();
     /// Connects to the port in the tool bar, and only looks.
     void connectReadOnly();
+    /// What the selected module can be told, as it is now.
+    void fillModuleMenu(QMenu& menu);
+    /// Every command of the window, to be found by its words.
+    void openPalette();
 
 signals:
     /// `readOnly`: asked for each time, never remembered.
@@ -142,6 +149,7 @@ signals:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
@@ -158,12 +166,16 @@ private:
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomForStepResponse(QDockWidget& messages);
     void makeRoomForSimulator();
+    void makeRoomForMotions();
     void restoreLayout();
     void saveLayout();
     void showSafetyOnce();
     void showSession();
     void showModules();
     void showSelected();
+    [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
+    void addModuleEntries(std::vector<CommandPalette::Entry>& entries);
+    void addOtherModules(std::vector<CommandPalette::Entry>& entries);
     [[nodiscard]] std::vector<bool> liveModules() const;
     void showScopeModules();
     void requestStop();
@@ -198,9 +210,11 @@ private:
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;
     LinkBar* m_linkBar = nullptr;
+    CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
+    int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;
     bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
     bool m_disconnectAfterStop = false;

@@ -12,6 +12,7 @@
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
+#include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/stepresponsedock.h"
@@ -24,7 +25,8 @@ using namespace settingskeys;
 
 namespace {
 constexpr int kStepResponseWidth = 58;  ///< lines of text
-}
+constexpr int kLowestScope = 12;        ///< lines of text
+}  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
                                  Qt::DockWidgetArea area) {
@@ -113,6 +115,29 @@ void MainWindow::makeRoomForSimulator() {
     const int both = chain->height() + m_simulator->height();
     const int wanted = qMin(m_simulator->wantedHeight(), both * 3 / 4);
     resizeDocks({chain, m_simulator}, {both - wanted, wanted}, Qt::Vertical);
+}
+
+/// Where the window is low, the scope gives way to what moves the motor, as far as it can still be read; it
+/// gets back what it gave where there is room again.
+void MainWindow::makeRoomForMotions() {
+    layout()->activate();
+    const ModulePage* page = m_panel->page();
+    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
+    if (page == nullptr || !scope->isVisible() || dockWidgetArea(scope) != Qt::BottomDockWidgetArea)
+        return;
+    const int least = fontMetrics().height() * kLowestScope;
+    const int most = scope->height() + m_scopeGave;
+    const int wanted = qBound(qMin(least, scope->height()), scope->height() + page->spareHeight(), most);
+    if (wanted == scope->height())
+        return;
+    m_scopeGave += scope->height() - wanted;
+    resizeDocks({scope}, {wanted}, Qt::Vertical);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    // Queued: what is in the window has its new size only then.
+    QMetaObject::invokeMethod(this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
 }
 
 void MainWindow::restoreLayout() {

@@ -78,6 +78,14 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
     chain->addSeparator();
     window.chainMenu().addTo(*chain);
 
+    QMenu* module = bar.addMenu(Menus::tr("Module"));
+    look::name(module, u"moduleMenu"_s, Menus::tr("Module"));
+    module->setToolTipsVisible(true);
+    QObject::connect(module, &QMenu::aboutToShow, &window,
+                     [&window, module] { window.fillModuleMenu(*module); });
+    // A command's key acts where its box is in sight; in a menu that is closed it would act everywhere.
+    QObject::connect(module, &QMenu::aboutToHide, module, &QMenu::clear, Qt::QueuedConnection);
+
     QMenu* view = bar.addMenu(Menus::tr("&View"));
     look::name(view, u"viewMenu"_s, Menus::tr("View"));
     int number = 1;
@@ -94,6 +102,9 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
 
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
+    QAction* find = add(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
+    find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
+    QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
     QObject::connect(add(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
                      [&window] { openSafety(window); });
     QObject::connect(add(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered, &window,

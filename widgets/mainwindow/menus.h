@@ -11,7 +11,7 @@ namespace nmc {
 
 class MainWindow;
 
-/// File, Chain, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock.
+/// File, Chain, Module, View and Help. `connectReadOnly` goes into Chain; View has a toggle for each dock.
 void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks);
 
 }  // namespace nmc

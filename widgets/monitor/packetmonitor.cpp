@@ -82,7 +82,7 @@ void PacketMonitor::buildControls() {
                         Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     m_pause->setCheckable(true);
     m_clear = newButton(u"packetClear"_s, tr("Clear"), tr("Forgets the packets shown so far (%1)."),
-                        Qt::CTRL | Qt::Key_K);
+                        Qt::CTRL | Qt::SHIFT | Qt::Key_K);
     m_copy = newButton(u"packetCopy"_s, tr("Copy"),
                        tr("Copies the selected rows as text, or all when none is selected (%1)."),
                        Qt::CTRL | Qt::SHIFT | Qt::Key_C);

@@ -35,18 +35,19 @@ void showText(QLineEdit* field, const std::string& text) {
     }
 }
 
-void showNumber(NumberField* field, double value, double before, bool another) {
-    if (another || (value != before && field->value() != value))
+void showNumber(NumberField* field, double value, std::optional<double> before) {
+    if (!before || (value != *before && field->value() != value))
         field->showValue(value);
 }
 
 }  // namespace
 
-AxisBox::AxisBox(QWidget* parent, ModuleType type) : QWidget(parent), m_type(type) {
+AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_type(context.state().info.identity.type) {
     look::name(this, named(u"axisBox"_s), tr("Axis"));
     build();
     connectControls();
-    refresh();
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 QString AxisBox::named(const QString& name) const {
@@ -140,27 +141,30 @@ UnitKind AxisBox::kind() const {
     return static_cast<UnitKind>(m_unit->currentData().toInt());
 }
 
-void AxisBox::showModule(const PanelView& view) {
-    const bool another = m_module != view.module.info.index;
-    const AxisSettings before = m_settings;
-    m_module = view.module.info.index;
-    m_settings = view.settings;
-    m_scale = view.scale();
-    showText(m_name, m_settings.name);
+void AxisBox::showModule() {
+    const AxisSettings& settings = m_context.settings();
+    const auto before = [this](auto part) {
+        return m_shown ? std::optional<double>(part(*m_shown)) : std::nullopt;
+    };
+    showText(m_name, settings.name);
     {
         const QSignalBlocker blocker(m_unit);
-        m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(m_settings.unit.kind)));
+        m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(settings.unit.kind)));
     }
-    showNumber(m_countsPerUnit, m_settings.unit.countsPerUnit, before.unit.countsPerUnit, another);
-    showText(m_symbol, m_settings.unit.ownSymbol);
-    m_holdCap->setScale(m_scale);
+    showNumber(m_countsPerUnit, settings.unit.countsPerUnit,
+               before([](const AxisSettings& axis) { return axis.unit.countsPerUnit; }));
+    showText(m_symbol, settings.unit.ownSymbol);
+    m_holdCap->setScale(m_context.scale());
     m_holdCap->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
-    const double cap = servodefaults::motionOf(m_settings).holdCap;
-    if (another || m_holdCap->native() != cap)
+    const double cap = servodefaults::motionOf(settings).holdCap;
+    if (!m_shown || m_holdCap->native() != cap)
         m_holdCap->showNative(cap);
-    showNumber(m_analogPerCount, m_settings.analog.perCount, before.analog.perCount, another);
-    showNumber(m_analogAtZero, m_settings.analog.atZero, before.analog.atZero, another);
-    showText(m_analogUnit, m_settings.analog.unit);
+    showNumber(m_analogPerCount, settings.analog.perCount,
+               before([](const AxisSettings& axis) { return axis.analog.perCount; }));
+    showNumber(m_analogAtZero, settings.analog.atZero,
+               before([](const AxisSettings& axis) { return axis.analog.atZero; }));
+    showText(m_analogUnit, settings.analog.unit);
+    m_shown = settings;
     refresh();
 }
 
@@ -206,10 +210,10 @@ void AxisBox::connectControls() {
 }
 
 void AxisBox::edit(const SettingsEdit& change) {
-    change(m_settings);
+    if (m_shown)
+        change(*m_shown);
+    m_context.edit(change);
     refresh();
-    if (m_module)
-        emit settingsEdited(change);
 }
 
 void AxisBox::refresh() {
@@ -219,10 +223,11 @@ void AxisBox::refresh() {
     m_symbolLabel->setVisible(own);
     m_countsPerUnit->setVisible(unit != UnitKind::Native);
     m_countsPerUnitLabel->setVisible(unit != UnitKind::Native);
-    AxisUnit shown = m_settings.unit;
+    AxisUnit shown = m_context.settings().unit;
     shown.kind = unit;
-    const AxisScale scale = m_scale.steps() ? AxisScale::step(shown) : AxisScale::servo(shown, 1);
-    const QString counts = m_scale.steps() ? texts::unitSteps() : texts::unitCounts();
+    const bool steps = m_context.scale().steps();
+    const AxisScale scale = steps ? AxisScale::step(shown) : AxisScale::servo(shown, 1);
+    const QString counts = steps ? texts::unitSteps() : texts::unitCounts();
     const QString label = tr("%1 in 1 %2").arg(counts, texts::unitOf(scale));
     look::setText(m_countsPerUnitLabel, label);
     m_countsPerUnit->setWords(label, {});

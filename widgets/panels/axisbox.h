@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QComboBox;
 class QFormLayout;
@@ -24,13 +24,7 @@ class AxisBox : public QWidget {
 public:
     /// The names of a stepper's controls begin with "step"; its cap of hold to move is set where its speeds
     /// are.
-    explicit AxisBox(QWidget* parent = nullptr, ModuleType type = ModuleType::Servo);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-
-signals:
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    AxisBox(ModuleContext& context, QWidget* parent);
 
 private:
     [[nodiscard]] QString named(const QString& name) const;
@@ -40,9 +34,11 @@ private:
                            const QString& meaning);
     void connectControls();
     void edit(const SettingsEdit& change);
+    void showModule();
     void refresh();
     [[nodiscard]] UnitKind kind() const;
 
+    ModuleContext& m_context;
     ModuleType m_type;
     QLineEdit* m_name = nullptr;
     QComboBox* m_unit = nullptr;
@@ -55,9 +51,7 @@ private:
     NumberField* m_analogAtZero = nullptr;
     QLineEdit* m_analogUnit = nullptr;
     QLabel* m_hint = nullptr;
-    AxisSettings m_settings;
-    std::optional<ModuleIndex> m_module;
-    AxisScale m_scale;
+    std::optional<AxisSettings> m_shown;
 };
 
 }  // namespace nmc

@@ -2,13 +2,12 @@
 #include "widgets/panels/detailsbox.h"
 
 #include <QLabel>
-#include <QPushButton>
 
 #include "widgets/common/homewords.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
@@ -46,13 +45,20 @@ QString auxMeaning(std::size_t bit) {
 
 }  // namespace
 
-DetailsBox::DetailsBox(QWidget* parent)
+DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
     : StatusTable(parent),
-      m_clear(new QPushButton(icons::tinted(u"eraser"_s), tr("Clear stic&ky bits"), this)),
-      m_saveHome(new QPushButton(icons::tinted(u"home"_s), tr("Save as home"), this)) {
+      m_context(context),
+      m_clear(new Command({.name = u"clearStickyButton"_s,
+                           .icon = u"eraser"_s,
+                           .text = tr("Clear stic&ky bits"),
+                           .accessible = tr("Clear the sticky status bits")},
+                          this, [this] { m_context.ask(intent::ClearStickyBits{}); })),
+      m_saveHome(new Command({.name = u"saveHomeButton"_s,
+                              .icon = u"home"_s,
+                              .text = tr("Save as home"),
+                              .accessible = tr("Save the present position as home")},
+                             this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"detailsBox"_s, tr("Details"));
-    look::name(m_clear, u"clearStickyButton"_s, tr("Clear the sticky status bits"));
-    look::name(m_saveHome, u"saveHomeButton"_s, tr("Save the present position as home"));
     addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, statusMeaning, u"bit_"_s);
     addBits(Byte::Second, tr("Auxiliary byte"), servo::kAuxBitNames, auxMeaning, u"bit_"_s);
     m_analog = addValue(tr("A/D (motor current)"), u"analogLabel"_s);
@@ -60,57 +66,32 @@ DetailsBox::DetailsBox(QWidget* parent)
     m_home = addValue(tr("Home register"), u"homeLabel"_s);
     m_home->setToolTip(texts::homeRegisterMeaning());
     m_raw = addValue(tr("Raw"), u"rawLabel"_s);
-    addButtons({m_clear, m_saveHome});
-    connect(m_clear, &QPushButton::clicked, this,
-            [this] { emit intentRequested(intent::ClearStickyBits{}); });
-    connect(m_saveHome, &QPushButton::clicked, this, [this] { emit intentRequested(intent::SaveAsHome{}); });
-    refresh();
+    addButtons({m_clear->button(), m_saveHome->button()});
+    m_context.whenSeen(this, [this] { refresh(); });
 }
 
-void DetailsBox::showModule(const PanelView& view) {
-    const std::optional<StatusReport>& report = view.module.latest;
-    showBits(Byte::First, report ? std::optional(report->status) : std::nullopt);
-    showBits(Byte::Second, report ? report->aux : std::nullopt);
-    showValues(view);
-    m_whyNotClear = view.whyNot(Request::ClearStickyBits);
-    m_whyNotHome = view.whyNot(Request::SaveAsHome);
-    refresh();
-}
-
-void DetailsBox::showValues(const PanelView& view) {
+void DetailsBox::refresh() {
     const QString dash = u"–"_s;
-    const StatusReport report = view.module.latest.value_or(StatusReport{});
+    const std::optional<StatusReport>& latest = m_context.state().latest;
+    const StatusReport report = latest.value_or(StatusReport{});
+    showBits(Byte::First, latest ? std::optional(report.status) : std::nullopt);
+    showBits(Byte::Second, report.aux);
     look::setText(m_analog,
-                  report.analog ? texts::analogReading(view.settings.analog, *report.analog) : dash);
+                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
     look::setText(m_velocity,
                   report.velocity ? texts::grouped(*report.velocity) + u' ' + texts::unitVelocity() : dash);
-    look::setText(m_home, report.home ? texts::position(view.scale(), *report.home) : dash);
+    look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
     QString raw = dash;
-    if (view.module.latest) {
+    if (latest) {
         raw = tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
         if (report.aux)
             raw += tr(", auxiliary %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
     look::setText(m_raw, raw);
-}
-
-void DetailsBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
-}
-
-void DetailsBox::refresh() {
-    const auto reason = [this](const std::optional<Refusal>& refusal) {
-        return refusal  ? texts::refusal(*refusal)
-               : m_busy ? tr("Waiting for the module's answer.")
-                        : QString();
-    };
-    look::setPossible(m_clear, reason(m_whyNotClear),
-                      tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
-    look::setPossible(m_saveHome, reason(m_whyNotHome),
-                      tr("Keeps the present position as home. The motor does not move."));
+    m_clear->setPossible(m_context.reasonNow(Request::ClearStickyBits),
+                         tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
+    m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
+                            tr("Keeps the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

@@ -4,16 +4,15 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
-#include <QSignalBlocker>
+#include <QPointer>
 #include <QUndoStack>
 
 #include "widgets/common/askdialog.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
@@ -40,7 +39,8 @@ private:
     Texts m_after;
 };
 
-GainsBox::GainsBox(QWidget* parent) : QWidget(parent), m_hint(new QLabel(this)) {
+GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_hint(new QLabel(this)), m_edits(new QUndoStack(this)) {
     look::name(this, u"gainsBox"_s, tr("Gains"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
@@ -61,13 +61,26 @@ GainsBox::GainsBox(QWidget* parent) : QWidget(parent), m_hint(new QLabel(this)) 
     grid->addWidget(m_hint, ++line, 0, 1, 4);
     grid->setRowStretch(line + 1, 1);
     grid->setColumnStretch(3, 1);
+    m_kept = m_context.settings().gains;
+    m_sent = m_context.state().gains;
+    fillIn(textsOf(m_kept ? m_kept : m_sent));
     m_before = shown();
+    connect(m_edits, &QUndoStack::indexChanged, this, &GainsBox::refreshUndo);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 GainsBox::~GainsBox() {
-    // On their way out they tell that nothing can be undone any more.
-    for (QUndoStack* stack : std::as_const(m_undoStacks))
-        stack->disconnect(this);
+    // On its way out it tells that nothing can be undone any more.
+    m_edits->disconnect(this);
+}
+
+void GainsBox::fillIn(const Texts& texts) {
+    for (Row& row : m_rows)
+        row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+}
+
+bool GainsBox::used(Gain gain) const {
+    return gain != Gain::Db || m_context.state().info.identity.version >= servo::kDeadbandVersion;
 }
 
 void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
@@ -108,58 +121,65 @@ void GainsBox::addSense(int line, QGridLayout* grid) {
     connect(m_sense, &QComboBox::activated, this, [this] { chooseSense(m_sense->currentData().toInt()); });
 }
 
-QPushButton* GainsBox::newButton(const QString& icon, const QString& text, const QString& objectName,
-                                 const QString& name, const QString& toolTip) {
-    auto* button = new QPushButton(icons::tinted(icon), text, this);
-    look::name(button, objectName, name);
-    button->setToolTip(toolTip);
-    return button;
-}
-
 void GainsBox::addButtons(int line, QGridLayout* grid) {
-    m_undo =
-        newButton(u"arrow-back-up"_s, tr("Undo"), u"undoGainsButton"_s, tr("Undo the last edit of a gain"),
-                  tr("Takes back the last edit in these fields (Ctrl+Z). Sends nothing."));
-    m_undo->setShortcut(QKeySequence::Undo);
-    m_redo = newButton(u"arrow-forward-up"_s, tr("Redo"), u"redoGainsButton"_s, tr("Redo the edit of a gain"),
-                       tr("Makes the edit again that was undone (Ctrl+Shift+Z). Sends nothing."));
-    m_redo->setShortcut(QKeySequence::Redo);
-    m_revert = newButton(u"repeat"_s, tr("Revert"), u"revertGainsButton"_s,
-                         tr("Revert the gains to what was sent"), {});
-    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    m_zero =
-        newButton(u"eraser"_s, tr("All zero"), u"zeroGainsButton"_s, tr("Fill in zero for all gains"),
-                  tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor "
-                     "does not hold any more (Ctrl+0)."));
-    m_zero->setShortcut(Qt::CTRL | Qt::Key_0);
-    m_fill = newButton(u"wand"_s, tr("Start&ing values"), u"fillGainsButton"_s, tr("Fill in starting values"),
-                       tr("Fills the fields with values to begin tuning with. Sends nothing."));
-    m_apply = newButton(u"send"_s, tr("&Apply gains"), u"applyGainsButton"_s, tr("Apply all gains"), {});
-    auto* step = newButton(u"player-play"_s, tr("Step response…"), u"openStepResponseButton"_s,
-                           tr("Open the step response"),
-                           tr("Opens the place where a small step shows how the motor follows (F9)."));
-    connect(step, &QPushButton::clicked, this, &GainsBox::stepResponseWanted);
+    m_undo = new Command({.name = u"undoGainsButton"_s,
+                          .icon = u"arrow-back-up"_s,
+                          .text = tr("Undo"),
+                          .accessible = tr("Undo the last edit of a gain"),
+                          .key = QKeySequence::Undo},
+                         this, [this] { m_edits->undo(); });
+    m_redo = new Command({.name = u"redoGainsButton"_s,
+                          .icon = u"arrow-forward-up"_s,
+                          .text = tr("Redo"),
+                          .accessible = tr("Redo the edit of a gain"),
+                          .key = QKeySequence::Redo},
+                         this, [this] { m_edits->redo(); });
+    m_revert = new Command({.name = u"revertGainsButton"_s,
+                            .icon = u"repeat"_s,
+                            .text = tr("Revert"),
+                            .accessible = tr("Revert the gains to what was sent"),
+                            .key = Qt::CTRL | Qt::Key_R},
+                           this, [this] { revert(); });
+    auto* zero = new Command({.name = u"zeroGainsButton"_s,
+                              .icon = u"eraser"_s,
+                              .text = tr("All zero"),
+                              .accessible = tr("Fill in zero for all gains"),
+                              .key = Qt::CTRL | Qt::Key_0},
+                             this, [this] { fill(zeroValue); });
+    zero->setPossible({}, tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the "
+                             "motor does not hold any more."));
+    auto* start = new Command({.name = u"fillGainsButton"_s,
+                               .icon = u"wand"_s,
+                               .text = tr("Start&ing values"),
+                               .accessible = tr("Fill in starting values")},
+                              this, [this] { fill(startingValue); });
+    start->setPossible({}, tr("Fills the fields with values to begin tuning with. Sends nothing."));
+    m_apply = new Command({.name = u"applyGainsButton"_s,
+                           .icon = u"send"_s,
+                           .text = tr("&Apply gains"),
+                           .accessible = tr("Apply all gains")},
+                          this, [this] { apply(); });
+    auto* step = new Command({.name = u"openStepResponseButton"_s,
+                              .icon = u"player-play"_s,
+                              .text = tr("Step response…"),
+                              .accessible = tr("Open the step response")},
+                             this, [this] { emit stepResponseWanted(); });
+    step->setPossible({}, tr("Opens the place where a small step shows how the motor follows (F9)."));
     const int unit = look::gridUnit(this);
-    const auto addLine = [&](int at, std::initializer_list<QPushButton*> left,
-                             std::initializer_list<QPushButton*> right) {
+    const auto addLine = [&](int at, std::initializer_list<Command*> left,
+                             std::initializer_list<Command*> right) {
         auto* buttons = new QHBoxLayout;
         buttons->setSpacing(unit);
         buttons->setContentsMargins(0, unit / 2, 0, 0);
-        for (QPushButton* button : left)
-            buttons->addWidget(button);
+        for (const Command* command : left)
+            buttons->addWidget(command->button());
         buttons->addStretch(1);
-        for (QPushButton* button : right)
-            buttons->addWidget(button);
+        for (const Command* command : right)
+            buttons->addWidget(command->button());
         grid->addLayout(buttons, at, 0, 1, 4);
     };
-    addLine(line, {m_fill, m_zero}, {m_undo, m_redo});
+    addLine(line, {start, zero}, {m_undo, m_redo});
     addLine(line + 1, {step}, {m_revert, m_apply});
-    connect(m_apply, &QPushButton::clicked, this, &GainsBox::apply);
-    connect(m_revert, &QPushButton::clicked, this, &GainsBox::revert);
-    connect(m_fill, &QPushButton::clicked, this, [this] { fill(startingValue); });
-    connect(m_zero, &QPushButton::clicked, this, [this] { fill(zeroValue); });
-    connect(m_undo, &QPushButton::clicked, this, [this] { undoStack().undo(); });
-    connect(m_redo, &QPushButton::clicked, this, [this] { undoStack().redo(); });
 }
 
 // ---- what stands in the fields ----
@@ -180,43 +200,26 @@ GainsBox::Texts GainsBox::textsOf(const std::optional<servo::SetGain>& gains) co
 }
 
 void GainsBox::show(const Texts& texts) {
-    for (Row& row : m_rows)
-        row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+    fillIn(texts);
     m_before = texts;
     keep();
     refresh();
 }
 
-QUndoStack& GainsBox::undoStack() {
-    QUndoStack*& stack = m_undoStacks[m_module ? m_module->value() : -1];
-    if (stack == nullptr) {
-        stack = new QUndoStack(this);
-        connect(stack, &QUndoStack::indexChanged, this, &GainsBox::refreshUndo);
-    }
-    return *stack;
-}
-
 void GainsBox::edited(std::optional<Gain> gain) {
     const Texts after = shown();
     if (after != m_before)
-        undoStack().push(new Edit(*this, gain, m_before, after));
+        m_edits->push(new Edit(*this, gain, m_before, after));
 }
 
-/// Drafts live here; gains that are whole are kept with the axis as well.
+/// Gains that are whole are kept with the axis.
 void GainsBox::keep() {
-    if (!m_module)
-        return;
-    const Texts texts = shown();
+    m_typed = shown() != textsOf(m_sent);
     const std::optional<servo::SetGain> gains = entered();
-    const bool changed = gains && gains != m_settings.gains;
-    if (changed)
-        m_settings.gains = gains;
-    if (texts == textsOf(m_sent))
-        m_drafts.remove(m_module->value());
-    else
-        m_drafts[m_module->value()] = {texts, m_settings.gains};
-    if (changed)
-        emit settingsEdited([gains](AxisSettings& axis) { axis.gains = gains; });
+    if (!gains || gains == m_kept)
+        return;
+    m_kept = gains;
+    m_context.edit([gains](AxisSettings& axis) { axis.gains = gains; });
 }
 
 void GainsBox::fill(const std::function<std::optional<int>(Gain)>& value) {
@@ -231,9 +234,7 @@ void GainsBox::stage(const servo::SetGain& gains) {
 }
 
 void GainsBox::revert() {
-    const Texts texts = textsOf(m_sent);
-    for (Row& row : m_rows)
-        row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
+    fillIn(textsOf(m_sent));
     edited(std::nullopt);
 }
 
@@ -244,43 +245,20 @@ void GainsBox::chooseSense(int sense) {
     edited(std::nullopt);
 }
 
-void GainsBox::showModule(const PanelView& view) {
-    const ModuleState& module = view.module;
-    const bool another = m_module != module.info.index;
-    const bool news = another || m_sent != module.gains || m_settings.gains != view.settings.gains;
-    m_module = module.info.index;
-    m_sent = module.gains;
-    m_settings = view.settings;
-    m_refused = view.whyNot(Request::ApplyGains);
-    m_live = module.servoOn();
-    m_hasDeadband = module.info.identity.version >= servo::kDeadbandVersion;
-    if (news) {
-        const int index = module.info.index.value();
-        const auto typed = m_drafts.constFind(index);
-        const bool overtaken = typed != m_drafts.constEnd() && typed->axis != m_settings.gains;
-        if (overtaken)
-            m_drafts.remove(index);
-        const auto draft = m_drafts.constFind(index);
-        const bool sentNow = !another && m_sent && shown() == textsOf(m_sent);
-        const Texts texts = draft != m_drafts.constEnd() && !sentNow ? draft->texts
-                            : m_settings.gains                       ? textsOf(m_settings.gains)
-                                                                     : textsOf(m_sent);
-        if (texts != shown())
-            for (Row& row : m_rows)
-                row.field->showText(texts[static_cast<std::size_t>(row.gain)]);
-        if (overtaken && !another)
-            edited(std::nullopt);  // what was typed comes back by Undo
+void GainsBox::showModule() {
+    const auto& kept = m_context.settings().gains;
+    const auto& sent = m_context.state().gains;
+    const bool opened = kept != m_kept;  // another machine file goes before what was typed
+    if (opened || sent != m_sent) {
+        m_kept = kept;
+        m_sent = sent;
+        if (opened || !m_typed)
+            fillIn(textsOf(kept ? kept : sent));
+        if (opened && m_typed)
+            edited(std::nullopt);  // which comes back by Undo
         m_before = shown();
-        if (m_before == textsOf(m_sent))
-            m_drafts.remove(index);
+        m_typed = m_typed && !opened && m_before != textsOf(sent);
     }
-    refresh();
-}
-
-void GainsBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
     refresh();
 }
 
@@ -305,28 +283,32 @@ QString GainsBox::trouble() const {
 }
 
 void GainsBox::apply() {
-    if (m_refused.has_value() || m_busy)
-        return;
     const std::optional<servo::SetGain> gains = entered();
     if (!gains)
         return;
-    const QStringList steps = m_live && m_sent ? largeSteps(*m_sent, *gains) : QStringList();
+    const bool live = m_context.state().servoOn();
+    const QStringList steps = live && m_sent ? largeSteps(*m_sent, *gains) : QStringList();
     if (steps.isEmpty())
-        emit applyRequested(*gains);
+        m_context.ask(intent::ApplyGains{*gains});
     else
         askBeforeLargeStep(*gains, steps);
 }
 
 /// The motor is under control of these gains at this moment: a large step may make it jump or swing.
 void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
-    // What was asked about, to the module it was asked for, on top of the gains that it was compared with.
-    const auto text = [this, gains, steps, module = m_module, before = m_sent] {
-        const bool same = module == m_module && before == m_sent && entered() == gains;
-        const bool inSight = parentWidget()->isVisible();  // the module, on whichever page
-        return same && inSight && m_live && !m_refused
-                   ? tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
-                         .arg(steps.join(u", "_s))
-                   : QString();
+    // What was asked about, on top of the gains that it was compared with; and as long as the module is in
+    // sight, on whichever page.
+    const auto text = [self = QPointer(this), gains, steps, before = m_sent] {
+        const bool stands = self && self->parentWidget()->isVisible() &&
+                            before == self->m_context.state().gains && self->entered() == gains &&
+                            self->m_context.state().servoOn() && !self->m_context.whyNot(Request::ApplyGains);
+        return stands ? tr("The servo is on, and this is a large step: %1. The motor may jump or swing.")
+                            .arg(steps.join(u", "_s))
+                      : QString();
+    };
+    const auto go = [self = QPointer(this), gains] {
+        if (self)
+            self->m_context.ask(intent::ApplyGains{gains});
     };
     AskDialog::ask({.name = u"largeStepDialog"_s,
                     .title = tr("Gains while the servo is on"),
@@ -334,9 +316,7 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelLargeStepButton"_s,
                     .stayIsDefault = true},
-                   {{tr("&Apply these gains"), u"applyLargeStepButton"_s,
-                     [this, gains] { emit applyRequested(gains); }}},
-                   window());
+                   {{tr("&Apply these gains"), u"applyLargeStepButton"_s, go}}, window());
 }
 
 // ---- how it looks ----
@@ -349,7 +329,7 @@ void GainsBox::refreshRow(Row& row) {
     const std::optional<double> value = row.field->value();
     QString remark = value.has_value() ? gainRemark(row.gain, static_cast<int>(*value)) : QString();
     if (row.gain == Gain::Cl && value.value_or(0.0) != 0.0)
-        remark = u"= "_s + texts::analog(m_settings.analog, static_cast<int>(*value));
+        remark = u"= "_s + texts::analog(m_context.settings().analog, static_cast<int>(*value));
     look::setText(row.remark, remark);
     const std::optional<int> sent = m_sent.has_value() ? gainOf(*m_sent, row.gain) : std::nullopt;
     Known known = Known::Edited;
@@ -396,29 +376,22 @@ QString GainsBox::hint() const {
 }
 
 void GainsBox::refreshApply(const QString& problem) {
-    QString reason;
-    if (m_refused.has_value())
-        reason = texts::refusal(*m_refused);
-    else if (m_busy)
-        reason = tr("Waiting for the module's answer.");
-    else
-        reason = problem;
-    look::setPossible(m_apply, reason,
-                      m_live ? tr("Sends all gains at once. The servo is on: they act immediately.")
-                             : tr("Sends all gains at once. The motor does not move."));
-    const QString text = m_live ? tr("&Apply gains, live") : tr("&Apply gains");
-    if (m_apply->text() != text)
-        m_apply->setText(text);
+    const bool live = m_context.state().servoOn();
+    const QString reason = m_context.reasonNow(Request::ApplyGains);
+    m_apply->setPossible(reason.isEmpty() ? problem : reason,
+                         live ? tr("Sends all gains at once. The servo is on: they act immediately.")
+                              : tr("Sends all gains at once. The motor does not move."));
+    m_apply->setText(live ? tr("&Apply gains, live") : tr("&Apply gains"));
 }
 
 void GainsBox::refreshUndo() {
-    const QUndoStack& stack = undoStack();
-    m_undo->setEnabled(stack.canUndo());
-    m_redo->setEnabled(stack.canRedo());
-    m_revert->setEnabled(m_module.has_value() && shown() != textsOf(m_sent));
-    m_revert->setToolTip(m_sent.has_value()
-                             ? tr("Back to the gains that were sent. Sends nothing.")
-                             : tr("Empties the fields: no gains have been sent yet. Sends nothing."));
+    m_undo->setPossible(m_edits->canUndo() ? QString() : tr("There is nothing to undo."),
+                        tr("Takes back the last edit in these fields. Sends nothing."));
+    m_redo->setPossible(m_edits->canRedo() ? QString() : tr("There is nothing to redo."),
+                        tr("Makes the edit again that was undone. Sends nothing."));
+    m_revert->setPossible(shown() != textsOf(m_sent) ? QString() : tr("Nothing was edited."),
+                          m_sent ? tr("Back to the gains that were sent. Sends nothing.")
+                                 : tr("Empties the fields: no gains have been sent yet. Sends nothing."));
 }
 
 void GainsBox::refresh() {

@@ -3,16 +3,15 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 
 #include "model/intent/homingplan.h"
 #include "model/module/stepspeed.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/homingform.h"
 #include "widgets/panels/limitstopbox.h"
 
@@ -42,25 +41,33 @@ QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
 
 }  // namespace
 
-HomingBox::HomingBox(QWidget* parent, ModuleType type)
+HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
-      m_form(new HomingForm(type, this)),
-      m_home(new QPushButton(icons::tinted(u"home"_s), tr("Home"), this)),
-      m_cancel(new QPushButton(icons::tinted(u"x"_s), tr("Cancel search"), this)),
+      m_context(context),
       m_stages(new QLabel(this)),
       m_result(new QLabel(this)),
       m_hint(look::newMutedLabel({}, this)) {
+    const ModuleType type = context.state().info.identity.type;
     const auto named = [type](const QString& name) {
         return type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
     };
+    m_form = new HomingForm(type, this);
+    m_home = new Command({.name = named(u"homeButton"_s),
+                          .icon = u"home"_s,
+                          .text = tr("Home"),
+                          .accessible = tr("Search for home"),
+                          .key = Qt::CTRL | Qt::Key_H},
+                         this, [this] { m_context.ask(intent::Home{m_form->recipe()}); });
+    m_cancel = new Command({.name = named(u"cancelHomingButton"_s),
+                            .icon = u"x"_s,
+                            .text = tr("Cancel search"),
+                            .accessible = tr("Cancel the search for home"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_H},
+                           this, [this] { m_context.ask(intent::CancelProcedure{}); });
     look::name(this, named(u"homingBox"_s), tr("Homing"));
-    look::name(m_home, named(u"homeButton"_s), tr("Search for home"));
-    look::name(m_cancel, named(u"cancelHomingButton"_s), tr("Cancel the search for home"));
     look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Stages of the search"));
     look::nameText(m_result, named(u"homingResultLabel"_s), tr("How the search goes"));
     m_hint->setObjectName(named(u"homingHint"_s));
-    m_home->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_H));
-    m_cancel->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
     for (QLabel* label : {m_stages, m_result, m_hint}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
@@ -69,8 +76,8 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->addStretch(1);
-    buttons->addWidget(m_cancel);
-    buttons->addWidget(m_home);
+    buttons->addWidget(m_cancel->button());
+    buttons->addWidget(m_home->button());
     // What ends a search, and how it goes, stays in sight; the rest gives way where there is little room.
     auto* content = new QWidget(this);
     auto* inner = new QVBoxLayout(content);
@@ -78,9 +85,8 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     inner->setSpacing(unit);
     inner->addWidget(m_form);
     if (type != ModuleType::Step) {
-        m_limitStop = new LimitStopBox(content);
+        m_limitStop = new LimitStopBox(m_context, content);
         inner->addWidget(m_limitStop);
-        connect(m_limitStop, &LimitStopBox::intentRequested, this, &HomingBox::intentRequested);
     }
     inner->addStretch(1);
     auto* scroll = new QScrollArea(this);
@@ -102,85 +108,60 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     layout->addWidget(scroll, 1);
     layout->addWidget(m_hint);  // it comes and goes, and nothing may move under the pointer
 
+    m_form->showRecipe(m_context.settings().homing.value_or(firstRecipe(m_context.state().info.identity)));
+    m_shown = m_context.settings().homing;
     connect(m_form, &HomingForm::edited, this, &HomingBox::keepRecipe);
-    connect(m_home, &QPushButton::clicked, this,
-            [this] { emit intentRequested(intent::Home{m_form->recipe()}); });
-    connect(m_cancel, &QPushButton::clicked, this,
-            [this] { emit intentRequested(intent::CancelProcedure{}); });
-    refresh();
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 void HomingBox::keepRecipe() {
-    if (m_module && m_settings.homing != m_form->recipe()) {
-        m_settings.homing = m_shown = m_form->recipe();
-        emit settingsEdited([recipe = m_form->recipe()](AxisSettings& axis) { axis.homing = recipe; });
+    if (m_context.settings().homing != m_form->recipe()) {
+        m_shown = m_form->recipe();
+        m_context.edit([recipe = m_form->recipe()](AxisSettings& axis) { axis.homing = recipe; });
     }
     refresh();
 }
 
-void HomingBox::adoptRecipe(const PanelView& view) {
-    const HomingRecipe recipe = view.settings.homing.value_or(firstRecipe(view.module.info.identity));
-    const bool other = m_module != view.module.info.index;
+void HomingBox::showModule() {
+    const ModuleState& module = m_context.state();
+    const std::optional<HomingRecipe>& kept = m_context.settings().homing;
     // What is being typed stays: only what was changed elsewhere is shown anew.
-    if (other || (view.settings.homing != m_shown && recipe != m_form->recipe()))
+    const HomingRecipe recipe = kept.value_or(firstRecipe(module.info.identity));
+    if (kept != m_shown && recipe != m_form->recipe())
         m_form->showRecipe(recipe);
-    m_shown = view.settings.homing;
-}
-
-void HomingBox::showModule(const PanelView& view) {
-    const ModuleIndex module = view.module.info.index;
-    adoptRecipe(view);
-    if (m_module != module) {
-        m_report.reset();
-        m_reached = -1;
-    }
-    m_module = module;
-    m_settings = view.settings;
-    m_scale = view.scale();
-    m_state = view.module;
-    m_connected = view.connected;
-    if (!m_connected)
-        m_report.reset();
-    else if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::Homing)
-        m_report = *view.procedure;
-    m_form->showChip(m_scale, view.module.info.identity.version, speedUnit(view.module));
-    if (m_limitStop != nullptr)
-        m_limitStop->showModule(view);
+    m_shown = kept;
+    m_form->showChip(m_context.scale(), module.info.identity.version, speedUnit(module));
     refresh();
 }
 
-void HomingBox::setBusy(bool busy) {
-    if (m_limitStop != nullptr)
-        m_limitStop->setBusy(busy);
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
+std::optional<ProcedureReport> HomingBox::report() const {
+    return m_context.connected() ? m_context.procedure(ProcedureKind::Homing) : std::nullopt;
 }
 
 bool HomingBox::running() const {
-    return m_report && !m_report->over();
+    const auto search = report();
+    return search && !search->over();
 }
 
 QString HomingBox::whyNotNow() const {
-    if (!m_connected)
+    if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
     if (running())
         return tr("A search for home is under way.");
-    if (const auto refusal = whyNotHome(m_state))
+    if (const auto refusal = whyNotHome(m_context.state()))
         return texts::refusal(*refusal);
     if (!m_form->problemText().isEmpty())
         return m_form->problemText();
-    if (const auto refusal = whyNotHome(m_form->recipe(), m_state))
+    if (const auto refusal = whyNotHome(m_form->recipe(), m_context.state()))
         return texts::refusal(*refusal);
-    return m_busy ? tr("Waiting for the module's answer.") : QString();
+    return m_context.whyBusy();
 }
 
 void HomingBox::refresh() {
     m_form->setLocked(running());
-    look::setPossible(m_home, whyNotNow(), tr("Moves the motor: it searches for home as set above."));
-    look::setPossible(m_cancel, running() ? QString() : tr("No search for home is under way."),
-                      tr("Stops the motor smoothly; it is not homed then."));
+    m_home->setPossible(whyNotNow(), tr("Moves the motor: it searches for home as set above."));
+    m_cancel->setPossible(running() ? QString() : tr("No search for home is under way."),
+                          tr("Stops the motor smoothly; it is not homed then."));
     const QString problem = m_form->problemText();
     look::setText(m_hint, problem);
     m_hint->setVisible(!problem.isEmpty());
@@ -189,12 +170,13 @@ void HomingBox::refresh() {
 
 /// "✓ Searching  ▶ Going to home  · Making home zero": shape, then word.
 QString HomingBox::stages() const {
-    const QList<ProcedureStage> list = stagesOf(effective(m_form->recipe(), m_state.info.identity));
+    const QList<ProcedureStage> list = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
+    const auto search = report();
     QStringList words;
     for (int i = 0; i < list.size(); ++i) {
         ProcedureReport stage;
         stage.stage = list[i];
-        const bool done = m_report && (m_report->stage == ProcedureStage::Done || i < m_reached);
+        const bool done = search && (search->stage == ProcedureStage::Done || i < m_reached);
         const bool now = running() && i == m_reached;
         const QString mark = done ? u"✓"_s : now ? u"▶"_s : u"·"_s;
         words << mark + u'\u00A0' + texts::procedureStage(stage).replace(u' ', u'\u00A0');
@@ -203,26 +185,22 @@ QString HomingBox::stages() const {
 }
 
 void HomingBox::refreshProgress() {
-    if (m_report) {
-        const QList<ProcedureStage> list = stagesOf(effective(m_form->recipe(), m_state.info.identity));
-        if (m_report->stage == ProcedureStage::Preparing)
-            m_reached = 0;
-        else if (list.contains(m_report->stage))
-            m_reached = static_cast<int>(list.indexOf(m_report->stage));
-    } else {
+    const auto search = report();
+    if (!search) {
         m_reached = -1;
+    } else if (search->stage == ProcedureStage::Preparing) {
+        m_reached = 0;
+    } else {
+        const auto list = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
+        if (list.contains(search->stage))
+            m_reached = static_cast<int>(list.indexOf(search->stage));
     }
     look::setText(m_stages, stages());
-    QString result;
-    if (m_report && m_report->stage == ProcedureStage::Done && m_report->home)
-        result = tr("Done: home was at %1.").arg(texts::position(m_scale, *m_report->home));
-    else if (m_report && m_report->failure)
-        result =
-            u"%1: %2"_s.arg(texts::procedureStage(*m_report), texts::procedureFailure(*m_report->failure));
-    else if (m_report)
-        result = texts::procedureStage(*m_report);
-    else
-        result = tr("No search yet.");
+    QString result = search ? texts::procedureStage(*search) : tr("No search yet.");
+    if (search && search->stage == ProcedureStage::Done && search->home)
+        result = tr("Done: home was at %1.").arg(texts::position(m_context.scale(), *search->home));
+    else if (search && search->failure)
+        result = u"%1: %2"_s.arg(result, texts::procedureFailure(*search->failure));
     look::setText(m_result, result);
 }
 

@@ -4,13 +4,13 @@
 #include <QWidget>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class HomingForm;
 class LimitStopBox;
 
@@ -21,43 +21,28 @@ class HomingBox : public QWidget {
 
 public:
     /// The names of a stepper's controls begin with "step".
-    explicit HomingBox(QWidget* parent = nullptr, ModuleType type = ModuleType::Servo);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    /// A click was passed on; what starts something waits for the module's next word.
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    HomingBox(ModuleContext& context, QWidget* parent);
 
 private:
     void keepRecipe();
-    void adoptRecipe(const PanelView& view);
+    void showModule();
     void refresh();
     void refreshProgress();
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] std::optional<ProcedureReport> report() const;
     [[nodiscard]] bool running() const;
     [[nodiscard]] QString stages() const;
 
+    ModuleContext& m_context;
     HomingForm* m_form;
     LimitStopBox* m_limitStop = nullptr;
-    QPushButton* m_home;
-    QPushButton* m_cancel;
+    Command* m_home;
+    Command* m_cancel;
     QLabel* m_stages;
     QLabel* m_result;
     QLabel* m_hint;
-
-    AxisSettings m_settings;
-    AxisScale m_scale;
-    ModuleState m_state;
-    std::optional<ModuleIndex> m_module;
-    std::optional<ProcedureReport> m_report;  ///< of the last search
-    std::optional<HomingRecipe> m_shown;      ///< what the settings had when they were looked at last
-    int m_reached = -1;                       ///< of stages()
-    bool m_connected = false;
-    bool m_busy = false;
+    std::optional<HomingRecipe> m_shown;  ///< what the settings had when they were looked at last
+    int m_reached = -1;                   ///< of stages()
 };
 
 }  // namespace nmc

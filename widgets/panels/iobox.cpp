@@ -10,7 +10,6 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
-#include "widgets/common/words.h"
 
 namespace nmc {
 
@@ -26,7 +25,7 @@ Use useOf(const servo::IoControl& io, int pin) {
 }
 }  // namespace
 
-IoBox::IoBox(QWidget* parent) : QWidget(parent) {
+IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     look::name(this, u"ioBox"_s, tr("Limits and I/O"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
@@ -61,9 +60,9 @@ IoBox::IoBox(QWidget* parent) : QWidget(parent) {
     grid->setColumnStretch(3, 1);
     connect(m_amplifier, &QCheckBox::clicked, this, [this](bool enable) {
         refresh();  // the box follows the module, not the click
-        emit intentRequested(intent::SetAmplifier{enable});
+        m_context.ask(intent::SetAmplifier{enable});
     });
-    refresh();
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 IoBox::Pin IoBox::addPin(QGridLayout* grid, int line, int number) {
@@ -108,24 +107,14 @@ void IoBox::show(const IoBox::Indicator& input, std::optional<bool> set, const Q
     look::setText(input.value, !set ? u"–"_s : *set ? on : off);
 }
 
-void IoBox::showModule(const PanelView& view) {
-    m_module = view.module;
-    m_connected = view.connected;
-    m_scale = view.settings.analog;
+void IoBox::showModule() {
     // A pin is an input after power-up (DS-V 5.2); of a chain that was found running nobody knows.
-    const servo::IoControl io = m_module->io.value_or(servo::IoControl{});
+    const servo::IoControl io = m_context.state().io.value_or(servo::IoControl{});
     for (int i = 0; i < 2; ++i) {
         QComboBox* use = m_pins[static_cast<std::size_t>(i)].use;
         const QSignalBlocker blocker(use);
         use->setCurrentIndex(use->findData(useOf(io, i)));
     }
-    refresh();
-}
-
-void IoBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
     refresh();
 }
 
@@ -136,39 +125,33 @@ void IoBox::control() {
     io.limit1Output = use(0) == OutputHigh;
     io.limit2IsInput = use(1) == Input;
     io.limit2Output = use(1) == OutputHigh;
-    emit intentRequested(intent::ControlIo{io});
+    m_context.ask(intent::ControlIo{io});
 }
 
 void IoBox::refresh() {
-    const bool known = m_module && m_module->latest;
-    const bool connected = m_connected && m_module;
-    const auto reasonFor = [&](Request request) {
-        const auto refusal = connected ? whyNot(request, *m_module) : std::optional(Refusal::NotConnected);
-        return refusal  ? texts::refusal(*refusal)
-               : m_busy ? tr("Waiting for the module's answer.")
-                        : QString();
-    };
+    const ModuleState& module = m_context.state();
     const auto status = [&](auto bit) {
-        return known ? std::optional(bit(m_module->latest->servoStatus())) : std::nullopt;
+        return module.latest ? std::optional(bit(module.latest->servoStatus())) : std::nullopt;
     };
     const std::array<std::optional<bool>, 2> limits{status([](auto s) { return s.limit1(); }),
                                                     status([](auto s) { return s.limit2(); })};
-    const QString io = reasonFor(Request::ControlIo);
+    const QString io = m_context.reasonNow(Request::ControlIo);
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
         show({m_pins[i].glyph, m_pins[i].value}, limits[i], tr("high"), tr("low"));
         look::setPossible(m_pins[i].use, io,
                           tr("Whether the pin is an input, or an output and its level. Sent at once."));
     }
     std::optional<bool> index;
-    if (known && m_module->latest->aux)
-        index = !servo::AuxByte{*m_module->latest->aux}.indexComplement();
+    if (module.latest && module.latest->aux)
+        index = !servo::AuxByte{*module.latest->aux}.indexComplement();
     show(m_index, index, tr("at the index"), tr("not at the index"));
     show(m_power, status([](auto s) { return s.powerOn(); }), tr("present"), tr("missing"));
-    const bool analog = known && m_module->latest->analog;
-    look::setText(m_analog, analog ? texts::analogReading(m_scale, *m_module->latest->analog) : u"–"_s);
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    look::setText(m_analog,
+                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
     const QSignalBlocker blocker(m_amplifier);
-    m_amplifier->setChecked(m_module && m_module->amplifierEnabled);
-    look::setPossible(m_amplifier, reasonFor(Request::SetAmplifier),
+    m_amplifier->setChecked(module.amplifierEnabled);
+    look::setPossible(m_amplifier, m_context.reasonNow(Request::SetAmplifier),
                       tr("Sets the amplifier's enable line alone; the servo stays as it is. Without it the "
                          "motor gets no current, whatever the servo does."));
 }

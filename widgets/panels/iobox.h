@@ -3,9 +3,8 @@
 
 #include <QWidget>
 #include <array>
-#include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QCheckBox;
 class QComboBox;
@@ -22,14 +21,7 @@ class IoBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit IoBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
+    IoBox(ModuleContext& context, QWidget* parent);
 
 private:
     struct Pin {
@@ -47,18 +39,16 @@ private:
                        const QString& meaning);
     static void show(const Indicator& input, std::optional<bool> set, const QString& on, const QString& off);
     void control();
+    void showModule();
     void refresh();
 
+    ModuleContext& m_context;
     std::array<Pin, 2> m_pins;
     Indicator m_index;
     Indicator m_power;
     QLabel* m_analog = nullptr;
     QCheckBox* m_amplifier = nullptr;
     QLabel* m_remark = nullptr;
-    std::optional<ModuleState> m_module;
-    AnalogScale m_scale;
-    bool m_connected = false;
-    bool m_busy = false;
 };
 
 }  // namespace nmc

@@ -10,6 +10,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
+#include "widgets/panels/motionbox.h"
 #include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/servodefaults.h"
 
@@ -17,26 +18,32 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-JogBox::JogBox(QWidget* parent) : QGroupBox(parent), m_motion(servodefaults::motionOf(AxisSettings{})) {
+JogBox::JogBox(ModuleContext& context, const MotionBox& motion, QWidget* parent)
+    : QGroupBox(parent),
+      m_context(context),
+      m_motionBox(motion),
+      m_motion(servodefaults::motionOf(context.settings())) {
     look::name(this, u"jogBox"_s, tr("Jog"));
     build();
-    showVelocity(m_motion);
-    refresh();
+    m_velocity->setScale(m_context.scale());
+    showVelocity();
+    connect(&m_context, &ModuleContext::holdMustEnd, this, &JogBox::endHold);
+    connect(&m_context, &ModuleContext::lookedForAnew, this, &JogBox::lookedForAnew);
+    connect(&m_motionBox, &MotionBox::accelerationEdited, this, &JogBox::endHold);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 void JogBox::build() {
     QGridLayout* grid = quantitygrid::newGrid(this);
     int line = 0;
-    quantitygrid::addTitle(grid, line++, tr("Hold to move"),
-                           tr("moves only while a button, or Space on it, is held"));
     m_velocity = new QuantityField(QuantityField::Kind::Velocity, this);
     m_velocity->setName(u"holdVelocityField"_s, tr("Velocity while held"));
     m_velocity->setQuantity(tr("The velocity while held"));
     m_velocity->setNativeStep(0.05);
-    m_velocity->setMeaning(tr(
-        "How fast the motor turns while a button is held. Low again after every connect; the cap is set on "
-        "the page Axis."));
-    quantitygrid::addRow(grid, line, tr("Velocit&y"), m_velocity);
+    m_velocity->setMeaning(
+        tr("How fast the motor turns while a button, or Space on it, is held. Low again "
+           "after every connect; the cap is set on the page Axis."));
+    quantitygrid::addFirstRow(grid, line, tr("Jog at velocit&y"), m_velocity);
     m_reverse = new HoldButton(this);
     m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
     m_reverse->setText(tr("◂ Hold"));
@@ -57,26 +64,27 @@ void JogBox::build() {
     connect(m_velocity, &QuantityField::nativeEdited, this, [this] {
         // What is held was asked for at another speed.
         endHold();
-        if (const auto velocity = m_velocity->native(); velocity && m_module)
-            m_typed[m_module->info.index.value()] = *velocity;
+        if (const auto velocity = m_velocity->native())
+            m_typed = velocity;
         refresh();
     });
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
-    for (HoldButton* button : {m_forward, m_reverse})
-        connect(button, &HoldButton::holdEnded, this, &JogBox::holdReleased);
+    for (HoldButton* button : {m_forward, m_reverse}) {
+        connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
+        connect(&m_context, &ModuleContext::holdIntervalChanged, button, &HoldButton::setInterval);
+    }
 }
 
-void JogBox::showVelocity(const MotionSettings& motion) {
-    m_velocity->setNativeRange(servodefaults::kSmallest, motion.holdCap);
-    const int index = m_module ? m_module->info.index.value() : -1;
-    m_velocity->showNative(m_typed.value(index, qMin(motion.holdVelocity, motion.holdCap)));
+void JogBox::showVelocity() {
+    m_velocity->setNativeRange(servodefaults::kSmallest, m_motion.holdCap);
+    m_velocity->showNative(m_typed.value_or(qMin(m_motion.holdVelocity, m_motion.holdCap)));
 }
 
-void JogBox::resetSpeeds() {
+void JogBox::lookedForAnew() {
     endHold();
-    m_typed.clear();
-    showVelocity(m_motion);
+    m_typed.reset();
+    showVelocity();
     refresh();
 }
 
@@ -85,54 +93,42 @@ void JogBox::endHold() {
     m_reverse->endHold();
 }
 
-void JogBox::setHoldInterval(int milliseconds) {
-    m_forward->setInterval(milliseconds);
-    m_reverse->setInterval(milliseconds);
-}
-
-void JogBox::showModule(const PanelView& view, std::optional<CountsPerTickSquared> acceleration) {
-    const bool another = !m_module || m_module->info.index != view.module.info.index;
-    const MotionSettings motion = servodefaults::motionOf(view.settings);
+void JogBox::showModule() {
+    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
+    const bool otherCap = motion.holdCap != m_motion.holdCap;
+    const bool others = otherCap || motion.holdVelocity != m_motion.holdVelocity;
     // What is held was asked for with other words.
-    if (another || view.scale() != m_velocity->scale() || motion.holdCap != m_motion.holdCap)
+    if (otherCap || m_context.scale() != m_velocity->scale())
         endHold();
-    const bool otherSettings =
-        motion.holdCap != m_motion.holdCap || motion.holdVelocity != m_motion.holdVelocity;
-    m_module = view.module;
     m_motion = motion;
-    m_acceleration = acceleration;
-    m_connected = view.connected;
-    m_velocity->setScale(view.scale());
-    if (another || otherSettings)
-        showVelocity(motion);
+    m_velocity->setScale(m_context.scale());
+    if (others)
+        showVelocity();
     refresh();
 }
 
 void JogBox::refresh() {
-    QString reason = texts::refusal(Refusal::NotConnected);
-    if (m_connected && m_module) {
-        const std::optional<Refusal> refusal = whyNot(Request::Hold, *m_module);
-        reason = refusal           ? texts::refusal(*refusal)
-                 : !m_acceleration ? texts::refusal(Refusal::NoAcceleration)
-                                   : m_velocity->problemText();
-    }
+    QString reason = m_context.reasonFor(Request::Hold);
+    if (reason.isEmpty())
+        reason =
+            m_motionBox.acceleration() ? m_velocity->problemText() : texts::refusal(Refusal::NoAcceleration);
     // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
     look::setPossible(m_forward, reason, tr("Moves forward while it is held, then stops."));
     look::setPossible(m_reverse, reason, tr("Moves in reverse while it is held, then stops."));
-    const QString hint = m_velocity->problemText();
-    look::setText(m_hint, hint);
+    look::setText(m_hint, m_velocity->problemText());
 }
 
 void JogBox::hold(const HoldButton& button, bool reverse) {
     const auto velocity = m_velocity->native();
-    if (!velocity || !m_acceleration || !m_module)
+    const auto acceleration = m_motionBox.acceleration();
+    if (!velocity || !acceleration)
         return;
-    emit holdRequested({m_module->info.index,
-                        CountsPerTick(servodefaults::toFixed(*velocity)),
-                        *m_acceleration,
-                        reverse,
-                        {},
-                        button.press()});
+    m_context.hold({m_context.state().info.index,
+                    CountsPerTick(servodefaults::toFixed(*velocity)),
+                    *acceleration,
+                    reverse,
+                    {},
+                    button.press()});
 }
 
 }  // namespace nmc

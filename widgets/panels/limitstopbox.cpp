@@ -5,12 +5,12 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QRadioButton>
 
 #include "model/intent/homingplan.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
@@ -28,21 +28,28 @@ QString limits(const HomeWatch& watch) {
 }
 }  // namespace
 
-LimitStopBox::LimitStopBox(QWidget* parent)
+LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Limit stop"), parent),
+      m_context(context),
       m_limit1(new QCheckBox(tr("Limit 1"), this)),
       m_limit2(new QCheckBox(tr("Limit 2"), this)),
-      m_arm(new QPushButton(tr("Arm limit stop"), this)),
-      m_disarm(new QPushButton(tr("Disarm"), this)),
+      m_arm(new Command({.name = u"armLimitStopButton"_s,
+                         .icon = {},
+                         .text = tr("Arm limit stop"),
+                         .accessible = tr("Arm the limit stop"),
+                         .key = Qt::CTRL | Qt::SHIFT | Qt::Key_L},
+                        this, [this] { m_context.ask(wanted()); })),
+      m_disarm(new Command({.name = u"disarmLimitStopButton"_s,
+                            .icon = {},
+                            .text = tr("Disarm"),
+                            .accessible = tr("Disarm the limit stop"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_D},
+                           this, [this] { m_context.ask(intent::ArmLimitStop{}); })),
       m_state(new QLabel(this)) {
     look::name(this, u"limitStopBox"_s, tr("Limit stop"));
     look::name(m_limit1, u"armLimit1Box"_s, tr("Stop at limit 1"));
     look::name(m_limit2, u"armLimit2Box"_s, tr("Stop at limit 2"));
-    look::name(m_arm, u"armLimitStopButton"_s, tr("Arm the limit stop"));
-    look::name(m_disarm, u"disarmLimitStopButton"_s, tr("Disarm the limit stop"));
     look::nameText(m_state, u"limitStopState"_s, tr("State of the limit stop"));
-    m_arm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L));
-    m_disarm->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
     m_limit1->setChecked(true);
@@ -72,8 +79,8 @@ LimitStopBox::LimitStopBox(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
     buttons->addStretch(1);
-    buttons->addWidget(m_disarm);
-    buttons->addWidget(m_arm);
+    buttons->addWidget(m_disarm->button());
+    buttons->addWidget(m_arm->button());
     auto* grid = new QGridLayout(this);
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(unit / 3);
@@ -87,24 +94,12 @@ LimitStopBox::LimitStopBox(QWidget* parent)
 
     for (QAbstractButton* box : {m_limit1, m_limit2})
         connect(box, &QAbstractButton::toggled, this, &LimitStopBox::refresh);
-    connect(m_arm, &QPushButton::clicked, this, [this] { emit intentRequested(wanted()); });
-    connect(m_disarm, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ArmLimitStop{}); });
-    refresh();
+    m_context.whenSeen(this, [this] { refresh(); });
 }
 
-void LimitStopBox::showModule(const PanelView& view) {
-    m_module = view.module;
-    m_connected = view.connected;
-    m_homing =
-        view.procedure != nullptr && view.procedure->kind == ProcedureKind::Homing && !view.procedure->over();
-    refresh();
-}
-
-void LimitStopBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
+bool LimitStopBox::homing() const {
+    const auto search = m_context.procedure(ProcedureKind::Homing);
+    return search && !search->over();
 }
 
 intent::ArmLimitStop LimitStopBox::wanted() const {
@@ -116,21 +111,20 @@ intent::ArmLimitStop LimitStopBox::wanted() const {
 }
 
 QString LimitStopBox::whyNotArmed() const {
-    if (!m_connected)
+    if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
-    if (m_homing)
+    if (homing())
         return tr("A search for home is under way; it uses the same watch of the chip.");
-    if (const auto refusal = whyNotArm(wanted(), m_module))
+    if (const auto refusal = whyNotArm(wanted(), m_context.state()))
         return texts::refusal(*refusal);
     if (!m_limit1->isChecked() && !m_limit2->isChecked())
         return tr("Choose a limit first.");
-    return m_busy ? tr("Waiting for the module's answer.") : QString();
+    return m_context.whyBusy();
 }
 
 void LimitStopBox::refresh() {
-    const std::optional<Refusal> refused =
-        m_connected ? whyNot(Request::ArmLimitStop, m_module) : std::optional(Refusal::NotConnected);
-    const QString never = refused ? texts::refusal(*refused) : QString();
+    const ModuleState& module = m_context.state();
+    const QString never = m_context.reasonFor(Request::ArmLimitStop);
     look::setPossible(m_limit1, never, tr("The motor stops when limit 1 changes."));
     look::setPossible(m_limit2, never, tr("The motor stops when limit 2 changes."));
     const std::array meanings{tr("At the limit the motor stops at once, and holds."),
@@ -138,31 +132,30 @@ void LimitStopBox::refresh() {
                               tr("At the limit the motor is switched off, and is free to turn.")};
     for (std::size_t i = 0; i < kManners.size(); ++i)
         look::setPossible(m_manners[i], never, meanings[i]);
-    look::setPossible(
-        m_arm, whyNotArmed(),
+    m_arm->setPossible(
+        whyNotArmed(),
         tr("The chip itself then stops the motor when a chosen limit changes, once; sooner than "
            "the panel could. A search for home replaces it."));
-    const bool armed = m_module.homing.state() != Watch::Idle ||
-                       (m_module.latest && m_module.latest->servoStatus().homeInProgress());
+    const bool armed = module.homing.state() != Watch::Idle ||
+                       (module.latest && module.latest->servoStatus().homeInProgress());
     QString reason = never;
-    if (reason.isEmpty() && m_homing)
+    if (reason.isEmpty() && homing())
         reason = tr("A search for home is under way; it uses the same watch of the chip.");
-    else if (reason.isEmpty() && !armed)
-        reason = tr("It is not armed.");
-    else if (reason.isEmpty() && m_busy)
-        reason = tr("Waiting for the module's answer.");
-    look::setPossible(m_disarm, reason, tr("A limit no longer stops the motor."));
+    else if (reason.isEmpty())
+        reason = armed ? m_context.whyBusy() : tr("It is not armed.");
+    m_disarm->setPossible(reason, tr("A limit no longer stops the motor."));
     refreshState();
 }
 
 /// Shape, then word.
 void LimitStopBox::refreshState() {
-    const HomeWatch& watch = m_module.homing;
-    const bool waits = m_module.latest && m_module.latest->servoStatus().homeInProgress();
+    const ModuleState& module = m_context.state();
+    const HomeWatch& watch = module.homing;
+    const bool waits = module.latest && module.latest->servoStatus().homeInProgress();
     QString state = tr("○ Not armed: a limit input alone does not stop the motor.");
-    if (m_module.info.identity.version < servo::kAutoStopVersion)
+    if (module.info.identity.version < servo::kAutoStopVersion)
         state = tr("○ This version of the chip cannot stop at a limit by itself.");
-    else if (m_homing)
+    else if (homing())
         state = tr("○ Not armed: the search for home has replaced it.");
     else if (watch.state() == Watch::Armed && watch.stops())
         state = tr("● Armed: stops at %1, once.").arg(limits(watch));

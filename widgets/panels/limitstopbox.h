@@ -4,13 +4,14 @@
 #include <QGroupBox>
 #include <array>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QAbstractButton;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
+
+class Command;
 
 /// Homing used as a safety stop (DS-V 5.2), because on a PIC-SERVO a limit input does not stop the motor by
 /// itself: armed, not armed, or come true.
@@ -18,31 +19,23 @@ class LimitStopBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    explicit LimitStopBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
+    LimitStopBox(ModuleContext& context, QWidget* parent);
 
 private:
     void refresh();
     void refreshState();
     [[nodiscard]] intent::ArmLimitStop wanted() const;
     [[nodiscard]] QString whyNotArmed() const;
+    /// A search for home is under way; it uses the same watch of the chip.
+    [[nodiscard]] bool homing() const;
 
+    ModuleContext& m_context;
     QAbstractButton* m_limit1;
     QAbstractButton* m_limit2;
     std::array<QAbstractButton*, 3> m_manners{};  ///< by HomingRecipe::Stop
-    QPushButton* m_arm;
-    QPushButton* m_disarm;
+    Command* m_arm;
+    Command* m_disarm;
     QLabel* m_state;
-    ModuleState m_module;
-    bool m_connected = false;
-    bool m_homing = false;
-    bool m_busy = false;
 };
 
 }  // namespace nmc

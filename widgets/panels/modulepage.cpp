@@ -2,66 +2,120 @@
 #include "widgets/panels/modulepage.h"
 
 #include <QHBoxLayout>
-#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+constexpr int kNarrowestPages = 17;  ///< lines of text
+
+QScrollArea* newScroll(QWidget* content, const QString& name, const QString& accessibleName) {
+    auto* scroll = new QScrollArea;
+    look::name(scroll, name, accessibleName);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(content);
+    return scroll;
+}
+
+/// What does not fit is scrolled for itself, and the motions stay where they are.
+void letScroll(QTabWidget& pages) {
+    for (int i = 0; i < pages.count(); ++i) {
+        QWidget* page = pages.widget(i);
+        const QString title = pages.tabText(i);
+        pages.removeTab(i);
+        pages.insertTab(i, newScroll(page, page->objectName() + u"Scroll"_s, page->accessibleName()), title);
+    }
+    pages.setCurrentIndex(0);
+}
+
+}  // namespace
+
 void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
+    m_pages = pages;
+    letScroll(*pages);
     pages->setDocumentMode(true);
     pages->tabBar()->setAccessibleName(pages->accessibleName());
     pages->tabBar()->setObjectName(pages->objectName() + u"Bar"_s);
     keepFocusOnTabs(*pages);
     const int unit = look::gridUnit(this);
-    auto* columns = new QHBoxLayout;
-    columns->setSpacing(unit * 3 / 2);
-    columns->addLayout(motions, 5);
-    columns->addWidget(pages, 4);
+    auto* left = new QWidget;
+    motions->setContentsMargins(0, 0, 0, unit);
+    left->setLayout(motions);
+    m_motions = newScroll(left, u"panelScroll"_s, tr("Motions of the selected module"));
+    m_motions->setMinimumWidth(left->minimumSizeHint().width() +
+                               m_motions->verticalScrollBar()->sizeHint().width());
+    m_columns = new QHBoxLayout;
+    m_columns->setContentsMargins(unit, 0, unit, 0);
+    m_columns->setSpacing(unit);
+    m_columns->addWidget(m_motions, 1);
+    m_columns->addWidget(pages, 1);
+    auto* heading = new QHBoxLayout;
+    heading->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    heading->addWidget(head);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit / 2, unit, unit);
-    layout->setSpacing(unit / 2);
-    layout->addWidget(head);
-    layout->addLayout(columns, 1);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(heading);
+    layout->addLayout(m_columns, 1);
+    // What acts is seen, whatever it was asked by.
+    for (Command* command : commands())
+        connect(command, &QAction::triggered, this, [this, command] { reveal(*command->box()); });
 }
 
-void ModulePage::pass(const Intent& intent) {
-    if (!isStop(intent) && !std::holds_alternative<intent::CancelProcedure>(intent)) {
-        if (m_askedAt.has_value())
-            return;
-        m_askedAt = m_latestTime;
-        setBusy(true);
-    }
-    emit intentRequested(m_module, intent);
-}
-
-void ModulePage::passEdit(const SettingsEdit& edit) {
-    AxisSettings settings = m_settings;
-    edit(settings);
-    if (m_showing || settings == m_settings)
+void ModulePage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < m_motions->minimumWidth() + fontMetrics().height() * kNarrowestPages;
+    if (narrow == m_narrow)
         return;
-    m_settings = settings;
-    emit settingsEdited(m_module, settings);
+    m_narrow = narrow;
+    if (narrow) {
+        m_pages->insertTab(0, m_motions, tr("Motion"));
+        m_pages->setCurrentIndex(0);
+    } else {
+        m_pages->removeTab(0);
+        m_columns->insertWidget(0, m_motions, 1);
+        m_motions->show();
+    }
 }
 
-void ModulePage::showModule(const PanelView& view) {
-    const ModuleState& module = view.module;
-    if (m_askedAt.has_value() && (module.info.index != m_module || !view.connected ||
-                                  (module.latestTime != *m_askedAt && !module.awaited))) {
-        m_askedAt.reset();
-        setBusy(false);
+int ModulePage::spareHeight() const {
+    return m_motions->viewport()->height() - m_motions->widget()->sizeHint().height();
+}
+
+QList<Command*> ModulePage::commands() const {
+    return findChildren<Command*>();
+}
+
+void ModulePage::reveal(const QWidget& box) {
+    for (int i = 0; i < m_pages->count(); ++i)
+        if (m_pages->widget(i)->isAncestorOf(&box))
+            m_pages->setCurrentIndex(i);
+}
+
+void ModulePage::showCommand(const QString& name) {
+    for (const Command* command : commands()) {
+        if (command->button()->objectName() != name)
+            continue;
+        reveal(*command->box());
+        QPushButton* button = command->button();
+        button->setFocus(Qt::OtherFocusReason);
+        if (!command->isEnabled())  // where it would be, and why it can't be done
+            QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
     }
-    m_module = module.info.index;
-    m_latestTime = module.latestTime;
-    m_settings = view.settings;
-    const QScopedValueRollback<bool> showing(m_showing, true);
-    showBoxes(view);
 }
 
 }  // namespace nmc

@@ -2,55 +2,57 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
+class QHBoxLayout;
 class QLayout;
+class QScrollArea;
 class QTabWidget;
 
 namespace nmc {
 
-/// What the panels of both chips have in common: clicks become intents of the module that is shown, one at a
-/// time until it has spoken again; stops never wait.
+class Command;
+
+/// Everything that one module can be asked for: its head, which is always in view, the motions below at the
+/// left, and pages beside them. Made for one module of one connection, and gone with it.
 class ModulePage : public QWidget {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
+    explicit ModulePage(const PanelView& view, QWidget* parent = nullptr)
+        : QWidget(parent), m_context(view, this) {}
 
-    /// Emits nothing, except that a hold ends when its module or its permission goes.
-    void showModule(const PanelView& view);
-    /// A new connection: low speeds again.
-    virtual void resetSpeeds() = 0;
-    virtual void endHold() = 0;
-    virtual void setHoldInterval(int milliseconds) = 0;
+    /// Emits nothing, except that a hold ends when its permission goes.
+    void showModule(const PanelView& view) { m_context.show(view); }
+    [[nodiscard]] ModuleContext& context() { return m_context; }
+    /// Of all its boxes, in the order in which they stand.
+    [[nodiscard]] QList<Command*> commands() const;
+    /// Its button comes in sight and gets the focus; `name` is that of the button.
+    void showCommand(const QString& name);
+
+    /// How much higher their room is than the motions need; below 0: not all of them are in view.
+    [[nodiscard]] int spareHeight() const;
 
 signals:
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-    /// What the panel knows of the axis was changed by hand; nothing is sent by that.
-    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
+    void stepResponseWanted();
 
 protected:
-    /// The head above; motions in sight at the left, the pages beside them.
+    void resizeEvent(QResizeEvent* event) override;
+    /// The head above; motions at the left, the pages beside them: each scrolls for itself where there is
+    /// little room, and where there is very little the motions are the first of the pages.
     void layOut(QWidget* head, QLayout* motions, QTabWidget* pages);
-    void pass(const Intent& intent);
-    /// Done to the settings of the module that is shown. While it is being shown nobody edits: what a box
-    /// says then is not the user's.
-    void passEdit(const SettingsEdit& edit);
-    virtual void showBoxes(const PanelView& view) = 0;
-    virtual void setBusy(bool busy) = 0;
+
+    ModuleContext m_context;
+
+    /// Brings the tab to the front that the box stands on.
+    void reveal(const QWidget& box);
 
 private:
-    ModuleIndex m_module;
-    AxisSettings m_settings;  ///< of m_module
-    bool m_showing = false;
-    TimePoint m_latestTime;
-    /// A click that was passed on, until what it asked for has ended and the module has spoken again: a
-    /// double click is one command, and a status that was on its way ends nothing.
-    std::optional<TimePoint> m_askedAt;
+    QTabWidget* m_pages = nullptr;
+    QScrollArea* m_motions = nullptr;
+    QHBoxLayout* m_columns = nullptr;
+    bool m_narrow = false;
 };
 
 }  // namespace nmc

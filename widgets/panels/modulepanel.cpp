@@ -2,6 +2,7 @@
 #include "widgets/panels/modulepanel.h"
 
 #include <QLabel>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/panels/genericpanel.h"
@@ -39,72 +40,96 @@ ModulePanel::ModulePanel(QWidget* parent)
     connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
 }
 
-ModulePage& ModulePanel::servo() {
-    if (m_servo == nullptr) {
-        adopt(m_servo = new ServoPanel(this));
-        connect(m_servo, &ServoPanel::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
-    }
-    return *m_servo;
-}
-
-ModulePage& ModulePanel::stepper() {
-    if (m_stepper == nullptr)
-        adopt(m_stepper = new StepPanel(this));
-    return *m_stepper;
-}
-
-void ModulePanel::adopt(ModulePage* page) {
-    addWidget(page);
-    m_pages.append(page);
-    keepTabOrder(m_generic, page);
+ModulePage* ModulePanel::build(const PanelView& view) {
+    ModulePage* page = view.module.isServo() ? static_cast<ModulePage*>(new ServoPanel(view, &m_drawer))
+                                             : new StepPanel(view, &m_drawer);
+    const ModuleIndex module = view.module.info.index;
+    ModuleContext& context = page->context();
+    connect(&context, &ModuleContext::asked, this,
+            [this, module](const Intent& intent) { emit intentRequested(module, intent); });
+    connect(&context, &ModuleContext::edited, this,
+            [this, module](const AxisSettings& settings) { emit settingsEdited(module, settings); });
+    connect(&context, &ModuleContext::holdAsked, this, &ModulePanel::holdRequested);
+    connect(&context, &ModuleContext::holdReleased, this, &ModulePanel::holdReleased);
+    connect(page, &ModulePage::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
     if (m_holdInterval)
-        page->setHoldInterval(*m_holdInterval);
-    connect(page, &ModulePage::intentRequested, this, &ModulePanel::intentRequested);
-    connect(page, &ModulePage::holdRequested, this, &ModulePanel::holdRequested);
-    connect(page, &ModulePage::holdReleased, this, &ModulePanel::holdReleased);
-    connect(page, &ModulePage::settingsEdited, this, &ModulePanel::settingsEdited);
+        context.setHoldInterval(*m_holdInterval);
+    return page;
+}
+
+ModulePage& ModulePanel::pageOf(const PanelView& view) {
+    const bus::ModuleInfo& info = view.module.info;
+    Page& page = m_pages[info.index];
+    const bool another = page.address != info.address || page.identity != info.identity;
+    if (page.widget != nullptr && another)
+        delete std::exchange(page.widget, nullptr);
+    if (page.widget == nullptr)
+        page = {info.address, info.identity, build(view)};
+    return *page.widget;
+}
+
+ModulePage* ModulePanel::page() const {
+    return qobject_cast<ModulePage*>(currentWidget());
+}
+
+const ModulePage* ModulePanel::pageLike(const PanelView& view) {
+    if (!view.module.isServo() && !view.module.isStepper())
+        return nullptr;
+    for (const auto& [module, page] : m_pages)
+        if (page.identity == view.module.info.identity)
+            return page.widget;
+    return &pageOf(view);
 }
 
 void ModulePanel::forgetModules() {
     showNothing(m_empty->text());
-    qDeleteAll(m_pages);
+    for (const auto& [module, page] : m_pages)
+        delete page.widget;
     m_pages.clear();
-    m_servo = nullptr;
-    m_stepper = nullptr;
 }
 
 void ModulePanel::resetSpeeds() {
-    for (ModulePage* page : m_pages)
-        page->resetSpeeds();
+    for (const auto& [module, page] : m_pages)
+        emit page.widget->context().lookedForAnew();
 }
 
 void ModulePanel::endHold() {
-    for (ModulePage* page : m_pages)
-        page->endHold();
+    for (const auto& [module, page] : m_pages)
+        emit page.widget->context().holdMustEnd();
 }
 
 void ModulePanel::setHoldInterval(int milliseconds) {
     m_holdInterval = milliseconds;
-    for (ModulePage* page : m_pages)
-        page->setHoldInterval(milliseconds);
+    for (const auto& [module, page] : m_pages)
+        page.widget->context().setHoldInterval(milliseconds);
 }
 
 void ModulePanel::stageGains(const servo::SetGain& gains) {
-    if (m_servo != nullptr && currentWidget() == m_servo)
-        m_servo->stageGains(gains);
+    if (auto* servo = qobject_cast<ServoPanel*>(currentWidget()))
+        servo->stageGains(gains);
 }
 
 void ModulePanel::bringUp(QWidget* page) {
-    if (page == currentWidget())
+    QWidget* before = currentWidget();
+    if (page == before)
         return;
     // Qt would hand the focus of the page that goes to what comes first on the other: Enable.
     if (QWidget* focused = window()->focusWidget(); focused != nullptr && isAncestorOf(focused))
         focused->clearFocus();
+    if (indexOf(page) < 0) {
+        addWidget(page);
+        keepTabOrder(m_generic, page);
+    }
     for (int i = 0; i < count(); ++i) {
         const auto policy = widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
         widget(i)->setSizePolicy(policy, policy);
     }
     setCurrentWidget(page);
+    if (qobject_cast<ModulePage*>(before) != nullptr) {
+        removeWidget(before);
+        before->setParent(&m_drawer);
+    }
+    emit pageChanged();
 }
 
 void ModulePanel::showModule(const PanelView& view) {
@@ -114,11 +139,9 @@ void ModulePanel::showModule(const PanelView& view) {
         bringUp(m_generic);
         return;
     }
-    ModulePage& page = view.module.isServo() ? servo() : stepper();
-    for (ModulePage* other : m_pages)
-        if (other != &page)
-            other->endHold();
+    ModulePage& page = pageOf(view);
     page.showModule(view);
+    // What was held there ends with the page in sight.
     bringUp(&page);
 }
 

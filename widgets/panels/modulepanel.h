@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QList>
 #include <QStackedWidget>
+#include <map>
 #include <optional>
 
 #include "widgets/panels/panelview.h"
@@ -13,9 +13,9 @@ namespace nmc {
 
 class GenericPanel;
 class ModulePage;
-class ServoPanel;
 
-/// The middle of the window: the panel that fits the selected module, or what to do when there is none.
+/// The middle of the window: the page of the selected module, or what to do when there is none. A page is
+/// built when its module is shown first, and belongs to this one module until the connection ends.
 class ModulePanel : public QStackedWidget {
     Q_OBJECT
 
@@ -34,8 +34,14 @@ public:
     void setHoldInterval(int milliseconds);
     /// Into the fields of the PIC-SERVO that is shown; sends nothing.
     void stageGains(const servo::SetGain& gains);
+    /// Of the module that is shown; none: it has no page.
+    [[nodiscard]] ModulePage* page() const;
+    /// One that has what this module's page has; none: it has no page.
+    [[nodiscard]] const ModulePage* pageLike(const PanelView& view);
 
 signals:
+    /// Another page is in sight.
+    void pageChanged();
     void stepResponseWanted();
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// On press and every 100 ms while held.
@@ -45,18 +51,22 @@ signals:
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 private:
-    /// Built when the first module of its kind is shown: a window is there at once without them.
-    [[nodiscard]] ModulePage& servo();
-    [[nodiscard]] ModulePage& stepper();
-    void adopt(ModulePage* page);
+    [[nodiscard]] ModulePage& pageOf(const PanelView& view);
+    ModulePage* build(const PanelView& view);
     /// Only the page in sight decides how much room is needed.
     void bringUp(QWidget* page);
 
+    struct Page {
+        // Another module at the same place has a page of its own.
+        BusAddress address;
+        ModuleIdentity identity;
+        ModulePage* widget = nullptr;
+    };
     QLabel* m_empty;
     GenericPanel* m_generic;
-    ServoPanel* m_servo = nullptr;
-    ModulePage* m_stepper = nullptr;
-    QList<ModulePage*> m_pages;  ///< those that were built
+    /// Where pages are while they are not shown: in the window there is one control of a name.
+    QWidget m_drawer;
+    std::map<ModuleIndex, Page> m_pages;
     std::optional<int> m_holdInterval;
 };
 

@@ -4,18 +4,17 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
-#include <QSignalBlocker>
 #include <limits>
+#include <utility>
 
 #include "model/intent/moveforecast.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/homewords.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/servodefaults.h"
 
@@ -29,11 +28,19 @@ enum GoalKind { Absolute, Relative };
 constexpr double kMostCounts = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
-MotionBox::MotionBox(QWidget* parent) : QGroupBox(parent) {
+MotionBox::MotionBox(ModuleContext& context, QWidget* parent)
+    : QGroupBox(parent), m_context(context), m_motion(servodefaults::motionOf(context.settings())) {
     look::name(this, u"motionBox"_s, tr("Motion"));
     build();
-    connectControls();
-    refresh();
+    for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
+        field->setScale(m_context.scale());
+    m_goal->showNative(0);
+    m_velocity->showNative(m_motion.velocity);
+    m_acceleration->showNative(m_motion.acceleration);
+    m_runVelocity->showNative(m_motion.runVelocity);
+    connect(m_acceleration, &QuantityField::nativeEdited, this, &MotionBox::accelerationEdited);
+    connect(&m_context, &ModuleContext::lookedForAnew, this, &MotionBox::forgetGoal);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString& label,
@@ -50,7 +57,10 @@ QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString
                           ? tr("How fast the velocity changes. Used by every kind of motion here, and by a "
                                "smooth stop.")
                           : tr("How fast the motor turns."));
-    quantitygrid::addRow(grid, line, label, field);
+    if (part == &MotionSettings::runVelocity)
+        quantitygrid::addFirstRow(grid, line, label, field);
+    else
+        quantitygrid::addRow(grid, line, label, field);
     connect(field, &QuantityField::nativeEdited, this, [this, field, part] { keep(*field, part); });
     return field;
 }
@@ -59,7 +69,6 @@ void MotionBox::build() {
     QGridLayout* grid = quantitygrid::newGrid(this);
     int line = 0;
     buildMove(grid, line);
-    grid->setRowMinimumHeight(line++, look::gridUnit(this));
     buildRun(grid, line);
     m_hint = new ElidedLabel(1, this);
     m_hint->setObjectName(u"motionHint"_s);
@@ -67,15 +76,14 @@ void MotionBox::build() {
 }
 
 void MotionBox::buildMove(QGridLayout* grid, int& line) {
-    quantitygrid::addTitle(grid, line++, tr("Go to"), tr("from standstill, with a trapezoidal profile"));
     m_goal = new QuantityField(QuantityField::Kind::Position, this);
     m_goal->setName(u"goalField"_s, tr("Goal position"));
     m_goal->setQuantity(tr("The goal position"));
     m_goal->setNativeRange(static_cast<double>(servo::kPositionRange.min),
                            static_cast<double>(servo::kPositionRange.max));
     m_goal->setNativeStep(100);
-    m_goal->setMeaning(tr("Where to go. Enter starts the move."));
-    quantitygrid::addRow(grid, line, tr("&Position"), m_goal);
+    m_goal->setMeaning(tr("Where to go from standstill, with a trapezoidal profile. Enter starts the move."));
+    quantitygrid::addFirstRow(grid, line, tr("Go to &position"), m_goal);
     m_goalKind = new QComboBox(this);
     look::name(m_goalKind, u"goalKindBox"_s, tr("Position or distance"));
     m_goalKind->addItem(tr("position"), Absolute);
@@ -91,68 +99,76 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     m_forecast->setObjectName(u"forecastLabel"_s);
     grid->addWidget(m_forecast, line++, 1, 1, quantitygrid::kColumns - 1);
 
-    const auto newButton = [this](const QString& icon, const QString& text, const QString& objectName,
-                                  const QString& name) {
-        auto* button = new QPushButton(icons::tinted(icon), text, this);
-        look::name(button, objectName, name);
-        return button;
-    };
-    m_zero =
-        newButton(u"eraser"_s, tr("&Zero here"), u"zeroHereButton"_s, tr("Make the present position zero"));
-    m_goHome = newButton(u"home"_s, tr("Go home"), u"goHomeButton"_s, tr("Go to the home position"));
-    m_load = newButton(u"download"_s, tr("Load"), u"loadButton"_s, tr("Load the move, start it later"));
-    m_start = newButton(u"player-play"_s, tr("Start"), u"startButton"_s, tr("Start the loaded move"));
-    m_go = newButton(u"arrow-bar-to-right"_s, tr("&Go"), u"goButton"_s, tr("Go to the position"));
-    m_goHome->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_G);
-    m_load->setShortcut(Qt::CTRL | Qt::Key_D);
-    m_start->setShortcut(Qt::CTRL | Qt::Key_G);
+    m_zero = new Command({.name = u"zeroHereButton"_s,
+                          .icon = u"eraser"_s,
+                          .text = tr("&Zero here"),
+                          .accessible = tr("Make the present position zero")},
+                         this, [this] { m_context.ask(intent::ResetPosition{}); });
+    m_goHome = new Command({.name = u"goHomeButton"_s,
+                            .icon = u"home"_s,
+                            .text = tr("Go home"),
+                            .accessible = tr("Go to the home position"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                           this, [this] { goHome(); });
+    m_load = new Command({.name = u"loadButton"_s,
+                          .icon = u"download"_s,
+                          .text = tr("Load"),
+                          .accessible = tr("Load the move, start it later"),
+                          .key = Qt::CTRL | Qt::Key_D},
+                         this, [this] { move(true); });
+    m_start = new Command({.name = u"startButton"_s,
+                           .icon = u"player-play"_s,
+                           .text = tr("Start"),
+                           .accessible = tr("Start the loaded move"),
+                           .key = Qt::CTRL | Qt::Key_G},
+                          this, [this] { m_context.ask(intent::StartLoaded{}); });
+    m_go = new Command({.name = u"goButton"_s,
+                        .icon = u"arrow-bar-to-right"_s,
+                        .text = tr("&Go"),
+                        .accessible = tr("Go to the position")},
+                       this, [this] { move(false); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_zero);
-    buttons->addWidget(m_goHome);
+    buttons->addWidget(m_zero->button());
+    buttons->addWidget(m_goHome->button());
     buttons->addStretch(1);
-    buttons->addWidget(m_load);
-    buttons->addWidget(m_start);
-    buttons->addWidget(m_go);
+    buttons->addWidget(m_load->button());
+    buttons->addWidget(m_start->button());
+    buttons->addWidget(m_go->button());
     grid->addLayout(buttons, line++, 0, 1, quantitygrid::kColumns);
+    connect(m_goal, &QuantityField::nativeEdited, this, &MotionBox::refresh);
+    connect(m_goal, &QuantityField::returnPressed, m_go, &Command::act);
+    connect(m_goalKind, &QComboBox::currentIndexChanged, this, &MotionBox::refresh);
 }
 
 void MotionBox::buildRun(QGridLayout* grid, int& line) {
-    quantitygrid::addTitle(grid, line++, tr("Run"),
-                           tr("until it is stopped; the velocity may change on the way"));
-    m_runVelocity = addQuantity(grid, line, tr("Vel&ocity"), u"runVelocityField"_s, tr("Velocity of running"),
-                                &MotionSettings::runVelocity);
-    m_runReverse = new QPushButton(icons::tinted(u"arrow-left"_s), tr("Run &reverse"), this);
-    look::name(m_runReverse, u"runReverseButton"_s, tr("Run in reverse until stopped"));
-    m_runForward = new QPushButton(icons::tinted(u"arrow-right"_s), tr("R&un forward"), this);
-    look::name(m_runForward, u"runForwardButton"_s, tr("Run forward until stopped"));
+    m_runVelocity = addQuantity(grid, line, tr("Run at vel&ocity"), u"runVelocityField"_s,
+                                tr("Velocity of running"), &MotionSettings::runVelocity);
+    m_runVelocity->setMeaning(
+        tr("How fast the motor turns until it is stopped. Enter runs, and changes the "
+           "velocity on the way."));
+    m_runReverse = new Command({.name = u"runReverseButton"_s,
+                                .icon = u"arrow-left"_s,
+                                .text = tr("Run &reverse"),
+                                .accessible = tr("Run in reverse until stopped")},
+                               this, [this] { run(true); });
+    m_runForward = new Command({.name = u"runForwardButton"_s,
+                                .icon = u"arrow-right"_s,
+                                .text = tr("R&un forward"),
+                                .accessible = tr("Run forward until stopped")},
+                               this, [this] { run(false); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_runReverse);
-    buttons->addWidget(m_runForward);
+    buttons->addWidget(m_runReverse->button());
+    buttons->addWidget(m_runForward->button());
     grid->addLayout(buttons, line++, kButtonColumn);
-}
-
-void MotionBox::connectControls() {
-    connect(m_goal, &QuantityField::nativeEdited, this, [this] {
-        if (const auto counts = m_goal->native(); counts && m_module)
-            m_goals[m_module->info.index.value()] = {*counts, relative()};
-        refresh();
+    // On the way it changes the velocity, and not the direction.
+    connect(m_runVelocity, &QuantityField::returnPressed, this, [this] {
+        const ModuleState& module = m_context.state();
+        const bool reverse =
+            module.motion == MotionMode::Velocity && module.moving() && module.goalVelocity < 0;
+        (reverse ? m_runReverse : m_runForward)->act();
     });
-    connect(m_goalKind, &QComboBox::currentIndexChanged, this, [this] {
-        if (m_module)
-            m_goals[m_module->info.index.value()].relative = relative();
-        refresh();
-    });
-    connect(m_goal, &QuantityField::returnPressed, m_go, &QPushButton::click);
-    connect(m_go, &QPushButton::clicked, this, [this] { move(false); });
-    connect(m_load, &QPushButton::clicked, this, [this] { move(true); });
-    connect(m_start, &QPushButton::clicked, this, [this] { emit intentRequested(intent::StartLoaded{}); });
-    connect(m_goHome, &QPushButton::clicked, this, &MotionBox::goHome);
-    connect(m_zero, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ResetPosition{}); });
-    connect(m_runForward, &QPushButton::clicked, this, [this] { run(false); });
-    connect(m_runReverse, &QPushButton::clicked, this, [this] { run(true); });
-    connect(m_acceleration, &QuantityField::nativeEdited, this, &MotionBox::accelerationEdited);
 }
 
 bool MotionBox::relative() const {
@@ -172,61 +188,32 @@ std::optional<CountsPerTick> MotionBox::velocity() const {
 /// What the user types is kept with the axis; what is no value stays in its field.
 void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
     const auto typed = field.native();
-    if (typed)
-        m_settings.motion.*part = *typed;
-    refresh();
-    if (typed && m_module)
-        emit settingsEdited([part, typed](AxisSettings& axis) { axis.motion.*part = *typed; });
-}
-
-void MotionBox::forgetGoals() {
-    m_goals.clear();
-    if (m_module)
-        showGoal();
-    refresh();
-}
-
-void MotionBox::showGoal() {
-    const Goal goal = m_goals.value(m_module->info.index.value());
-    const QSignalBlocker blocker(m_goalKind);
-    m_goalKind->setCurrentIndex(goal.relative ? Relative : Absolute);
-    m_goal->showNative(goal.counts);
-}
-
-void MotionBox::showModule(const PanelView& view) {
-    const bool another = !m_module || m_module->info.index != view.module.info.index;
-    const MotionSettings before = servodefaults::motionOf(m_settings);
-    m_module = view.module;
-    m_settings = view.settings;
-    m_connected = view.connected;
-    const MotionSettings motion = servodefaults::motionOf(m_settings);
-    for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
-        field->setScale(view.scale());
-    if (another) {
-        showGoal();
-        m_velocity->showNative(motion.velocity);
-        m_acceleration->showNative(motion.acceleration);
-        m_runVelocity->showNative(motion.runVelocity);
-    } else {
-        quantitygrid::follow(m_velocity, motion.velocity, before.velocity);
-        quantitygrid::follow(m_acceleration, motion.acceleration, before.acceleration);
-        quantitygrid::follow(m_runVelocity, motion.runVelocity, before.runVelocity);
+    if (typed) {
+        m_motion.*part = *typed;
+        m_context.edit([part, typed](AxisSettings& axis) { axis.motion.*part = *typed; });
     }
     refresh();
 }
 
-void MotionBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
+void MotionBox::forgetGoal() {
+    m_goalKind->setCurrentIndex(Absolute);
+    m_goal->showNative(0);
+    refresh();
+}
+
+void MotionBox::showModule() {
+    const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(m_context.settings()));
+    for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
+        field->setScale(m_context.scale());
+    quantitygrid::follow(m_velocity, m_motion.velocity, before.velocity);
+    quantitygrid::follow(m_acceleration, m_motion.acceleration, before.acceleration);
+    quantitygrid::follow(m_runVelocity, m_motion.runVelocity, before.runVelocity);
     refresh();
 }
 
 QString MotionBox::reasonFor(Request request, std::initializer_list<const QuantityField*> fields) const {
-    if (!m_connected || !m_module)
-        return texts::refusal(Refusal::NotConnected);
-    if (const std::optional<Refusal> refusal = whyNot(request, *m_module))
-        return texts::refusal(*refusal);
+    if (const QString reason = m_context.reasonFor(request); !reason.isEmpty())
+        return reason;
     for (const QuantityField* field : fields) {
         if (field->problem() == NumberField::Problem::None)
             continue;
@@ -238,17 +225,23 @@ QString MotionBox::reasonFor(Request request, std::initializer_list<const Quanti
     return {};
 }
 
+QString MotionBox::reasonNow(Request request, std::initializer_list<const QuantityField*> fields) const {
+    const QString reason = reasonFor(request, fields);
+    return reason.isEmpty() ? m_context.whyBusy() : reason;
+}
+
 std::optional<intent::GoTo> MotionBox::entered() const {
     const auto goal = m_goal->native();
     const auto velocity = m_velocity->native();
     const auto acceleration = this->acceleration();
-    if (!goal || !velocity || !acceleration || !m_module)
+    if (!goal || !velocity || !acceleration)
         return std::nullopt;
     double counts = *goal;
     if (relative()) {
-        if (!m_module->latest || !m_module->latest->position)
+        const auto& latest = m_context.state().latest;
+        if (!latest || !latest->position)
             return std::nullopt;
-        counts += *m_module->latest->position;
+        counts += *latest->position;
     }
     if (std::abs(counts) > kMostCounts)
         return std::nullopt;
@@ -260,9 +253,10 @@ void MotionBox::refreshForecast() {
     QString text;
     const auto velocity = m_velocity->native();
     const auto acceleration = m_acceleration->native();
-    if (const auto goTo = entered(); goTo && m_module->latest && m_module->latest->position) {
+    const auto& latest = m_context.state().latest;
+    if (const auto goTo = entered(); goTo && latest && latest->position) {
         const AxisScale& scale = m_velocity->scale();
-        const double way = static_cast<double>(goTo->position.value()) - *m_module->latest->position;
+        const double way = static_cast<double>(goTo->position.value()) - *latest->position;
         const MoveForecast move = forecast(way, *velocity, *acceleration, scale.perSecond());
         const QString seconds = tr("%1 s").arg(texts::readout(move.seconds, 3));
         const QString peak =
@@ -277,25 +271,19 @@ void MotionBox::refreshForecast() {
 
 void MotionBox::refresh() {
     refreshForecast();
-    const QString waiting = m_busy ? tr("Waiting for the module's answer.") : QString();
-    const auto possible = [&waiting](QWidget* button, const QString& reason, const QString& meaning) {
-        look::setPossible(button, reason.isEmpty() ? waiting : reason, meaning);
-    };
-    QString move = reasonFor(Request::Move, {m_goal, m_velocity, m_acceleration});
+    QString move = reasonNow(Request::Move, {m_goal, m_velocity, m_acceleration});
     if (move.isEmpty() && !entered())
         move = tr("The goal is beyond the range of positions.");
-    possible(m_go, move, tr("Starts the move to the position, and holds there."));
-    possible(
-        m_load, move,
-        tr("Loads the move and does not start it: Start does, or the start of the module's group (Ctrl+D)."));
-    possible(m_start, reasonFor(Request::StartLoaded, {}), tr("Starts the move that was loaded (Ctrl+G)."));
-    possible(m_goHome, reasonFor(Request::GoHome, {m_velocity, m_acceleration}),
-             tr("Goes to home (Ctrl+Shift+G)."));
-    possible(m_zero, reasonFor(Request::ResetPosition, {}),
-             m_module ? texts::zeroMeaning(*m_module, m_goal->scale()) : QString());
-    const QString run = reasonFor(Request::Run, {m_runVelocity, m_acceleration});
-    possible(m_runForward, run, tr("Runs forward until it is stopped."));
-    possible(m_runReverse, run, tr("Runs in reverse until it is stopped."));
+    m_go->setPossible(move, tr("Starts the move to the position, and holds there."));
+    m_load->setPossible(
+        move, tr("Loads the move and does not start it: Start does, or the start of the module's group."));
+    m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the move that was loaded."));
+    m_goHome->setPossible(reasonNow(Request::GoHome, {m_velocity, m_acceleration}), tr("Goes to home."));
+    m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
+                        texts::zeroMeaning(m_context.state(), m_goal->scale()));
+    const QString run = reasonNow(Request::Run, {m_runVelocity, m_acceleration});
+    m_runForward->setPossible(run, tr("Runs forward until it is stopped."));
+    m_runReverse->setPossible(run, tr("Runs in reverse until it is stopped."));
 
     QString hint;
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
@@ -305,27 +293,23 @@ void MotionBox::refresh() {
 }
 
 void MotionBox::move(bool later) {
-    const auto goTo = entered();
-    if (!m_go->isEnabled() || !goTo)
-        return;
-    emit intentRequested(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
+    if (const auto goTo = entered())
+        m_context.ask(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
 }
 
 void MotionBox::goHome() {
-    const auto velocity = m_velocity->native();
+    const auto velocity = this->velocity();
     const auto acceleration = this->acceleration();
-    if (!m_goHome->isEnabled() || !velocity || !acceleration)
-        return;
-    emit intentRequested(intent::GoHome{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration});
+    if (velocity && acceleration)
+        m_context.ask(intent::GoHome{*velocity, *acceleration});
 }
 
 void MotionBox::run(bool reverse) {
     const auto velocity = m_runVelocity->native();
     const auto acceleration = this->acceleration();
-    if (!velocity || !acceleration)
-        return;
-    emit intentRequested(
-        intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration, reverse});
+    if (velocity && acceleration)
+        m_context.ask(
+            intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration, reverse});
 }
 
 }  // namespace nmc

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <QGroupBox>
-#include <QHash>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class QuantityField;
 
 /// Go to a position, now or when it is started later; run at a velocity. Each value stands in the user's unit
@@ -21,69 +21,54 @@ class MotionBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    explicit MotionBox(QWidget* parent = nullptr);
+    MotionBox(ModuleContext& context, QWidget* parent);
 
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    /// A click was passed on; moves wait for the module's next word.
-    void setBusy(bool busy);
-    /// A new connection: the goals that were typed are forgotten.
-    void forgetGoals();
     /// Empty while the field has no value.
     [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
     /// Of a move to a position.
     [[nodiscard]] std::optional<CountsPerTick> velocity() const;
 
 signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
     /// What is held was asked for at another acceleration.
     void accelerationEdited();
 
 private:
     void build();
-    void buildMove(class QGridLayout* grid, int& line);
-    void buildRun(class QGridLayout* grid, int& line);
-    QuantityField* addQuantity(class QGridLayout* grid, int line, const QString& label,
-                               const QString& objectName, const QString& accessibleName,
-                               double MotionSettings::*part);
-    void connectControls();
+    void buildMove(QGridLayout* grid, int& line);
+    void buildRun(QGridLayout* grid, int& line);
+    QuantityField* addQuantity(QGridLayout* grid, int line, const QString& label, const QString& objectName,
+                               const QString& accessibleName, double MotionSettings::*part);
     [[nodiscard]] std::optional<intent::GoTo> entered() const;
     void move(bool later);
     void goHome();
     void run(bool reverse);
     void keep(const QuantityField& field, double MotionSettings::*part);
-    void showGoal();
+    void forgetGoal();
+    void showModule();
     void refresh();
     void refreshForecast();
     [[nodiscard]] bool relative() const;
     [[nodiscard]] QString reasonFor(Request request,
                                     std::initializer_list<const QuantityField*> fields) const;
+    [[nodiscard]] QString reasonNow(Request request,
+                                    std::initializer_list<const QuantityField*> fields) const;
 
+    ModuleContext& m_context;
     QuantityField* m_goal = nullptr;
     QComboBox* m_goalKind = nullptr;
     QuantityField* m_velocity = nullptr;
     QuantityField* m_acceleration = nullptr;
     QuantityField* m_runVelocity = nullptr;
     QLabel* m_forecast = nullptr;
-    QPushButton* m_go = nullptr;
-    QPushButton* m_load = nullptr;
-    QPushButton* m_start = nullptr;
-    QPushButton* m_goHome = nullptr;
-    QPushButton* m_zero = nullptr;
-    QPushButton* m_runForward = nullptr;
-    QPushButton* m_runReverse = nullptr;
+    Command* m_go = nullptr;
+    Command* m_load = nullptr;
+    Command* m_start = nullptr;
+    Command* m_goHome = nullptr;
+    Command* m_zero = nullptr;
+    Command* m_runForward = nullptr;
+    Command* m_runReverse = nullptr;
     QLabel* m_hint = nullptr;
-
-    struct Goal {
-        double counts = 0.0;
-        bool relative = false;
-    };
-    QHash<int, Goal> m_goals;  ///< as typed, of each module
-    std::optional<ModuleState> m_module;
-    AxisSettings m_settings;
-    bool m_connected = false;
-    bool m_busy = false;
+    MotionSettings m_motion;  ///< as shown
 };
 
 }  // namespace nmc

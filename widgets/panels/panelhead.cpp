@@ -3,51 +3,69 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <cmath>
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/homewords.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/promptbutton.h"
+#include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-PanelHead::PanelHead(Drive drive, QWidget* parent)
+PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     : QFrame(parent),
-      m_drive(drive),
+      m_context(context),
       m_glyph(new GlyphLabel(this)),
       m_name(new QLabel(this)),
       m_type(look::newMutedLabel({}, this)),
       m_state(new QLabel(this)),
-      m_meaning(look::newMutedLabel({}, this)),
+      m_meaning(new ElidedLabel(1, this)),
+      m_procedure(new QLabel(this)),
       m_position(new QLabel(this)),
       m_positionUnit(look::newMutedLabel({}, this)),
       m_otherPosition(look::newMutedLabel({}, this)),
-      m_home(look::newMutedLabel({}, this)),
-      m_enable(drive == Drive::Stepper
-                   ? addButton(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
-                               tr("Enable the amplifier of this module"), intent::Enable{})
-                   : addButton(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
-                               tr("Enable the servo of this module"), intent::Enable{})),
-      m_stopSmoothly(addButton(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
-                               tr("Stop this module smoothly"), intent::StopSmoothly{})),
-      m_stopAbruptly(addButton(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
-                               tr("Stop this module abruptly"), intent::StopAbruptly{})),
-      m_stopHere(addButton(u"player-stop"_s, tr("Stop here"), u"stopHereButton"_s,
-                           tr("Stop this module at its present position"), intent::StopHere{})),
-      m_motorOff(addButton(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
-                           intent::MotorOff{})) {
+      m_velocity(new QLabel(this)),
+      m_home(new ElidedLabel(1, this)),
+      m_current(new QLabel(this)) {
     look::name(this, named(u"panelHead"_s), tr("State of the selected module"));
     m_name->setObjectName(named(u"moduleName"_s));
     m_type->setObjectName(named(u"moduleType"_s));
     m_state->setObjectName(named(u"stateLabel"_s));
+    m_meaning->setObjectName(named(u"stateMeaning"_s));
+    look::nameText(m_procedure, named(u"procedureLabel"_s), tr("What runs with this module"));
     m_position->setObjectName(named(u"positionLabel"_s));
+    m_positionUnit->setObjectName(named(u"positionUnit"_s));
+    m_otherPosition->setObjectName(named(u"otherPosition"_s));
+    look::nameText(m_velocity, named(u"velocityLabel"_s), tr("Measured velocity"));
+    m_velocity->setToolTip(tr("How fast it turns, measured from its positions over a fifth of a second."));
+    m_home->setObjectName(named(u"homeState"_s));
+    look::nameText(m_current, named(u"currentLabel"_s), isServo() ? tr("Motor current") : tr("A/D input"));
+    const bool servo = isServo();
+    m_enable = servo ? addCommand(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
+                                  tr("Enable the servo of this module"), intent::Enable{})
+                     : addCommand(u"power"_s, tr("&Enable amplifier"), u"enableButton"_s,
+                                  tr("Enable the amplifier of this module"), intent::Enable{});
+    m_stopSmoothly = addCommand(u"player-stop"_s, tr("&Stop"), u"stopSmoothlyButton"_s,
+                                tr("Stop this module smoothly"), intent::StopSmoothly{});
+    m_stopAbruptly = addCommand(u"player-stop"_s, tr("Stop a&bruptly"), u"stopAbruptlyButton"_s,
+                                tr("Stop this module abruptly"), intent::StopAbruptly{});
+    if (servo)
+        m_stopHere = addCommand(u"player-stop"_s, tr("Stop here"), u"stopHereButton"_s,
+                                tr("Stop this module at its present position"), intent::StopHere{},
+                                Qt::CTRL | Qt::Key_U);
+    m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
+                            intent::MotorOff{});
+    layOut();
+    m_context.whenSeen(this, [this] { refresh(); });
+}
+
+void PanelHead::layOut() {
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
     m_state->setFont(large);
@@ -55,17 +73,13 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     m_name->setFont(bold);
-    m_position->setFont(look::tabular(look::scaled(font(), 2.8)));
-    m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_positionUnit->setObjectName(named(u"positionUnit"_s));
-    m_otherPosition->setObjectName(named(u"otherPosition"_s));
+    m_procedure->setFont(bold);
+    m_position->setFont(look::tabular(look::scaled(font(), 2.6)));
+    m_velocity->setFont(look::tabular(look::scaled(font(), 1.5)));
     m_otherPosition->setFont(look::tabular(font()));
-    m_home->setObjectName(named(u"homeState"_s));
-    m_meaning->setObjectName(named(u"stateMeaning"_s));
-    m_meaning->setWordWrap(true);
-
-    m_stopHere->setVisible(m_drive == Drive::Servo);
-    m_stopHere->setShortcut(Qt::CTRL | Qt::Key_U);
+    m_current->setFont(look::tabular(font()));
+    for (QLabel* label : {m_position, m_velocity, m_otherPosition})
+        label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
     const int unit = look::gridUnit(this);
     auto* who = new QHBoxLayout;
@@ -73,22 +87,40 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     who->addSpacing(unit / 2);
     who->addWidget(m_type);
     who->addStretch(1);
+    who->addWidget(m_procedure);
     auto* what = new QHBoxLayout;
     what->addWidget(m_glyph);
     what->addSpacing(unit / 2);
     what->addWidget(m_state);
-    what->addStretch(1);
-    what->addWidget(m_home, 0, Qt::AlignBottom);
+    what->addSpacing(unit);
+    what->addWidget(m_meaning, 1, Qt::AlignVCenter);
+    auto* signs = new QHBoxLayout;
+    signs->setSpacing(unit / 2);
+    const bool servo = isServo();
+    m_limits[0] = addSign(signs, u"headLimit1"_s,
+                          servo ? tr("Limit input 1.") : tr("Limit input 1: high blocks forward."));
+    m_limits[1] = addSign(signs, u"headLimit2"_s,
+                          servo ? tr("Limit input 2.") : tr("Limit input 2: high blocks reverse."));
+    m_power = addSign(signs, u"headPower"_s, tr("Motor power, as the module senses it."));
+    signs->addWidget(m_current);
+    signs->addSpacing(unit);
+    signs->addWidget(m_home, 1);
+    if (servo) {
+        m_limitStop = new QLabel(this);
+        look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
+        signs->addWidget(m_limitStop);
+    }
     auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addWidget(m_enable);
+    buttons->setSpacing(unit / 2);
+    buttons->addWidget(m_enable->button());
     buttons->addSpacing(unit);
-    buttons->addWidget(m_stopSmoothly);
-    buttons->addWidget(m_stopAbruptly);
-    buttons->addWidget(m_stopHere);
+    for (const Command* stop : {m_stopSmoothly, m_stopAbruptly, m_stopHere})
+        if (stop != nullptr)
+            buttons->addWidget(stop->button());
     buttons->addSpacing(unit);
-    buttons->addWidget(m_motorOff);
+    buttons->addWidget(m_motorOff->button());
     buttons->addStretch(1);
+    buttons->addWidget(m_otherPosition);
 
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
@@ -96,56 +128,37 @@ PanelHead::PanelHead(Drive drive, QWidget* parent)
     grid->setVerticalSpacing(unit / 2);
     grid->addLayout(who, 0, 0);
     grid->addLayout(what, 1, 0);
+    grid->addLayout(signs, 2, 0);
+    grid->addLayout(buttons, 3, 0, 1, 3);
     grid->addWidget(m_position, 0, 1, 2, 1, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_positionUnit, 0, 2, 2, 1, Qt::AlignVCenter);
-    grid->addWidget(m_meaning, 2, 0);
-    grid->addWidget(m_otherPosition, 2, 1, 1, 2, Qt::AlignRight);
-    grid->addLayout(buttons, 3, 0, 1, 3);
+    grid->addWidget(m_velocity, 2, 1, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);
 }
 
 QString PanelHead::named(const QString& name) const {
-    return m_drive == Drive::Servo ? name : u"step"_s + name[0].toUpper() + name.mid(1);
+    return isServo() ? name : u"step"_s + name[0].toUpper() + name.mid(1);
 }
 
-QPushButton* PanelHead::addButton(const QString& icon, const QString& text, const QString& objectName,
-                                  const QString& accessibleName, Intent intent) {
-    auto* button = new PromptButton(icons::tinted(icon), text, this);
-    look::name(button, named(objectName), accessibleName);
-    connect(button, &QPushButton::clicked, this, [this, intent] { emit intentRequested(intent); });
-    return button;
+Command* PanelHead::addCommand(const QString& icon, const QString& text, const QString& objectName,
+                               const QString& accessibleName, const Intent& intent, const QKeySequence& key) {
+    return new Command({named(objectName), icon, text, accessibleName, key}, this,
+                       [this, intent] { m_context.ask(intent); });
 }
 
-void PanelHead::showPosition(const PanelView& view) {
-    const AxisScale scale = view.scale();
-    const std::optional<StatusReport>& latest = view.module.latest;
-    const bool known = latest.has_value() && latest->position.has_value();
-    const bool old = view.age.has_value();
-    const QString unit = texts::unitOf(scale);
-    const QString number = !known           ? u"–"_s
-                           : scale.native() ? texts::grouped(*latest->position)
-                                            : texts::fixedPosition(scale, *latest->position);
-    look::setText(m_position, number);
-    m_position->setProperty("counts", known ? QVariant(*latest->position) : QVariant());
-    m_position->setAccessibleName(known ? tr("Position %1 %2").arg(number, unit) : tr("Position unknown"));
-    QFont font = m_position->font();
-    if (font.strikeOut() != old) {
-        font.setStrikeOut(old);
-        m_position->setFont(font);
-        m_position->setForegroundRole(old ? QPalette::PlaceholderText : QPalette::WindowText);
+PanelHead::Sign PanelHead::addSign(QHBoxLayout* signs, const QString& objectName, const QString& meaning) {
+    Sign sign{new GlyphLabel(this), new QLabel(this)};
+    look::nameText(sign.word, named(objectName), meaning);
+    for (QWidget* widget : {static_cast<QWidget*>(sign.glyph), static_cast<QWidget*>(sign.word)}) {
+        widget->setToolTip(meaning);
+        signs->addWidget(widget);
     }
-    const QString ageText = old && *view.age >= 0.1
-                                ? tr("%1 s old").arg(texts::readout(std::floor(*view.age * 10) / 10, 3))
-                                : tr("out of date");
-    look::setText(m_positionUnit, old ? unit + u", "_s + ageText : unit);
-    look::setText(m_otherPosition, known ? texts::otherPosition(scale, *latest->position) : QString());
+    signs->addSpacing(look::gridUnit(this) / 2);
+    return sign;
 }
 
-void PanelHead::showModule(const PanelView& view) {
-    const ModuleState& module = view.module;
-    m_module = module;
-    m_connected = view.connected;
-    m_on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
+void PanelHead::refresh() {
+    const ModuleState& module = m_context.state();
     const Activity activity = module.activity();
     look::setText(m_name, texts::moduleName(module.info.index));
     look::setText(
@@ -153,44 +166,109 @@ void PanelHead::showModule(const PanelView& view) {
         tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
     look::setText(m_meaning, texts::activityMeaning(activity));
+    const auto procedure = m_context.runningProcedure();
+    look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
     m_glyph->showActivity(activity);
     m_glyph->setToolTip(texts::activityMeaning(activity));
-    showPosition(view);
-    look::setText(m_home, texts::home(module.home, view.scale()));
-    m_home->setToolTip(texts::homeMeaning(module, view.scale()));
-    refresh();
+    refreshPosition();
+    refreshSigns();
+    refreshCommands();
 }
 
-void PanelHead::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
+void PanelHead::refreshPosition() {
+    const ModuleState& module = m_context.state();
+    const AxisScale scale = m_context.scale();
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    const std::optional<std::int32_t>& position = report.position;
+    const std::optional<double> age = m_context.age();
+    const QString unit = texts::unitOf(scale);
+    const QString number = !position        ? u"–"_s
+                           : scale.native() ? texts::grouped(*position)
+                                            : texts::fixedPosition(scale, *position);
+    look::setReadout(m_position, number);
+    m_position->setProperty("counts", position ? QVariant(*position) : QVariant());
+    m_position->setAccessibleName(position ? tr("Position %1 %2").arg(number, unit) : tr("Position unknown"));
+    QFont font = m_position->font();
+    if (font.strikeOut() != age.has_value()) {
+        font.setStrikeOut(age.has_value());
+        m_position->setFont(font);
+        m_position->setForegroundRole(age ? QPalette::PlaceholderText : QPalette::WindowText);
+    }
+    const QString ageText = age && *age >= 0.1
+                                ? tr("%1 s old").arg(texts::readout(std::floor(*age * 10) / 10, 3))
+                                : tr("out of date");
+    look::setText(m_positionUnit, age ? unit + u", "_s + ageText : unit);
+    look::setReadout(m_otherPosition, position ? texts::otherPosition(scale, *position) : QString());
+    const auto velocity = age ? std::nullopt : module.speed.perSecond();
+    look::setReadout(m_velocity, velocity ? texts::measuredVelocity(scale, *velocity) : u"–"_s);
 }
 
-void PanelHead::refresh() {
-    const auto reason = [this](Request request) {
-        const std::optional<Refusal> refusal =
-            m_connected && m_module ? whyNot(request, *m_module) : std::optional(Refusal::NotConnected);
-        return refusal.has_value() ? texts::refusal(*refusal) : QString();
-    };
-    const QString enable = !m_on                       ? reason(Request::Enable)
-                           : m_drive == Drive::Stepper ? tr("The amplifier is on already.")
-                                                       : tr("The servo is on already.");
-    look::setPossible(m_enable, enable.isEmpty() && m_busy ? tr("Waiting for the module's answer.") : enable,
-                      tr("Switches the amplifier on and holds the motor where it is."));
-    const QString stop = reason(Request::StopMotion);
-    look::setPossible(m_stopSmoothly, stop, tr("Slows down at the acceleration in force, then holds."));
-    look::setPossible(m_stopAbruptly, stop, tr("Stops at once, then holds."));
-    look::setPossible(m_stopHere, reason(Request::StopHere),
-                      tr("Jumps without a profile to the position it has at this moment, then holds there "
-                         "(Ctrl+U)."));
-    look::setPossible(
-        m_motorOff, reason(Request::MotorOff),
-        m_drive == Drive::Stepper
-            ? tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may "
-                 "fall.")
-            : tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
+void PanelHead::refreshSigns() {
+    const ModuleState& module = m_context.state();
+    const auto& latest = module.latest;
+    std::array<std::optional<bool>, 2> limits;
+    std::optional<bool> power;
+    if (latest && isServo()) {
+        const servo::StatusByte status = latest->servoStatus();
+        const servo::IoControl io = module.io.value_or(servo::IoControl{});
+        limits = {io.limit1IsInput ? std::optional(status.limit1()) : std::nullopt,
+                  io.limit2IsInput ? std::optional(status.limit2()) : std::nullopt};
+        power = status.powerOn();
+    } else if (latest) {
+        if (latest->aux)
+            limits = {(*latest->aux & 0x08U) != 0, (*latest->aux & 0x10U) != 0};  // DS-S 5.2, inputs byte
+        power = latest->stepStatus().powerOn();
+    }
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+        m_limits[i].glyph->showBit(limits[i]);
+        look::setText(m_limits[i].word, (!limits[i]   ? tr("Limit %1 –")
+                                         : *limits[i] ? tr("Limit %1 high")
+                                                      : tr("Limit %1 low"))
+                                            .arg(i + 1));
+    }
+    m_power.glyph->showBit(power);
+    look::setText(m_power.word, !power ? tr("Power –") : *power ? tr("Power") : tr("No power"));
+    QString current;
+    if (latest && latest->analog)
+        current = texts::analog(m_context.settings().analog, *latest->analog);
+    if (isServo() && module.currentWasLimited())
+        current = tr("Current was limited: %1").arg(current);
+    else if (!current.isEmpty())
+        current = isServo() ? tr("Current %1").arg(current) : tr("A/D %1").arg(current);
+    look::setReadout(m_current, current);
+    const auto& home = module.home.place();
+    look::setText(m_home, texts::home(home, m_context.scale()));
+    m_home->setToolTip(texts::homeMeaning(home, module.latestTime, m_context.scale()));
+    if (m_limitStop != nullptr) {
+        using Watch = HomeWatch::State;
+        const bool stops = module.homing.stops();
+        look::setText(m_limitStop, !stops                                    ? QString()
+                                   : module.homing.state() == Watch::Armed   ? tr("● Limit stop armed")
+                                   : module.homing.state() == Watch::Tripped ? tr("▲ Limit stop tripped")
+                                                                             : QString());
+    }
+}
+
+void PanelHead::refreshCommands() {
+    const ModuleState& module = m_context.state();
+    const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
+    m_enable->setPossible(!on         ? m_context.reasonNow(Request::Enable)
+                          : isServo() ? tr("The servo is on already.")
+                                      : tr("The amplifier is on already."),
+                          tr("Switches the amplifier on and holds the motor where it is."));
+    const QString stop = m_context.reasonFor(Request::StopMotion);
+    m_stopSmoothly->setPossible(stop, tr("Slows down at the acceleration in force, then holds."));
+    m_stopAbruptly->setPossible(stop, tr("Stops at once, then holds."));
+    if (m_stopHere != nullptr)
+        m_stopHere->setPossible(
+            m_context.reasonFor(Request::StopHere),
+            tr("Jumps without a profile to the position it has at this moment, then holds there."));
+    m_motorOff->setPossible(
+        m_context.reasonFor(Request::MotorOff),
+        isServo()
+            ? tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall.")
+            : tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may "
+                 "fall."));
 }
 
 }  // namespace nmc

@@ -2,62 +2,67 @@
 #pragma once
 
 #include <QFrame>
-#include <optional>
+#include <array>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
+class QHBoxLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
+class ElidedLabel;
 class GlyphLabel;
 
-/// Head of a module's panel: who it is, what it does in shape and word, where it is in large digits, and the
-/// controls that switch and stop this one motor.
+/// Head of a module's page, always in view: who it is, what it does in shape and word, where it is and how
+/// fast in large digits, what stops or feeds it, and the controls that switch and stop this one motor.
 class PanelHead : public QFrame {
     Q_OBJECT
 
 public:
-    enum class Drive : std::uint8_t { Servo, Stepper };
-
     /// The names of a stepper's controls begin with "step": stepEnableButton.
-    explicit PanelHead(Drive drive, QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    /// Enable waits for the module's next word; stops never wait.
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
+    PanelHead(ModuleContext& context, QWidget* parent);
 
 private:
-    [[nodiscard]] QString named(const QString& name) const;
-    QPushButton* addButton(const QString& icon, const QString& text, const QString& objectName,
-                           const QString& accessibleName, Intent intent);
-    void refresh();
-    void showPosition(const PanelView& view);
+    /// A mark and a word.
+    struct Sign {
+        GlyphLabel* glyph = nullptr;
+        QLabel* word = nullptr;
+    };
 
-    Drive m_drive;
+    [[nodiscard]] bool isServo() const { return m_context.state().isServo(); }
+    [[nodiscard]] QString named(const QString& name) const;
+    Command* addCommand(const QString& icon, const QString& text, const QString& objectName,
+                        const QString& accessibleName, const Intent& intent, const QKeySequence& key = {});
+    Sign addSign(QHBoxLayout* signs, const QString& objectName, const QString& meaning);
+    void layOut();
+    void refresh();
+    void refreshPosition();
+    void refreshSigns();
+    void refreshCommands();
+
+    ModuleContext& m_context;
     GlyphLabel* m_glyph;
     QLabel* m_name;
     QLabel* m_type;
     QLabel* m_state;
-    QLabel* m_meaning;
+    ElidedLabel* m_meaning;
+    QLabel* m_procedure;
     QLabel* m_position;
     QLabel* m_positionUnit;
     QLabel* m_otherPosition;
+    QLabel* m_velocity;
     QLabel* m_home;
-    QPushButton* m_enable;
-    QPushButton* m_stopSmoothly;
-    QPushButton* m_stopAbruptly;
-    QPushButton* m_stopHere;
-    QPushButton* m_motorOff;
-    std::optional<ModuleState> m_module;
-    bool m_connected = false;
-    bool m_on = false;
-    bool m_busy = false;
+    QLabel* m_current;
+    QLabel* m_limitStop = nullptr;
+    std::array<Sign, 2> m_limits;
+    Sign m_power;
+    Command* m_enable;
+    Command* m_stopSmoothly;
+    Command* m_stopAbruptly;
+    Command* m_stopHere = nullptr;
+    Command* m_motorOff;
 };
 
 }  // namespace nmc

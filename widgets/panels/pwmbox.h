@@ -2,15 +2,14 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class NumberField;
 
 /// PWM mode, set apart from the motions: the value drives the motor directly, and nothing limits it.
@@ -18,27 +17,18 @@ class PwmBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PwmBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
+    PwmBox(ModuleContext& context, QWidget* parent);
 
 private:
     void drive(bool reverse);
     void refresh();
 
+    ModuleContext& m_context;
     NumberField* m_value;
     QLabel* m_percent;
-    QPushButton* m_reverse;
-    QPushButton* m_forward;
-    QPushButton* m_off;
-    std::optional<ModuleState> m_module;
-    bool m_connected = false;
-    bool m_busy = false;
+    Command* m_reverse;
+    Command* m_forward;
+    Command* m_off;
 };
 
 }  // namespace nmc

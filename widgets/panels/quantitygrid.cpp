@@ -21,22 +21,27 @@ QGridLayout* newGrid(QWidget* parent) {
     return grid;
 }
 
-void addTitle(QGridLayout* grid, int line, const QString& text, const QString& remark) {
-    auto* title = new QLabel(text, grid->parentWidget());
-    QFont bold = title->font();
-    bold.setBold(true);
-    title->setFont(bold);
-    grid->addWidget(title, line, 0);
-    grid->addWidget(look::newMutedLabel(remark, grid->parentWidget()), line, 1, 1, kColumns - 1);
-}
-
-void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+namespace {
+QLabel* add(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
     auto* name = new QLabel(label, grid->parentWidget());
     name->setBuddy(field);
     grid->addWidget(name, line, 0);
     grid->addWidget(field, line, 1);
     grid->addWidget(field->unitLabel(), line, 2);
     grid->addWidget(field->otherView(), line, 3);
+    return name;
+}
+}  // namespace
+
+void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+    add(grid, line, label, field);
+}
+
+void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field) {
+    QLabel* name = add(grid, line, label, field);
+    QFont bold = name->font();
+    bold.setBold(true);
+    name->setFont(bold);
 }
 
 void follow(QuantityField* field, double native, double nativeBefore) {

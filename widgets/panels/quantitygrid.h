@@ -17,9 +17,9 @@ inline constexpr int kColumns = 5;
 
 /// A grid with the panel's spacing, in the widget that is about to get its layout.
 [[nodiscard]] QGridLayout* newGrid(QWidget* parent);
-/// A bold title with a quiet remark beside it.
-void addTitle(QGridLayout* grid, int line, const QString& text, const QString& remark);
 void addRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
+/// The first of a kind of motion: its label is bold, and says which.
+void addFirstRow(QGridLayout* grid, int line, const QString& label, QuantityField* field);
 /// Shows a value that is kept elsewhere, unless that is what the field stands for already: what is being
 /// typed stays as it is.
 void follow(QuantityField* field, double native, double nativeBefore);

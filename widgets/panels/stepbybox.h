@@ -2,17 +2,17 @@
 #pragma once
 
 #include <QGroupBox>
-#include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QCheckBox;
 class QGridLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
+class MotionBox;
 class NumberField;
 class QuantityField;
 
@@ -21,43 +21,29 @@ class StepByBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// What a move is made with besides its distance; empty while it has no value.
-    struct Pace {
-        std::optional<CountsPerTick> velocity;
-        std::optional<CountsPerTickSquared> acceleration;
-    };
-
-    explicit StepByBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view, const Pace& pace);
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    /// Velocity and acceleration are those of `motion`.
+    StepByBox(ModuleContext& context, const MotionBox& motion, QWidget* parent);
 
 private:
     void buildDistance(QGridLayout* grid, int& line);
     void buildRepeat(QGridLayout* grid, int& line);
     void step(bool reverse);
+    void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] double kept() const;
 
+    ModuleContext& m_context;
+    const MotionBox& m_motion;
     QuantityField* m_distance = nullptr;
-    QPushButton* m_reverse = nullptr;
-    QPushButton* m_forward = nullptr;
+    Command* m_reverse = nullptr;
+    Command* m_forward = nullptr;
     NumberField* m_rounds = nullptr;
     NumberField* m_pause = nullptr;
     QCheckBox* m_backAndForth = nullptr;
-    QPushButton* m_end = nullptr;
+    Command* m_end = nullptr;
     QLabel* m_progress = nullptr;
-    std::optional<ModuleState> m_module;
-    AxisSettings m_settings;
-    Pace m_pace;
-    std::optional<ProcedureReport> m_report;
-    bool m_connected = false;
-    bool m_busy = false;
+    double m_shown = 0;  ///< counts, of the settings
 };
 
 }  // namespace nmc

@@ -2,13 +2,12 @@
 #include "widgets/panels/stepdetailsbox.h"
 
 #include <QLabel>
-#include <QPushButton>
 
 #include "widgets/common/homewords.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
@@ -63,13 +62,20 @@ QString modeName(bus::StepMode mode) {
 
 }  // namespace
 
-StepDetailsBox::StepDetailsBox(QWidget* parent)
+StepDetailsBox::StepDetailsBox(ModuleContext& context, QWidget* parent)
     : StatusTable(parent),
-      m_zero(new QPushButton(icons::tinted(u"eraser"_s), tr("&Zero here"), this)),
-      m_saveHome(new QPushButton(icons::tinted(u"home"_s), tr("Save as home"), this)) {
+      m_context(context),
+      m_zero(new Command({.name = u"stepZeroHereButton"_s,
+                          .icon = u"eraser"_s,
+                          .text = tr("&Zero here"),
+                          .accessible = tr("Make the present position zero")},
+                         this, [this] { m_context.ask(intent::ResetPosition{}); })),
+      m_saveHome(new Command({.name = u"stepSaveHomeButton"_s,
+                              .icon = u"home"_s,
+                              .text = tr("Save as home"),
+                              .accessible = tr("Save the present position as home")},
+                             this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"stepDetailsBox"_s, tr("Details"));
-    look::name(m_zero, u"stepZeroHereButton"_s, tr("Make the present position zero"));
-    look::name(m_saveHome, u"stepSaveHomeButton"_s, tr("Save the present position as home"));
     addBits(Byte::First, tr("Status byte"), step::kStatusBitNames, statusMeaning, u"stepBit_"_s);
     addBits(Byte::Second, tr("Inputs byte"), step::kInputBitNames, inputMeaning, u"stepBit_"_s);
     m_mode = addValue(tr("Mode"), u"stepModeLabel"_s);
@@ -78,65 +84,43 @@ StepDetailsBox::StepDetailsBox(QWidget* parent)
     m_home = addValue(tr("Home register"), u"stepHomeLabel"_s);
     m_home->setToolTip(texts::homeRegisterMeaning());
     m_raw = addValue(tr("Raw"), u"stepRawLabel"_s);
-    addButtons({m_zero, m_saveHome});
-    connect(m_zero, &QPushButton::clicked, this, [this] { emit intentRequested(intent::ResetPosition{}); });
-    connect(m_saveHome, &QPushButton::clicked, this, [this] { emit intentRequested(intent::SaveAsHome{}); });
-    refresh();
+    addButtons({m_zero->button(), m_saveHome->button()});
+    m_context.whenSeen(this, [this] { refresh(); });
 }
 
-void StepDetailsBox::showModule(const PanelView& view) {
-    const std::optional<StatusReport>& report = view.module.latest;
-    showBits(Byte::First, report ? std::optional(report->status) : std::nullopt);
-    showBits(Byte::Second, report ? report->aux : std::nullopt);
-    showValues(view);
-    m_whyNotZero = view.whyNot(Request::ResetPosition);
-    m_zeroMeaning = texts::zeroMeaning(view.module, view.scale());
-    m_whyNotHome = view.whyNot(Request::SaveAsHome);
-    refresh();
+QString StepDetailsBox::timer() const {
+    const ModuleState& module = m_context.state();
+    if (!module.latest || !module.latest->timerCount)
+        return u"–"_s;
+    const QString count = texts::grouped(*module.latest->timerCount);
+    if (!module.stepper.parameters())
+        return count;
+    const double rate = StepSpeed(module.stepper.parameters()->speedMode).ofCount(*module.latest->timerCount);
+    return tr("%1, stands for %2").arg(count, texts::stepsPerSecond(rate, m_context.scale()));
 }
 
-void StepDetailsBox::showValues(const PanelView& view) {
+void StepDetailsBox::refresh() {
     const QString dash = u"–"_s;
-    const StatusReport report = view.module.latest.value_or(StatusReport{});
-    look::setText(m_mode, view.module.latest ? modeName(view.module.stepper.mode()) : dash);
-    QString timer = dash;
-    if (report.timerCount) {
-        timer = texts::grouped(*report.timerCount);
-        if (view.module.stepper.parameters()) {
-            const double rate =
-                StepSpeed(view.module.stepper.parameters()->speedMode).ofCount(*report.timerCount);
-            timer = tr("%1, stands for %2").arg(timer, texts::stepsPerSecond(rate, view.scale()));
-        }
-    }
-    look::setText(m_timer, timer);
+    const ModuleState& module = m_context.state();
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    showBits(Byte::First, module.latest ? std::optional(report.status) : std::nullopt);
+    showBits(Byte::Second, report.aux);
+    look::setText(m_mode, module.latest ? modeName(module.stepper.mode()) : dash);
+    look::setText(m_timer, timer());
     look::setText(m_analog,
-                  report.analog ? texts::analogReading(view.settings.analog, *report.analog) : dash);
-    look::setText(m_home, report.home ? texts::position(view.scale(), *report.home) : dash);
+                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
+    look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
     QString raw = dash;
-    if (view.module.latest) {
+    if (module.latest) {
         raw = tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
         if (report.aux)
             raw += tr(", inputs %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
     look::setText(m_raw, raw);
-}
-
-void StepDetailsBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
-}
-
-void StepDetailsBox::refresh() {
-    const auto reason = [this](const std::optional<Refusal>& refusal) {
-        return refusal  ? texts::refusal(*refusal)
-               : m_busy ? tr("Waiting for the module's answer.")
-                        : QString();
-    };
-    look::setPossible(m_zero, reason(m_whyNotZero), m_zeroMeaning);
-    look::setPossible(m_saveHome, reason(m_whyNotHome),
-                      tr("Keeps the present position as home. The motor does not move."));
+    m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
+                        texts::zeroMeaning(module, m_context.scale()));
+    m_saveHome->setPossible(m_context.reasonNow(Request::SaveAsHome),
+                            tr("Keeps the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

@@ -17,8 +17,9 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepHoldBox::StepHoldBox(QWidget* parent)
+StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
+      m_context(context),
       m_label(new QLabel(tr("Speed whe&n held"), this)),
       m_speed(new QuantityField(QuantityField::Kind::Velocity, this)),
       m_outcome(look::newMutedLabel({}, this)),
@@ -64,55 +65,54 @@ StepHoldBox::StepHoldBox(QWidget* parent)
     connect(m_speed, &QuantityField::nativeEdited, this, [this] {
         // What is held was asked for at another speed.
         endHold();
-        if (const auto speed = m_speed->native(); speed && m_state)
-            m_speeds[m_state->info.index.value()] = *speed;
+        if (const auto speed = m_speed->native())
+            m_typed = speed;
         refresh();
     });
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
-    for (HoldButton* button : {m_forward, m_reverse})
-        connect(button, &HoldButton::holdEnded, this, &StepHoldBox::holdReleased);
-    refresh();
+    for (HoldButton* button : {m_forward, m_reverse}) {
+        connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
+        connect(&m_context, &ModuleContext::holdIntervalChanged, button, &HoldButton::setInterval);
+    }
+    connect(&m_context, &ModuleContext::holdMustEnd, this, &StepHoldBox::endHold);
+    connect(&m_context, &ModuleContext::lookedForAnew, this, &StepHoldBox::lookedForAnew);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 int StepHoldBox::labelWidth() const {
     return m_label->sizeHint().width();
 }
 
-void StepHoldBox::showModule(const PanelView& view) {
-    const double slowest = stepdefaults::slowestProfile(view.module.stepper, view.settings);
-    const double cap = stepdefaults::holdCap(view.module.stepper, view.settings);
-    const bool other = !m_state || m_state->info.index != view.module.info.index;
+void StepHoldBox::showModule() {
+    const StepState& stepper = m_context.state().stepper;
+    const AxisScale scale = m_context.scale();
+    const double slowest = stepdefaults::slowestProfile(stepper, m_context.settings());
+    const double cap = stepdefaults::holdCap(stepper, m_context.settings());
     const bool otherRange = m_slowest != slowest || m_cap != cap;
-    if (other || otherRange)
+    if (otherRange)
         endHold();
-    m_state = view.module;
-    m_connected = view.connected;
     m_slowest = slowest;
     m_cap = cap;
-    m_accelerationTime = stepdefaults::accelerationTime(view.settings);
-    m_speed->setScale(view.scale());
+    m_speed->setScale(scale);
     m_speed->setNativeRange(slowest, cap);
     m_speed->setMeaning(
         tr("How fast the motor turns while a button is held: %1 to %2. The most is set on the "
            "Parameters page.")
-            .arg(texts::stepsPerSecond(slowest, view.scale()), texts::stepsPerSecond(cap, view.scale())));
-    if (other || otherRange)
+            .arg(texts::stepsPerSecond(slowest, scale), texts::stepsPerSecond(cap, scale)));
+    if (otherRange)
         showSpeed();
     refresh();
 }
 
 void StepHoldBox::showSpeed() {
-    const auto kept = m_speeds.constFind(m_state->info.index.value());
-    const double wanted = kept == m_speeds.constEnd() ? stepdefaults::kHold : *kept;
-    m_speed->showNative(std::clamp(wanted, m_slowest, m_cap));
+    m_speed->showNative(std::clamp(m_typed.value_or(stepdefaults::kHold), m_slowest, m_cap));
 }
 
-void StepHoldBox::resetSpeeds() {
+void StepHoldBox::lookedForAnew() {
     endHold();
-    m_speeds.clear();
-    if (m_state)
-        showSpeed();
+    m_typed.reset();
+    showSpeed();
     refresh();
 }
 
@@ -121,31 +121,26 @@ void StepHoldBox::endHold() {
     m_reverse->endHold();
 }
 
-void StepHoldBox::setHoldInterval(int milliseconds) {
-    m_forward->setInterval(milliseconds);
-    m_reverse->setInterval(milliseconds);
-}
-
 std::optional<stepmotion::VelocityProfile> StepHoldBox::motion(bool reverse) const {
     const auto speed = m_speed->native();
-    if (!speed || !m_state || !m_state->stepper.parameters())
+    const auto& parameters = m_context.state().stepper.parameters();
+    if (!speed || !parameters)
         return std::nullopt;
-    const StepSpeed mode(m_state->stepper.parameters()->speedMode);
+    const StepSpeed mode(parameters->speedMode);
     // Never faster than what stands there.
     const auto whole = std::max(1.0, std::floor(*speed / mode.unit() + 1e-9));
-    return stepmotion::VelocityProfile{static_cast<std::uint8_t>(std::min(whole, 250.0)),
-                                       static_cast<std::uint8_t>(m_accelerationTime), reverse};
+    return stepmotion::VelocityProfile{
+        static_cast<std::uint8_t>(std::min(whole, 250.0)),
+        static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings())), reverse};
 }
 
 QString StepHoldBox::reasonFor(bool reverse) const {
-    if (!m_connected || !m_state)
-        return texts::refusal(Refusal::NotConnected);
-    if (const auto refusal = whyNot(Request::Hold, *m_state))
-        return texts::refusal(*refusal);
+    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+        return reason;
     const auto wanted = motion(reverse);
     if (!wanted)
         return m_speed->problemText();
-    const auto refusal = whyNot(StepMotion(*wanted), *m_state);
+    const auto refusal = whyNot(StepMotion(*wanted), m_context.state());
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
@@ -155,7 +150,7 @@ void StepHoldBox::refresh() {
     const auto wanted = motion(false);
     QString outcome = m_speed->problemText();
     if (wanted) {
-        const step::SetParameters& parameters = *m_state->stepper.parameters();
+        const step::SetParameters& parameters = *m_context.state().stepper.parameters();
         outcome = texts::profiledSpeed(StepSpeed(parameters.speedMode), wanted->speed,
                                        parameters.minimumProfileSpeed, m_speed->scale());
     }
@@ -167,11 +162,11 @@ void StepHoldBox::hold(const HoldButton& button, bool reverse) {
     if (!wanted)
         return;
     bus::HoldToMove hold;
-    hold.module = m_state->info.index;
+    hold.module = m_context.state().info.index;
     hold.reverse = reverse;
     hold.pace = bus::StepPace{wanted->speed, wanted->accelerationTime};
     hold.press = button.press();
-    emit holdRequested(hold);
+    m_context.hold(hold);
 }
 
 }  // namespace nmc

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QHash>
 #include <QWidget>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QLabel;
 
@@ -20,38 +19,30 @@ class StepHoldBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepHoldBox(QWidget* parent = nullptr);
+    StepHoldBox(ModuleContext& context, QWidget* parent);
 
-    /// Emits nothing, except that a hold ends when its module or its permission goes.
-    void showModule(const PanelView& view);
-    void resetSpeeds();
     void endHold();
-    void setHoldInterval(int milliseconds);
     /// For what stands above it in line.
     [[nodiscard]] int labelWidth() const;
 
-signals:
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-
 private:
+    void lookedForAnew();
+    void showModule();
     void showSpeed();
     void hold(const HoldButton& button, bool reverse);
     void refresh();
     [[nodiscard]] std::optional<stepmotion::VelocityProfile> motion(bool reverse) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
 
+    ModuleContext& m_context;
     QLabel* m_label;
     QuantityField* m_speed;
     QLabel* m_outcome;
     HoldButton* m_forward;
     HoldButton* m_reverse;
-    QHash<int, double> m_speeds;  ///< steps/s, per module, of this connection
-    std::optional<ModuleState> m_state;
+    std::optional<double> m_typed;  ///< steps/s, since the connection was made
     double m_slowest = 0;
     double m_cap = 0;
-    int m_accelerationTime = 0;
-    bool m_connected = false;
 };
 
 }  // namespace nmc

@@ -5,14 +5,12 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QSignalBlocker>
 
 #include "widgets/common/glyphs.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
-#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {
@@ -45,14 +43,17 @@ QLabel* newHeading(const QString& text, QWidget* parent) {
 
 }  // namespace
 
-StepIoBox::StepIoBox(QWidget* parent)
+StepIoBox::StepIoBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
-      m_send(new QPushButton(icons::tinted(u"send"_s), tr("Set all outputs"), this)),
+      m_context(context),
+      m_send(new Command({.name = u"stepSetOutputsButton"_s,
+                          .icon = u"send"_s,
+                          .text = tr("Set all outputs"),
+                          .accessible = tr("Set all five outputs")},
+                         this, [this] { sendAll(); })),
       m_hint(look::newMutedLabel({}, this)),
       m_analog(new QLabel(this)) {
     look::name(this, u"stepIoBox"_s, tr("Inputs and outputs"));
-    look::name(m_send, u"stepSetOutputsButton"_s, tr("Set all five outputs"));
-    m_send->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
     m_hint->setObjectName(u"stepOutputsHint"_s);
     m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepIoAnalog"_s);
@@ -66,7 +67,7 @@ StepIoBox::StepIoBox(QWidget* parent)
     buildInputs(grid, 9);
     grid->setRowStretch(18, 1);
     grid->setColumnStretch(3, 1);
-    connect(m_send, &QPushButton::clicked, this, &StepIoBox::sendAll);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessibleName, Name name,
@@ -77,9 +78,7 @@ QLineEdit* StepIoBox::newName(const QString& objectName, const QString& accessib
     field->setPlaceholderText(tr("name"));
     field->setToolTip(tr("What it is on this machine. Sends nothing."));
     connect(field, &QLineEdit::textEdited, this, [this, name, number](const QString& text) {
-        const std::string typed = text.toStdString();
-        name(m_settings, number) = typed;
-        emit settingsEdited([=](AxisSettings& axis) { name(axis, number) = typed; });
+        m_context.edit([=](AxisSettings& axis) { name(axis, number) = text.toStdString(); });
     });
     return field;
 }
@@ -103,7 +102,7 @@ void StepIoBox::buildOutputs(QGridLayout* grid) {
     }
     auto* row = new QHBoxLayout;
     row->setSpacing(look::gridUnit(this));
-    row->addWidget(m_send);
+    row->addWidget(m_send->button());
     row->addStretch(1);
     grid->addLayout(row, 6, 0, 1, 4);
     grid->addWidget(m_hint, 7, 0, 1, 4);
@@ -153,44 +152,23 @@ void StepIoBox::showNames() {
             edit->setText(text);
     };
     for (std::size_t i = 0; i < kOutputs; ++i)
-        show(m_outputs[i].name, m_settings.outputNames[i]);
-    for (std::size_t i = 0; i < m_settings.inputNames.size(); ++i)
-        show(m_inputs[i + 1].name, m_settings.inputNames[i]);
+        show(m_outputs[i].name, m_context.settings().outputNames[i]);
+    for (std::size_t i = 0; i < m_context.settings().inputNames.size(); ++i)
+        show(m_inputs[i + 1].name, m_context.settings().inputNames[i]);
 }
 
-void StepIoBox::showModule(const PanelView& view) {
-    const bool other = !m_state || m_state->info.index != view.module.info.index;
-    m_state = view.module;
-    m_settings = view.settings;
-    m_connected = view.connected;
-    if (other) {
-        m_staged = {};
-        for (const Output& output : m_outputs)
-            output.name->clearFocus();
-        for (const Input& input : m_inputs)
-            if (input.name != nullptr)
-                input.name->clearFocus();
-    }
-    if (m_state->stepper.outputs())
+void StepIoBox::showModule() {
+    if (m_context.state().stepper.outputs())
         m_staged = {};
     showNames();
     refresh();
 }
 
-void StepIoBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
-    refresh();
-}
-
 void StepIoBox::choose(std::size_t output, bool on) {
-    if (!m_state)
-        return;
-    if (const auto known = m_state->stepper.outputs()) {
+    if (const auto known = m_context.state().stepper.outputs()) {
         const unsigned bit = 1U << output;
         const unsigned outputs = on ? *known | bit : *known & ~bit;
-        emit intentRequested(stepintent::SetOutputs{static_cast<std::uint8_t>(outputs)});
+        m_context.ask(stepintent::SetOutputs{static_cast<std::uint8_t>(outputs)});
     } else {
         m_staged[output] = on;
     }
@@ -210,11 +188,11 @@ std::optional<std::uint8_t> StepIoBox::staged() const {
 
 void StepIoBox::sendAll() {
     if (const auto outputs = staged())
-        emit intentRequested(stepintent::SetOutputs{*outputs});
+        m_context.ask(stepintent::SetOutputs{*outputs});
 }
 
 QString StepIoBox::effectOf(std::size_t input, bool active) const {
-    const auto& parameters = m_state->stepper.parameters();
+    const auto& parameters = m_context.state().stepper.parameters();
     const bool limitsIgnored = parameters && parameters->ignoreLimits;
     const bool estopIgnored = parameters && parameters->ignoreEstop;
     switch (input) {
@@ -230,17 +208,12 @@ QString StepIoBox::effectOf(std::size_t input, bool active) const {
 }
 
 void StepIoBox::refresh() {
-    const bool known = m_state && m_state->stepper.outputs();
-    QString reason;
-    if (!m_connected || !m_state)
-        reason = texts::refusal(Refusal::NotConnected);
-    else if (const auto refusal = whyNot(Request::SetOutputs, *m_state))
-        reason = texts::refusal(*refusal);
-    else if (m_busy)
-        reason = tr("Waiting for the module's answer.");
+    const ModuleState& module = m_context.state();
+    const auto known = module.stepper.outputs();
+    const QString reason = m_context.reasonNow(Request::SetOutputs);
     for (std::size_t i = 0; i < kOutputs; ++i) {
         const Output& output = m_outputs[i];
-        const auto on = known ? std::optional(bitOf(*m_state->stepper.outputs(), i)) : m_staged[i];
+        const auto on = known ? std::optional(bitOf(*known, i)) : m_staged[i];
         const QSignalBlocker blocker(output.box);
         output.box->setTristate(!on);
         output.box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
@@ -251,27 +224,26 @@ void StepIoBox::refresh() {
                                 : tr("Chooses what it shall be. Set all outputs sends the five of them."));
     }
     m_send->setVisible(!known);
-    look::setPossible(m_send,
-                      !reason.isEmpty() ? reason
-                      : staged()        ? QString()
-                                        : tr("Choose all five outputs first."),
-                      tr("Sends all five outputs as chosen above."));
+    m_send->setPossible(!reason.isEmpty() ? reason
+                        : staged()        ? QString()
+                                          : tr("Choose all five outputs first."),
+                        tr("Sends all five outputs as chosen above."));
     look::setText(m_hint,
                   known ? QString()
                         : tr("The outputs are unknown: the module cannot be asked. Choose all five, then "
                              "set them."));
-    const bool seen = m_state && m_state->latest && m_state->latest->aux;
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    const std::optional<std::uint8_t>& inputs = report.aux;
     for (std::size_t i = 0; i < kInputs; ++i) {
         const Input& input = m_inputs[i];
-        const bool active = seen && bitOf(*m_state->latest->aux, i);
-        input.glyph->showBit(seen ? std::optional(active) : std::nullopt);
-        look::setText(input.state, !seen ? u"–"_s : active ? tr("high") : tr("low"));
+        const bool active = inputs && bitOf(*inputs, i);
+        input.glyph->showBit(inputs ? std::optional(active) : std::nullopt);
+        look::setText(input.state, !inputs ? u"–"_s : active ? tr("high") : tr("low"));
         if (input.effect != nullptr)
-            look::setText(input.effect, seen ? effectOf(i, active) : QString());
+            look::setText(input.effect, inputs ? effectOf(i, active) : QString());
     }
-    const bool analog = m_state && m_state->latest && m_state->latest->analog;
     look::setText(m_analog,
-                  analog ? texts::analogReading(m_settings.analog, *m_state->latest->analog) : u"–"_s);
+                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
 }
 
 }  // namespace nmc

@@ -5,16 +5,16 @@
 #include <array>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class GlyphLabel;
 
 /// Outputs and inputs of one PIC-STEP. The chip takes all five outputs at once and tells none: while they are
@@ -23,16 +23,7 @@ class StepIoBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepIoBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    /// A click was passed on; outputs wait for the module's next word.
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    StepIoBox(ModuleContext& context, QWidget* parent);
 
 private:
     static constexpr std::size_t kOutputs = 5;
@@ -59,19 +50,17 @@ private:
     void sendAll();
     [[nodiscard]] std::optional<std::uint8_t> staged() const;
     [[nodiscard]] QString effectOf(std::size_t input, bool active) const;
+    void showModule();
     void refresh();
 
+    ModuleContext& m_context;
     std::array<Output, kOutputs> m_outputs;
     std::array<Input, kInputs> m_inputs;
-    QPushButton* m_send;
+    Command* m_send;
     QLabel* m_hint;
     QLabel* m_analog;
     /// Chosen while the outputs are unknown.
     std::array<std::optional<bool>, kOutputs> m_staged;
-    std::optional<ModuleState> m_state;
-    AxisSettings m_settings;
-    bool m_connected = false;
-    bool m_busy = false;
 };
 
 }  // namespace nmc

@@ -4,16 +4,14 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
-#include <QSignalBlocker>
 #include <cmath>
 
 #include "model/intent/stepplan.h"
 #include "widgets/common/elidedlabel.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepholdbox.h"
 #include "widgets/panels/stepmodechoice.h"
@@ -23,7 +21,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepMotionBox::StepMotionBox(QWidget* parent) : QGroupBox(tr("Motion"), parent) {
+StepMotionBox::StepMotionBox(ModuleContext& context, QWidget* parent)
+    : QGroupBox(tr("Motion"), parent), m_context(context) {
     look::name(this, u"stepMotionBox"_s, tr("Motion"));
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
@@ -36,14 +35,16 @@ StepMotionBox::StepMotionBox(QWidget* parent) : QGroupBox(tr("Motion"), parent) 
     buildFields(grid, 3);
     buildButtons(grid, 9);
     grid->setRowMinimumHeight(12, unit);
-    m_hold = new StepHoldBox(this);
+    m_hold = new StepHoldBox(m_context, this);
     grid->addWidget(m_hold, 13, 0, 1, 5);
     grid->setColumnMinimumWidth(0, m_hold->labelWidth());
     grid->setRowStretch(14, 1);
     grid->setColumnStretch(3, 1);
     connectControls();
-    showDraft();
-    refresh();
+    m_mode->showMode(StepModeChoice::Mode::Trapezoid);
+    m_goal->setScale(m_context.scale());
+    m_goal->showNative(0);
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 void StepMotionBox::buildFields(QGridLayout* grid, int line) {
@@ -81,20 +82,33 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
 }
 
 void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
-    m_go = new QPushButton(icons::tinted(u"arrow-bar-to-right"_s), tr("&Go"), this);
-    look::name(m_go, u"stepGoButton"_s, tr("Go to the position"));
-    m_runReverse = new QPushButton(icons::tinted(u"arrow-left"_s), tr("Run &reverse"), this);
-    look::name(m_runReverse, u"stepRunReverseButton"_s, tr("Run in reverse until stopped"));
-    m_runForward = new QPushButton(icons::tinted(u"arrow-right"_s), tr("R&un forward"), this);
-    look::name(m_runForward, u"stepRunForwardButton"_s, tr("Run forward until stopped"));
+    m_go = new Command({.name = u"stepGoButton"_s,
+                        .icon = u"arrow-bar-to-right"_s,
+                        .text = tr("&Go"),
+                        .accessible = tr("Go to the position")},
+                       this, [this] { request(false); });
+    m_runReverse = new Command({.name = u"stepRunReverseButton"_s,
+                                .icon = u"arrow-left"_s,
+                                .text = tr("Run &reverse"),
+                                .accessible = tr("Run in reverse until stopped")},
+                               this, [this] { request(true); });
+    m_runForward = new Command({.name = u"stepRunForwardButton"_s,
+                                .icon = u"arrow-right"_s,
+                                .text = tr("R&un forward"),
+                                .accessible = tr("Run forward until stopped")},
+                               this, [this] { request(false); });
     m_loadOnly = new QCheckBox(tr("L&oad only"), this);
     look::name(m_loadOnly, u"stepLoadOnlyBox"_s, tr("Load the motion, start it later"));
-    m_startLoaded = new QPushButton(tr("Start loaded"), this);
-    m_startLoaded->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_J));
-    look::name(m_startLoaded, u"stepStartLoadedButton"_s, tr("Start the motion that was loaded"));
+    m_startLoaded = new Command({.name = u"stepStartLoadedButton"_s,
+                                 .icon = {},
+                                 .text = tr("Start loaded"),
+                                 .accessible = tr("Start the motion that was loaded"),
+                                 .key = Qt::CTRL | Qt::Key_G},
+                                this, [this] { m_context.ask(intent::StartLoaded{}); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
-    for (QPushButton* button : {m_go, m_runReverse, m_runForward}) {
+    for (const Command* command : {m_go, m_runReverse, m_runForward}) {
+        QPushButton* button = command->button();
         // The longest that it ever says: the other direction must not come under the pointer.
         const QString text = button->text();
         button->setText(tr("Stop, wait: %1").arg(text));
@@ -106,7 +120,7 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
     auto* later = new QHBoxLayout;
     later->setSpacing(look::gridUnit(this));
     later->addWidget(m_loadOnly);
-    later->addWidget(m_startLoaded);
+    later->addWidget(m_startLoaded->button());
     later->addStretch(1);
     m_hint = new ElidedLabel(2, this);
     m_hint->setObjectName(u"stepMotionHint"_s);
@@ -117,26 +131,12 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
 
 void StepMotionBox::connectControls() {
     connect(m_mode, &StepModeChoice::chosen, this, &StepMotionBox::chooseMode);
-    connect(m_goal, &QuantityField::nativeEdited, this, [this] {
-        if (const auto goal = m_goal->native(); goal && m_state)
-            m_drafts[m_state->info.index.value()].goal = *goal;
-        refresh();
-    });
-    connect(m_goal, &NumberField::returnPressed, m_go, &QPushButton::click);
-    connect(m_relative, &QCheckBox::toggled, this, [this](bool relative) {
-        if (m_state)
-            m_drafts[m_state->info.index.value()].relative = relative;
-        refresh();
-    });
+    connect(m_goal, &QuantityField::nativeEdited, this, &StepMotionBox::refresh);
+    connect(m_goal, &NumberField::returnPressed, m_go, &Command::act);
+    connect(m_relative, &QCheckBox::toggled, this, &StepMotionBox::refresh);
     connect(m_speed, &QuantityField::nativeEdited, this, &StepMotionBox::keepSpeed);
     connect(m_loadOnly, &QCheckBox::toggled, this, &StepMotionBox::refresh);
-    connect(m_go, &QPushButton::clicked, this, [this] { request(false); });
-    connect(m_runForward, &QPushButton::clicked, this, [this] { request(false); });
-    connect(m_runReverse, &QPushButton::clicked, this, [this] { request(true); });
-    connect(m_startLoaded, &QPushButton::clicked, this,
-            [this] { emit intentRequested(intent::StartLoaded{}); });
-    connect(m_hold, &StepHoldBox::holdRequested, this, &StepMotionBox::holdRequested);
-    connect(m_hold, &StepHoldBox::holdReleased, this, &StepMotionBox::holdReleased);
+    connect(&m_context, &ModuleContext::lookedForAnew, this, &StepMotionBox::lookedForAnew);
 }
 
 double MotionSettings::*StepMotionBox::speedSetting() const {
@@ -145,28 +145,25 @@ double MotionSettings::*StepMotionBox::speedSetting() const {
 
 void StepMotionBox::chooseMode() {
     m_hold->endHold();
-    if (m_state)
-        m_drafts[m_state->info.index.value()].mode = m_mode->mode();
     showSpeed();
     refresh();
 }
 
-void StepMotionBox::showDraft() {
-    const Draft draft = m_state ? m_drafts.value(m_state->info.index.value()) : Draft{};
-    m_mode->showMode(draft.mode);
-    m_goal->showNative(draft.goal);
-    const QSignalBlocker blocker(m_relative);
-    m_relative->setChecked(draft.relative);
+void StepMotionBox::lookedForAnew() {
+    m_mode->showMode(StepModeChoice::Mode::Trapezoid);
+    m_goal->showNative(0);
+    m_relative->setChecked(false);
     m_loadOnly->setChecked(false);
+    showSpeed();
+    refresh();
 }
 
 void StepMotionBox::showSpeed() {
-    if (!m_state)
-        return;
-    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
-    const double set = m_settings.motion.*speedSetting();
+    const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    const double set = m_context.settings().motion.*speedSetting();
     const double fallback = m_mode->hasGoal() ? stepdefaults::kMove : stepdefaults::kRun;
     m_shownSpeed = set;
+    m_shownSpeeds = speeds;
     const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
     const double fastest = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
     m_speed->setNativeRange(slowest, fastest);
@@ -180,61 +177,29 @@ void StepMotionBox::showSpeed() {
 void StepMotionBox::keepSpeed() {
     if (const auto speed = m_speed->native()) {
         const auto part = speedSetting();
-        m_settings.motion.*part = *speed;
         m_shownSpeed = *speed;
-        emit settingsEdited([part, speed](AxisSettings& axis) { axis.motion.*part = *speed; });
+        m_context.edit([part, speed](AxisSettings& axis) { axis.motion.*part = *speed; });
     }
     refresh();
 }
 
-void StepMotionBox::resetSpeeds() {
-    m_hold->resetSpeeds();
-    m_drafts.clear();
-    showDraft();
-    showSpeed();
-    refresh();
-}
-
-void StepMotionBox::endHold() {
-    m_hold->endHold();
-}
-
-void StepMotionBox::setHoldInterval(int milliseconds) {
-    m_hold->setHoldInterval(milliseconds);
-}
-
-void StepMotionBox::showModule(const PanelView& view) {
-    const bool other = !m_state || m_state->info.index != view.module.info.index;
-    const bool otherMode = !m_state || !(stepdefaults::speedMode(m_state->stepper, m_settings) ==
-                                         stepdefaults::speedMode(view.module.stepper, view.settings));
-    m_state = view.module;
-    m_settings = view.settings;
-    m_connected = view.connected;
-    m_goal->setScale(view.scale());
-    m_speed->setScale(view.scale());
-    if (other)
-        showDraft();
-    if (other || otherMode || m_shownSpeed != m_settings.motion.*speedSetting())
+void StepMotionBox::showModule() {
+    m_goal->setScale(m_context.scale());
+    m_speed->setScale(m_context.scale());
+    if (m_shownSpeeds != stepdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
+        m_shownSpeed != m_context.settings().motion.*speedSetting())
         showSpeed();
-    m_hold->showModule(view);
-    refresh();
-}
-
-void StepMotionBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
     refresh();
 }
 
 std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
     const auto goal = m_goal->native();
     const auto speed = m_speed->native();
-    if (!m_state || !speed || (m_mode->hasGoal() && !goal))
+    if (!speed || (m_mode->hasGoal() && !goal))
         return std::nullopt;
-    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
-    const auto acceleration = static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_settings));
+    const auto acceleration = static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings()));
     switch (m_mode->mode()) {
         case StepModeChoice::Mode::Trapezoid:
             return stepmotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
@@ -250,16 +215,16 @@ std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
 }
 
 std::optional<Refusal> StepMotionBox::refusalOf(bool reverse) const {
-    if (!m_connected || !m_state)
+    if (!m_context.connected())
         return Refusal::NotConnected;
     const auto wanted = motion(reverse);
     // Before there is a motion: what any motion needs.
-    return wanted ? whyNot(*wanted, *m_state) : whyNot(Request::Run, *m_state);
+    return wanted ? whyNot(*wanted, m_context.state()) : m_context.whyNot(Request::Run);
 }
 
 bool StepMotionBox::viaStop(bool reverse) const {
     return refusalOf(reverse) == Refusal::NeedsStop && !m_loadOnly->isChecked() &&
-           !whyNotFromStandstill(*motion(reverse), *m_state);
+           !whyNotFromStandstill(*motion(reverse), m_context.state());
 }
 
 QString StepMotionBox::reasonFor(bool reverse) const {
@@ -275,21 +240,21 @@ void StepMotionBox::request(bool reverse) {
     if (!wanted || !reasonFor(reverse).isEmpty())
         return;
     if (m_loadOnly->isChecked())
-        emit intentRequested(stepintent::LoadMove{*wanted});
+        m_context.ask(stepintent::LoadMove{*wanted});
     else if (viaStop(reverse))
-        emit intentRequested(stepintent::ChangeMotion{*wanted});
+        m_context.ask(stepintent::ChangeMotion{*wanted});
     else
-        emit intentRequested(stepintent::Move{*wanted});
+        m_context.ask(stepintent::Move{*wanted});
 }
 
 QString StepMotionBox::outcome() const {
     const auto speed = m_speed->native();
-    if (!m_state || !speed)
+    if (!speed)
         return m_speed->problemText();
-    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
+    const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, m_context.settings());
     if (!m_mode->profiled())
         return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
-    const auto& parameters = m_state->stepper.parameters();
+    const auto& parameters = m_context.state().stepper.parameters();
     return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
                                 parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
 }
@@ -297,11 +262,12 @@ QString StepMotionBox::outcome() const {
 /// Before the start: how long it takes and how fast it gets.
 QString StepMotionBox::forecast() const {
     const auto speed = m_speed->native();
-    if (!m_state || !speed || !m_state->stepper.parameters())
+    const ModuleState& module = m_context.state();
+    if (!speed || !module.stepper.parameters())
         return {};
-    const StepSpeed speeds = stepdefaults::speedMode(m_state->stepper, m_settings);
-    const int minimum = m_state->stepper.parameters()->minimumProfileSpeed;
-    const int acceleration = stepdefaults::accelerationTime(m_settings);
+    const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, m_context.settings());
+    const int minimum = module.stepper.parameters()->minimumProfileSpeed;
+    const int acceleration = stepdefaults::accelerationTime(m_context.settings());
     if (!m_mode->hasGoal()) {
         if (!m_mode->profiled())
             return tr("At that speed from the first step on.");
@@ -310,8 +276,8 @@ QString StepMotionBox::forecast() const {
             .arg(texts::readout(units * acceleration * 0.00025, 3));
     }
     const auto goal = m_goal->native();
-    const auto position = m_state->stepper.position();
-    if (!goal || !position || m_state->moving())
+    const auto position = module.stepper.position();
+    if (!goal || !position || module.moving())
         return {};
     const double way = m_relative->isChecked() ? *goal : *goal - *position;
     if (m_mode->profiled())
@@ -321,45 +287,32 @@ QString StepMotionBox::forecast() const {
     return texts::forecast({std::abs(way) / rate, way == 0 ? 0 : rate, false}, m_speed->scale());
 }
 
-void StepMotionBox::refreshButton(QPushButton* button, bool reverse, const QString& text,
-                                  const QString& meaning) {
-    QString reason = reasonFor(reverse);
-    if (reason.isEmpty() && m_busy)
-        reason = tr("Waiting for the module's answer.");
-    const bool stopsFirst = m_connected && viaStop(reverse);
-    const QString wanted = stopsFirst ? tr("Stop, wait: %1").arg(text) : text;
-    if (button->text() != wanted) {
-        const QKeySequence key = button->shortcut();
-        button->setText(wanted);
-        button->setShortcut(key);  // the same, whatever it says
-    }
-    look::setPossible(button, reason,
-                      stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, waits "
-                                      "until the motor stands, then: %1")
-                                       .arg(meaning)
-                                 : meaning);
+void StepMotionBox::refreshCommand(Command& command, bool reverse, const QString& text,
+                                   const QString& meaning) {
+    const QString reason = reasonFor(reverse);
+    const bool stopsFirst = m_context.connected() && viaStop(reverse);
+    command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
+    command.setPossible(reason.isEmpty() ? m_context.whyBusy() : reason,
+                        stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, "
+                                        "waits until the motor stands, then: %1")
+                                         .arg(meaning)
+                                   : meaning);
 }
 
-void StepMotionBox::refreshButtons() {
+void StepMotionBox::refreshCommands() {
     const bool load = m_loadOnly->isChecked();
     const QString later = tr("Sends the motion without starting it.");
     m_go->setVisible(m_mode->hasGoal());
     m_runReverse->setVisible(!m_mode->hasGoal());
     m_runForward->setVisible(!m_mode->hasGoal());
-    refreshButton(m_go, false, load ? tr("Load") : tr("&Go"),
-                  load ? later : tr("Starts the move to the position, and holds there."));
-    refreshButton(m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
-                  load ? later : tr("Runs in reverse until it is stopped."));
-    refreshButton(m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
-                  load ? later : tr("Runs forward until it is stopped."));
-    QString reason;
-    if (!m_connected || !m_state)
-        reason = texts::refusal(Refusal::NotConnected);
-    else if (const auto refusal = whyNot(Request::StartLoaded, *m_state))
-        reason = texts::refusal(*refusal);
-    else if (m_busy)
-        reason = tr("Waiting for the module's answer.");
-    look::setPossible(m_startLoaded, reason, tr("Starts the motion that was loaded last."));
+    refreshCommand(*m_go, false, load ? tr("Load") : tr("&Go"),
+                   load ? later : tr("Starts the move to the position, and holds there."));
+    refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
+                   load ? later : tr("Runs in reverse until it is stopped."));
+    refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
+                   load ? later : tr("Runs forward until it is stopped."));
+    m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded),
+                               tr("Starts the motion that was loaded last."));
 }
 
 void StepMotionBox::refresh() {
@@ -372,20 +325,18 @@ void StepMotionBox::refresh() {
         tr("The buttons send the motion without starting it; Start loaded does, or its "
            "group."));
     look::setText(m_outcome, outcome());
-    const bool known = m_state.has_value();
-    look::setText(m_ramp, !known ? QString()
-                          : m_mode->profiled()
-                              ? texts::ramp(stepdefaults::speedMode(m_state->stepper, m_settings),
-                                            stepdefaults::accelerationTime(m_settings), m_speed->scale())
-                              : tr("No ramp."));
+    look::setText(m_ramp,
+                  m_mode->profiled()
+                      ? texts::ramp(stepdefaults::speedMode(m_context.state().stepper, m_context.settings()),
+                                    stepdefaults::accelerationTime(m_context.settings()), m_speed->scale())
+                      : tr("No ramp."));
     look::setText(m_forecast, forecast());
-    refreshButtons();
+    refreshCommands();
     QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
     if (hint.isEmpty())
         hint = m_speed->problemText();
-    if (hint.isEmpty() && m_connected && known)
-        if (const auto refusal = whyNot(Request::Run, *m_state))
-            hint = texts::refusal(*refusal);
+    if (hint.isEmpty() && m_context.connected())
+        hint = m_context.reasonFor(Request::Run);
     look::setText(m_hint, hint);
 }
 

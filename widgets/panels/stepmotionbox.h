@@ -2,19 +2,19 @@
 #pragma once
 
 #include <QGroupBox>
-#include <QHash>
 #include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "model/module/stepspeed.h"
+#include "widgets/panels/modulecontext.h"
 #include "widgets/panels/stepmodechoice.h"
 
 class QCheckBox;
 class QGridLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class QuantityField;
 class StepHoldBox;
 
@@ -24,31 +24,9 @@ class StepMotionBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    explicit StepMotionBox(QWidget* parent = nullptr);
-
-    /// Emits nothing, except that a hold ends when its module or its permission goes.
-    void showModule(const PanelView& view);
-    /// A click was passed on; moves wait for the module's next word.
-    void setBusy(bool busy);
-    /// A new connection: nothing is left over from the last one.
-    void resetSpeeds();
-    void endHold();
-    void setHoldInterval(int milliseconds);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
+    StepMotionBox(ModuleContext& context, QWidget* parent);
 
 private:
-    /// What is typed and not part of the settings, per module.
-    struct Draft {
-        StepModeChoice::Mode mode = StepModeChoice::Mode::Trapezoid;
-        double goal = 0;
-        bool relative = false;
-    };
-
     void buildFields(QGridLayout* grid, int line);
     void buildButtons(QGridLayout* grid, int line);
     void connectControls();
@@ -56,7 +34,8 @@ private:
     /// The part of the settings that the speed field shows now.
     [[nodiscard]] double MotionSettings::*speedSetting() const;
     void chooseMode();
-    void showDraft();
+    void lookedForAnew();
+    void showModule();
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
@@ -69,9 +48,10 @@ private:
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString forecast() const;
     void refresh();
-    void refreshButton(QPushButton* button, bool reverse, const QString& text, const QString& meaning);
-    void refreshButtons();
+    void refreshCommand(Command& command, bool reverse, const QString& text, const QString& meaning);
+    void refreshCommands();
 
+    ModuleContext& m_context;
     StepModeChoice* m_mode = nullptr;
     QuantityField* m_goal = nullptr;
     QCheckBox* m_relative = nullptr;
@@ -79,20 +59,16 @@ private:
     QLabel* m_outcome = nullptr;
     QLabel* m_ramp = nullptr;
     QLabel* m_forecast = nullptr;
-    QPushButton* m_go = nullptr;
-    QPushButton* m_runReverse = nullptr;
-    QPushButton* m_runForward = nullptr;
+    Command* m_go = nullptr;
+    Command* m_runReverse = nullptr;
+    Command* m_runForward = nullptr;
     QCheckBox* m_loadOnly = nullptr;
-    QPushButton* m_startLoaded = nullptr;
+    Command* m_startLoaded = nullptr;
     QLabel* m_hint = nullptr;
     StepHoldBox* m_hold = nullptr;
 
-    QHash<int, Draft> m_drafts;
-    std::optional<ModuleState> m_state;
-    AxisSettings m_settings;
-    std::optional<double> m_shownSpeed;  ///< as it stands in the settings
-    bool m_connected = false;
-    bool m_busy = false;
+    std::optional<double> m_shownSpeed;      ///< as it stands in the settings
+    std::optional<StepSpeed> m_shownSpeeds;  ///< what it ranges over
 };
 
 }  // namespace nmc

@@ -5,13 +5,11 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
-#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/steprampbox.h"
 #include "widgets/panels/stepwords.h"
 
@@ -44,8 +42,9 @@ constexpr std::size_t indexOf(StepParameter parameter) {
 
 }  // namespace
 
-StepParametersBox::StepParametersBox(QWidget* parent)
+StepParametersBox::StepParametersBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
+      m_context(context),
       m_speedMode(new QComboBox(this)),
       m_minimumSpeed(new QuantityField(QuantityField::Kind::Velocity, this)),
       m_runCurrent(new NumberField(0, this)),
@@ -54,10 +53,23 @@ StepParametersBox::StepParametersBox(QWidget* parent)
       m_ignoreLimits(new QCheckBox(tr("ignored: they stop nothing"), this)),
       m_ignoreEstop(new QCheckBox(tr("ignored: it stops nothing"), this)),
       m_motorOff(new QCheckBox(tr("the motor goes off as well"), this)),
-      m_ramp(new StepRampBox(this)),
-      m_fill(new QPushButton(icons::tinted(u"wand"_s), tr("Start&ing values"), this)),
-      m_revert(new QPushButton(icons::tinted(u"arrow-back-up"_s), tr("Revert"), this)),
-      m_apply(new QPushButton(icons::tinted(u"send"_s), tr("&Apply parameters"), this)),
+      m_ramp(new StepRampBox(context, this)),
+      m_fill(new Command({.name = u"stepFillParametersButton"_s,
+                          .icon = u"wand"_s,
+                          .text = tr("Start&ing values"),
+                          .accessible = tr("Fill in starting values")},
+                         this, [this] { fillIn(); })),
+      m_revert(new Command({.name = u"stepRevertParametersButton"_s,
+                            .icon = u"arrow-back-up"_s,
+                            .text = tr("Revert"),
+                            .accessible = tr("Revert the parameters to what was sent"),
+                            .key = Qt::CTRL | Qt::Key_R},
+                           this, [this] { revert(); })),
+      m_apply(new Command({.name = u"stepApplyParametersButton"_s,
+                           .icon = u"send"_s,
+                           .text = tr("&Apply parameters"),
+                           .accessible = tr("Apply all parameters")},
+                          this, [this] { apply(); })),
       m_hint(new QLabel(this)) {
     look::name(this, u"stepParametersBox"_s, tr("Parameters"));
     const int unit = look::gridUnit(this);
@@ -73,7 +85,11 @@ StepParametersBox::StepParametersBox(QWidget* parent)
     grid->setRowStretch(line + 4, 1);
     grid->setColumnStretch(4, 1);
     connectControls();
-    refresh();
+    m_kept = m_context.settings().parameters;
+    m_sent = m_context.state().stepper.parameters();
+    m_minimumSpeed->setScale(m_context.scale());
+    showSettings();
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
 void StepParametersBox::buildRows(QGridLayout* grid) {
@@ -138,22 +154,18 @@ void StepParametersBox::addRow(QGridLayout* grid, StepParameter parameter, QWidg
 }
 
 void StepParametersBox::buildButtons(QGridLayout* grid, int line) {
-    look::name(m_fill, u"stepFillParametersButton"_s, tr("Fill in starting values"));
-    look::name(m_revert, u"stepRevertParametersButton"_s, tr("Revert the parameters to what was sent"));
-    look::name(m_apply, u"stepApplyParametersButton"_s, tr("Apply all parameters"));
-    m_revert->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    m_fill->setToolTip(
-        tr("Fills the fields with slow speeds and low currents to begin with. Sends nothing."));
+    m_fill->setPossible(
+        {}, tr("Fills the fields with slow speeds and low currents to begin with. Sends nothing."));
     m_hint->setObjectName(u"stepParametersHint"_s);
     m_hint->setWordWrap(true);
     m_hint->setTextFormat(Qt::PlainText);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
     buttons->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    buttons->addWidget(m_fill);
+    buttons->addWidget(m_fill->button());
     buttons->addStretch(1);
-    buttons->addWidget(m_revert);
-    buttons->addWidget(m_apply);
+    buttons->addWidget(m_revert->button());
+    buttons->addWidget(m_apply->button());
     grid->addLayout(buttons, line, 0, 1, 5);
     grid->addWidget(m_hint, line + 1, 0, 1, 5);
 }
@@ -165,10 +177,6 @@ void StepParametersBox::connectControls() {
         connect(field, &NumberField::edited, this, &StepParametersBox::edit);
     for (QCheckBox* box : {m_ignoreLimits, m_ignoreEstop, m_motorOff})
         connect(box, &QCheckBox::toggled, this, &StepParametersBox::edit);
-    connect(m_ramp, &StepRampBox::settingsEdited, this, &StepParametersBox::settingsEdited);
-    connect(m_fill, &QPushButton::clicked, this, &StepParametersBox::fillIn);
-    connect(m_revert, &QPushButton::clicked, this, &StepParametersBox::revert);
-    connect(m_apply, &QPushButton::clicked, this, &StepParametersBox::apply);
 }
 
 // ---- What stands in the fields ----
@@ -243,55 +251,36 @@ void StepParametersBox::showEntries(const Entries& all) {
 /// What the settings say, or what was sent; nothing where neither is known.
 void StepParametersBox::showSettings() {
     Entries all;
-    const auto& known = m_settings.parameters ? m_settings.parameters : m_state->stepper.parameters();
+    const auto& known = m_kept ? m_kept : m_sent;
     if (known)
         for (const StepParameter parameter : kStepParameters)
             all[indexOf(parameter)] = stepParameter(*known, parameter);
     showEntries(all);
 }
 
-void StepParametersBox::showModule(const PanelView& view) {
-    const bool other = !m_state || m_state->info.index != view.module.info.index;
-    const bool newlySent = !m_state || m_state->stepper.parameters() != view.module.stepper.parameters();
-    m_state = view.module;
-    m_settings = view.settings;
-    m_connected = view.connected;
-    m_minimumSpeed->setScale(view.scale());
-    m_ramp->showModule(view);
-    const int index = view.module.info.index.value();
-    const bool reloaded = !other && m_settings.parameters != m_shown;
-    m_shown = m_settings.parameters;
-    if (const auto typed = m_drafts.constFind(index);
-        typed != m_drafts.constEnd() && typed->axis != m_settings.parameters)
-        m_drafts.remove(index);
-    const auto draft = m_drafts.constFind(index);
-    if (other && draft != m_drafts.constEnd())
-        showEntries(draft->entries);
-    else if (draft == m_drafts.constEnd() && (other || reloaded || newlySent))
+void StepParametersBox::showModule() {
+    const auto& kept = m_context.settings().parameters;
+    const auto& sent = m_context.state().stepper.parameters();
+    m_minimumSpeed->setScale(m_context.scale());
+    const bool opened = kept != m_kept;  // another machine file goes before what was typed
+    const bool others = opened || sent != m_sent;
+    m_kept = kept;
+    m_sent = sent;
+    m_typed = m_typed && !opened;
+    if (others && !m_typed)
         showSettings();
-    if (m_drafts.contains(index) && m_state->stepper.parameters() &&
-        entered() == m_state->stepper.parameters())
-        m_drafts.remove(index);
-    refresh();
-}
-
-void StepParametersBox::setBusy(bool busy) {
-    if (m_busy == busy)
-        return;
-    m_busy = busy;
+    m_typed = m_typed && entered() != sent;
     refresh();
 }
 
 void StepParametersBox::edit() {
     m_minimumSpeed->setNativeRange(speeds().slowest(), speeds().fastest());
+    m_typed = true;
     const auto parameters = entered();
-    const bool changed = parameters && parameters != m_settings.parameters;
-    if (changed)
-        m_settings.parameters = m_shown = parameters;
-    if (m_state)
-        m_drafts[m_state->info.index.value()] = {entries(), m_settings.parameters};
-    if (changed)
-        emit settingsEdited([parameters](AxisSettings& axis) { axis.parameters = parameters; });
+    if (parameters && parameters != m_kept) {
+        m_kept = parameters;
+        m_context.edit([parameters](AxisSettings& axis) { axis.parameters = parameters; });
+    }
     refresh();
 }
 
@@ -305,19 +294,16 @@ void StepParametersBox::fillIn() {
 }
 
 void StepParametersBox::revert() {
-    if (!m_state)
-        return;
-    m_drafts.remove(m_state->info.index.value());
-    m_settings.parameters = m_shown = m_state->stepper.parameters();
+    m_typed = false;
+    m_kept = m_sent;
     showSettings();
-    emit settingsEdited([kept = m_shown](AxisSettings& axis) { axis.parameters = kept; });
+    m_context.edit([kept = m_kept](AxisSettings& axis) { axis.parameters = kept; });
     refresh();
 }
 
 void StepParametersBox::apply() {
-    const auto parameters = entered();
-    if (parameters && m_apply->isEnabled())
-        emit intentRequested(stepintent::SetParameters{*parameters});
+    if (const auto parameters = entered())
+        m_context.ask(stepintent::SetParameters{*parameters});
 }
 
 // ---- What it says about them ----
@@ -335,13 +321,11 @@ QString StepParametersBox::trouble() const {
 void StepParametersBox::refreshRow(StepParameter parameter) {
     const Row& row = m_rows[indexOf(parameter)];
     const auto value = entry(parameter);
-    const auto analog = m_state && m_state->latest ? m_state->latest->analog : std::nullopt;
+    const std::optional<std::uint8_t> analog = m_context.state().latest.value_or(StatusReport{}).analog;
     look::setText(row.remark, stepParameterRemark(parameter, value, analog));
-    const auto sent = m_state && m_state->stepper.parameters()
-                          ? std::optional(stepParameter(*m_state->stepper.parameters(), parameter))
-                          : std::nullopt;
+    const auto sent = m_sent ? std::optional(stepParameter(*m_sent, parameter)) : std::nullopt;
     const bool choice = parameter >= StepParameter::IgnoreLimits;
-    const bool unknown = !sent && (!value || (choice && !m_settings.parameters));
+    const bool unknown = !sent && (!value || (choice && !m_kept));
     // Shape, then word, as with gains.
     const bool edited = !unknown && (!value || value != sent);
     look::setText(row.state, unknown ? tr("? unknown") : edited ? tr("● edited, not sent") : tr("✓ sent"));
@@ -355,9 +339,8 @@ void StepParametersBox::refresh() {
     for (const StepParameter parameter : kStepParameters)
         refreshRow(parameter);
     const QString problem = trouble();
-    const bool sent = m_state && m_state->stepper.parameters();
     QString hint = problem;
-    if (!sent &&
+    if (!m_sent &&
         entries() == Entries{std::nullopt, std::nullopt, std::nullopt, std::nullopt, std::nullopt, 0, 0, 0})
         hint =
             tr("Parameters cannot be read back from the module, and nothing moves before they are applied.");
@@ -366,23 +349,19 @@ void StepParametersBox::refresh() {
     else if (problem.isEmpty() && m_ignoreLimits->isChecked())
         hint = tr("With this the limit switches do not stop the motor.");
     look::setText(m_hint, hint);
-    QString reason;
-    if (!m_connected || !m_state)
-        reason = texts::refusal(Refusal::NotConnected);
-    else if (const auto refusal = whyNot(Request::SetParameters, *m_state))
-        reason = texts::refusal(*refusal);
-    else
-        reason = m_busy && problem.isEmpty() ? tr("Waiting for the module's answer.") : problem;
-    const bool live = m_state && m_state->driveOn();
-    look::setPossible(m_apply, reason,
-                      live ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
-                                "immediately.")
-                           : tr("Sends all parameters at once. The motor does not move."));
-    look::setPossible(
-        m_revert,
-        m_state && m_drafts.contains(m_state->info.index.value()) ? QString() : tr("Nothing was edited."),
-        sent ? tr("Back to the parameters that were sent. Sends nothing.")
-             : tr("Empties the fields: no parameters have been sent yet. Sends nothing."));
+    const QString reason = m_context.reasonFor(Request::SetParameters);
+    m_apply->setPossible(
+        !reason.isEmpty()    ? reason
+        : !problem.isEmpty() ? problem
+                             : m_context.whyBusy(),
+        m_context.state().driveOn()
+            ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
+                 "immediately.")
+            : tr("Sends all parameters at once. The motor does not move."));
+    m_revert->setPossible(m_typed ? QString() : tr("Nothing was edited."),
+                          m_sent
+                              ? tr("Back to the parameters that were sent. Sends nothing.")
+                              : tr("Empties the fields: no parameters have been sent yet. Sends nothing."));
 }
 
 }  // namespace nmc

@@ -1,43 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QHash>
 #include <QWidget>
 #include <array>
 #include <optional>
 
 #include "model/module/stepspeed.h"
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 #include "widgets/panels/stepmeaning.h"
 
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
+class Command;
 class NumberField;
 class QuantityField;
 class StepRampBox;
 
 /// The parameters of one PIC-STEP. They cannot be read back, so each says whether it was sent in this
-/// connection. Edits are staged per module; Apply sends all of them at once.
+/// connection. Edits are staged; Apply sends all of them at once.
 class StepParametersBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepParametersBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-    /// A click was passed on; Apply waits for the module's next word.
-    void setBusy(bool busy);
-
-signals:
-    void intentRequested(const nmc::Intent& intent);
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    StepParametersBox(ModuleContext& context, QWidget* parent);
 
 private:
     struct Row {
@@ -58,6 +48,7 @@ private:
     [[nodiscard]] std::optional<step::SetParameters> entered() const;
     void showEntries(const Entries& entries);
     void showSettings();
+    void showModule();
     void edit();
     void revert();
     void fillIn();
@@ -67,6 +58,7 @@ private:
     void refresh();
     [[nodiscard]] StepSpeed speeds() const;
 
+    ModuleContext& m_context;
     QComboBox* m_speedMode;
     QuantityField* m_minimumSpeed;
     NumberField* m_runCurrent;
@@ -77,22 +69,15 @@ private:
     QCheckBox* m_motorOff;
     std::array<Row, kStepParameters.size()> m_rows;
     StepRampBox* m_ramp;
-    QPushButton* m_fill;
-    QPushButton* m_revert;
-    QPushButton* m_apply;
+    Command* m_fill;
+    Command* m_revert;
+    Command* m_apply;
     QLabel* m_hint;
 
-    /// Typed and not sent.
-    struct Draft {
-        Entries entries;
-        std::optional<step::SetParameters> axis;  ///< what the axis had then: others since, from a file, win
-    };
-    QHash<int, Draft> m_drafts;  ///< of modules with edits that are not sent
-    std::optional<ModuleState> m_state;
-    AxisSettings m_settings;
-    std::optional<step::SetParameters> m_shown;  ///< of the settings, as last shown or emitted
-    bool m_connected = false;
-    bool m_busy = false;
+    bool m_typed = false;  ///< since it was sent, or a machine file was opened
+    /// When they were looked at last: the axis's, and those that were sent.
+    std::optional<step::SetParameters> m_kept;
+    std::optional<step::SetParameters> m_sent;
 };
 
 }  // namespace nmc

@@ -13,8 +13,9 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepRampBox::StepRampBox(QWidget* parent)
+StepRampBox::StepRampBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
+      m_context(context),
       m_time(new NumberField(0, this)),
       m_acceleration(look::newMutedLabel({}, this)),
       m_state(look::newMutedLabel({}, this)),
@@ -59,46 +60,40 @@ StepRampBox::StepRampBox(QWidget* parent)
     grid->setColumnStretch(4, 1);
 
     connect(m_time, &NumberField::edited, this, [this] {
-        if (const auto time = m_time->value()) {
-            m_settings.accelerationTime = *time;
-            emit settingsEdited([time](AxisSettings& axis) { axis.accelerationTime = *time; });
-        }
+        if (const auto time = m_time->value())
+            m_context.edit([time](AxisSettings& axis) { axis.accelerationTime = *time; });
         refresh();
     });
     connect(m_cap, &QuantityField::nativeEdited, this, [this] {
-        if (const auto cap = m_cap->native()) {
-            m_settings.motion.holdCap = *cap;
-            emit settingsEdited([cap](AxisSettings& axis) { axis.motion.holdCap = *cap; });
-        }
+        if (const auto cap = m_cap->native())
+            m_context.edit([cap](AxisSettings& axis) { axis.motion.holdCap = *cap; });
     });
+    m_context.whenSeen(this, [this] { showModule(); });
 }
 
-void StepRampBox::showModule(const PanelView& view) {
-    const bool other = m_module != view.module.info.index;
-    m_module = view.module.info.index;
-    m_stepper = view.module.stepper;
-    m_settings = view.settings;
-    m_cap->setScale(view.scale());
-    m_cap->setNativeRange(stepdefaults::slowestProfile(*m_stepper, m_settings),
-                          stepdefaults::speedMode(*m_stepper, m_settings).fastest());
+void StepRampBox::showModule() {
+    const StepState& stepper = m_context.state().stepper;
+    const AxisSettings& settings = m_context.settings();
+    m_cap->setScale(m_context.scale());
+    m_cap->setNativeRange(stepdefaults::slowestProfile(stepper, settings),
+                          stepdefaults::speedMode(stepper, settings).fastest());
     // Not under the hands of who is typing there.
-    const double time = stepdefaults::accelerationTime(m_settings);
-    if (other || (!m_time->hasFocus() && m_time->value() != time))
+    const double time = stepdefaults::accelerationTime(settings);
+    if (!m_time->hasFocus() && m_time->value() != time)
         m_time->showValue(time);
-    const double cap = stepdefaults::holdCap(*m_stepper, m_settings);
-    if (other || (!m_cap->hasFocus() && m_cap->native() != cap))
+    const double cap = stepdefaults::holdCap(stepper, settings);
+    if (!m_cap->hasFocus() && m_cap->native() != cap)
         m_cap->showNative(cap);
     refresh();
 }
 
 void StepRampBox::refresh() {
-    if (!m_stepper)
-        return;
-    const StepSpeed speeds = stepdefaults::speedMode(*m_stepper, m_settings);
+    const StepState& stepper = m_context.state().stepper;
+    const StepSpeed speeds = stepdefaults::speedMode(stepper, m_context.settings());
     const auto time = m_time->value();
     look::setText(m_acceleration, time ? texts::acceleration(speeds, static_cast<int>(*time), m_cap->scale())
                                        : m_time->problemText());
-    const auto loaded = m_stepper->accelerationTime();
+    const auto loaded = stepper.accelerationTime();
     look::setText(m_state, !loaded           ? tr("? unknown")
                            : *loaded == time ? tr("✓ sent")
                                              : tr("● edited, not sent"));

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
-#include "widgets/panels/panelview.h"
+#include "widgets/panels/modulecontext.h"
 
 class QLabel;
 
@@ -19,24 +18,17 @@ class StepRampBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StepRampBox(QWidget* parent = nullptr);
-
-    /// Emits nothing.
-    void showModule(const PanelView& view);
-
-signals:
-    void settingsEdited(const nmc::SettingsEdit& edit);
+    StepRampBox(ModuleContext& context, QWidget* parent);
 
 private:
+    void showModule();
     void refresh();
 
+    ModuleContext& m_context;
     NumberField* m_time;
     QLabel* m_acceleration;
     QLabel* m_state;
     QuantityField* m_cap;
-    std::optional<StepState> m_stepper;
-    std::optional<ModuleIndex> m_module;
-    AxisSettings m_settings;
 };
 
 }  // namespace nmc

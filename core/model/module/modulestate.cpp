@@ -53,6 +53,8 @@ void ModuleState::apply(const bus::Sample& sample) {
         latest.emplace();
     merge(*latest, sample.report);
     latestTime = sample.time;
+    if (sample.report.position)
+        speed.apply(sample.time, *sample.report.position);
     home.apply(sample);
     watchHome(sample);
     if (isStepper()) {
@@ -110,6 +112,7 @@ void ModuleState::watchHome(const bus::Sample& sample) {
 void ModuleState::apply(const bus::CommandExecuted& executed) {
     homing.apply(executed);
     home.apply(executed);
+    speed.apply(executed);
     if (const auto* step = std::get_if<StepCommand>(&executed.command)) {
         stepper.apply(*step, executed.time);
         amplifierEnabled = stepper.amplifierOn();
@@ -145,6 +148,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
 
 void ModuleState::restarted() {
     hasRestarted = true;
+    speed.forget();
     gains.reset();
     io.reset();
     homing = {};

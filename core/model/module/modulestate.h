@@ -10,6 +10,7 @@
 #include "model/module/activity.h"
 #include "model/module/homefact.h"
 #include "model/module/homewatch.h"
+#include "model/module/measuredspeed.h"
 #include "model/module/stepstate.h"
 
 namespace nmc {
@@ -51,6 +52,7 @@ struct ModuleState {
     HomeWatch homing;
     /// Where home is, which is not what the chip's register says.
     HomeFact home;
+    MeasuredSpeed speed;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
     /// As above, and motor power was missing when it was noticed.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/measuredspeed.h"
+
+#include <cstdlib>
+
+#include "base/strong.h"
+
+namespace nmc {
+
+namespace {
+using namespace std::chrono_literals;
+constexpr Duration kAnchored = 100ms;
+constexpr Duration kShortest = 50ms;
+/// After a silence the way between is no speed.
+constexpr Duration kSilence = 1s;
+}  // namespace
+
+void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
+    if (m_latest && (time <= m_latest->time || time - m_latest->time > kSilence))
+        forget();
+    m_latest = Look{time, position};
+    if (!m_anchor) {
+        m_anchor = m_latest;
+    } else if (time - m_anchor->time >= kAnchored) {
+        m_before = m_anchor;
+        m_anchor = m_latest;
+    }
+}
+
+void MeasuredSpeed::apply(const bus::CommandExecuted& executed) {
+    const auto sets = [](const auto& command) { return std::holds_alternative<ResetPosition>(command); };
+    if (std::visit(sets, executed.command))
+        forget();
+}
+
+std::optional<double> MeasuredSpeed::perSecond() const {
+    const auto& from = m_before ? m_before : m_anchor;
+    if (!from || m_latest->time - from->time < kShortest)
+        return std::nullopt;
+    const std::int32_t way = countsBetween(from->position, m_latest->position);
+    // A shaft that is held between two counts shows now the one, now the other.
+    if (std::abs(std::int64_t{way}) <= 1)
+        return 0.0;
+    return way / toSeconds(m_latest->time - from->time);
+}
+
+}  // namespace nmc

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands as objects: the Module menu, the palette that finds them, their keys.
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabWidget>
+#include <QTreeWidget>
+
+#include "tests/model/stepfixture.h"
+#include "widgets/panels/command.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::Stepper;
+
+class Commands : public WindowTest {
+protected:
+    void strike(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
+    }
+    QWidget* palette() { return window->findChild<QWidget*>(u"commandPalette"_s); }
+    /// By Ctrl+K, then the words.
+    void look(const QString& words) {
+        QTest::keyClick(window->windowHandle(), Qt::Key_K, Qt::ControlModifier);
+        ASSERT_NE(palette(), nullptr);
+        ASSERT_TRUE(QTest::qWaitForWindowActive(palette()));
+        for (const QChar c : words)
+            strike(static_cast<Qt::Key>(c.toUpper().unicode()));
+    }
+    QString chosen() {
+        const QTreeWidgetItem* item = palette()->findChild<QTreeWidget*>()->currentItem();
+        return item == nullptr ? QString() : item->text(0) + u" / "_s + item->text(1);
+    }
+    QString says() { return palette()->findChild<QLabel*>(u"commandReason"_s)->text(); }
+    QString focused() {
+        const QWidget* widget = QApplication::focusWidget();
+        return widget != nullptr ? widget->objectName() : QString();
+    }
+    QMenu* moduleMenu() {
+        auto* menu = window->findChild<QMenu*>(u"moduleMenu"_s);
+        menu->popup(QPoint(0, 0));
+        return menu;
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy stops{window.get(), &MainWindow::stopAllRequested};
+};
+
+TEST_F(Commands, AreFoundByTheirWordsAndDoneByEnter) {
+    showServo();
+    look(u"run forward"_s);
+    EXPECT_EQ(chosen(), u"Run forward until stopped / Module 1"_s);
+    strike(Qt::Key_Return);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::RunAtVelocity>(intents.at(0).at(1).value<Intent>()));
+    EXPECT_FALSE(palette()->isVisible());
+}
+
+TEST_F(Commands, SayWhyTheyCannotBeDone) {
+    showServo({.on = false});
+    look(u"run forward"_s);
+    EXPECT_EQ(says(), button(u"runForwardButton"_s)->toolTip());
+    strike(Qt::Key_Return);
+    EXPECT_EQ(intents.size(), 0);
+    EXPECT_TRUE(palette()->isVisible()) << "the reason is read there";
+}
+
+TEST_F(Commands, OfAPageThatIsNotInSightAreAsTheModuleIsNow) {
+    showServo({.gains = false});
+    showServo({.millisecond = 20});  // gains were applied meanwhile, and the page Details was never seen
+    look(u"sticky"_s);
+    strike(Qt::Key_Return);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::ClearStickyBits>(intents.at(0).at(1).value<Intent>()));
+    EXPECT_TRUE(window->findChild<QWidget*>(u"detailsBox"_s)->isVisible()) << "what acts is seen";
+}
+
+TEST_F(Commands, OfAnotherModuleAreShownAndNotDone) {
+    showServos({{}, {}});
+    look(u"module 2 run forward"_s);
+    ASSERT_EQ(chosen(), u"Run forward until stopped / Module 2"_s);
+    strike(Qt::Key_Return);
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    EXPECT_EQ(focused(), u"runForwardButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Commands, OfTheMenusAreFoundToo) {
+    look(u"safety"_s);
+    strike(Qt::Key_Return);
+    EXPECT_NE(window->findChild<QWidget*>(u"safetyDialog"_s), nullptr);
+}
+
+TEST_F(Commands, EscInThePaletteStopsAndClosesIt) {
+    showServo({.moveDone = false});
+    look(u"go"_s);
+    strike(Qt::Key_Escape);
+    EXPECT_EQ(stops.size(), 1);
+    EXPECT_FALSE(palette()->isVisible());
+}
+
+TEST_F(Commands, StandInTheModuleMenuWithTheirKeys) {
+    showServo();
+    QMenu* menu = moduleMenu();
+    QStringList texts;
+    for (const QAction* action : menu->actions())
+        texts << action->text().remove(u'&');
+    EXPECT_TRUE(texts.contains(u"Go home"_s));
+    EXPECT_TRUE(texts.contains(u"Clear sticky bits"_s)) << "of a page that is not in sight";
+    menu->close();
+}
+
+TEST_F(Commands, OfTheModuleMenuAreThoseOfItsChip) {
+    window->showLink(connectedTo({Stepper::holding().module}));
+    QMenu* menu = moduleMenu();
+    QStringList names;
+    for (const QAction* action : menu->actions())
+        names << action->text().remove(u'&');
+    EXPECT_TRUE(names.contains(u"Apply parameters"_s));
+    EXPECT_FALSE(names.contains(u"Apply gains"_s));
+    menu->close();
+}
+
+TEST_F(Commands, NameTheirKeysInTheToolTip) {
+    showServo();
+    EXPECT_EQ(button(u"goHomeButton"_s)->toolTip().count(u"Ctrl+Shift+G"_s), 0) << "not possible: the reason";
+    EXPECT_TRUE(button(u"loadButton"_s)->toolTip().endsWith(u" (Ctrl+D)."_s))
+        << button(u"loadButton"_s)->toolTip().toStdString();
+}
+
+TEST_F(Commands, NoKeyHasTwoMeanings) {
+    for (const ModuleState& module : {Servo{}.state(), Stepper::holding().module}) {
+        window->showLink(connectedTo({module}));
+        QHash<QKeySequence, QString> meanings;
+        const auto note = [&meanings](const QKeySequence& key, const QString& what) {
+            if (key.isEmpty())
+                return;
+            EXPECT_FALSE(meanings.contains(key) && meanings[key] != what)
+                << key.toString().toStdString() << ": " << meanings[key].toStdString() << ", "
+                << what.toStdString();
+            meanings[key] = what;
+        };
+        for (const QAction* action : window->findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts())
+                note(key, action->text().remove(u'&'));
+        for (const QAbstractButton* one : window->findChildren<QAbstractButton*>())
+            if (!one->shortcut().toString().startsWith(u"Alt+"_s))
+                note(one->shortcut(), one->text().remove(u'&'));
+        EXPECT_GT(meanings.size(), 20);
+    }
+}
+
+TEST_F(Commands, EnterInRunRunsAndKeepsTheDirection) {
+    showServo();
+    type(u"runVelocityField"_s, u"0.4"_s);
+    QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_FALSE(std::get<intent::RunAtVelocity>(intents.at(0).at(1).value<Intent>()).reverse);
+
+    ModuleState reverse = Servo{.moveDone = false, .millisecond = 40}.state();
+    reverse.motion = MotionMode::Velocity;
+    reverse.goalVelocity = -0.4;
+    window->showLink(connectedTo({reverse}));
+    QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
+    ASSERT_EQ(intents.size(), 2);
+    EXPECT_TRUE(std::get<intent::RunAtVelocity>(intents.at(1).at(1).value<Intent>()).reverse);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands above everything of a module, whatever is scrolled or chosen below it.
+#include <QAbstractItemModel>
+#include <QListView>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabWidget>
+
+#include "tests/model/stepfixture.h"
+#include "widgets/chain/chainmodel.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::Stepper;
+
+class Head : public WindowTest {
+protected:
+    ModuleState turning(int countsPer100Ms) {
+        ModuleState module = Servo{.moveDone = false}.state();
+        for (int i = 1; i <= 3; ++i) {
+            bus::Sample sample{module.info.index, TimePoint(std::chrono::milliseconds(1000 + 100 * i)),
+                               *module.latest};
+            sample.report.position = countsPer100Ms * i;
+            module.apply(sample);
+        }
+        return module;
+    }
+    QString listed() {
+        return find<QListView>(u"chainList"_s)
+            ->model()
+            ->index(0, 0)
+            .data(ChainModel::ActivityText)
+            .toString();
+    }
+};
+
+TEST_F(Head, StaysInViewWhereThePageScrolls) {
+    window->resize(800, 600);
+    showServo();
+    auto* bar = find<QScrollArea>(u"panelScroll"_s)->verticalScrollBar();
+    bar->setValue(bar->maximum());
+    EXPECT_GT(bar->maximum(), 0);
+    for (const QString& name : {u"stateLabel"_s, u"positionLabel"_s, u"velocityLabel"_s,
+                                u"stopSmoothlyButton"_s, u"motorOffButton"_s})
+        EXPECT_FALSE(find(name)->visibleRegion().isEmpty()) << name.toStdString();
+}
+
+/// Whole: not one pixel of it is cut, by the window or by a scroll area.
+bool isWhole(const QWidget& widget) {
+    return widget.visibleRegion().boundingRect() == widget.rect() &&
+           widget.width() >= widget.sizeHint().width();
+}
+
+TEST_F(Head, AllMotionsAreInViewOnASmallLaptop) {
+    window->resize(1280, 800);
+    showServo();
+    for (int i = 0; i < 5; ++i)
+        QApplication::processEvents();
+    for (const QString& name : {u"goButton"_s, u"goHomeButton"_s, u"runForwardButton"_s,
+                                u"runReverseButton"_s, u"holdForwardButton"_s, u"holdReverseButton"_s,
+                                u"stepForwardButton"_s, u"stepReverseButton"_s, u"stepEndButton"_s})
+        EXPECT_TRUE(isWhole(*find(name))) << name.toStdString();
+}
+
+TEST_F(Head, TheScopeGetsBackWhatItGaveToTheMotions) {
+    const auto settle = [] {
+        for (int i = 0; i < 5; ++i)
+            QApplication::processEvents();
+    };
+    window->resize(1456, 952);
+    showServo();
+    settle();
+    const int high = find(u"scopeDock"_s)->height();
+    window->resize(1456, 720);
+    settle();
+    EXPECT_LT(find(u"scopeDock"_s)->height(), high);
+    window->resize(1456, 952);
+    settle();
+    EXPECT_GE(find(u"scopeDock"_s)->height(), high);
+}
+
+TEST_F(Head, NothingThatStopsOrTellsIsCutInTheSmallestWindow) {
+    window->resize(800, 600);
+    showServo();
+    window->showFigures({.exchangesPerSecond = 1'234,
+                         .wireShare = 0.98,
+                         .errorsPerSecond = 12.5,
+                         .errors = 1234567,
+                         .meanRoundTripMs = 12.5});
+    for (int i = 0; i < 5; ++i)
+        QApplication::processEvents();
+    EXPECT_LE(window->width(), 800);
+    EXPECT_TRUE(isWhole(*find(u"stopAllButton"_s)));
+    for (const QString& name : {u"rateLabel"_s, u"errorLabel"_s, u"roundTripLabel"_s})
+        EXPECT_TRUE(!find(name)->isVisible() || isWhole(*find(name))) << name.toStdString();
+    EXPECT_TRUE(find(u"rateLabel"_s)->isVisible());
+    // The motions are a page of their own there, and the first.
+    EXPECT_TRUE(find(u"goButton"_s)->isVisible());
+    EXPECT_EQ(find<QTabWidget>(u"servoPages"_s)->currentIndex(), 0);
+}
+
+TEST_F(Head, SaysHowFastTheShaftTurnsInTheUsersUnit) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 100.0, {}};
+    window->showMachine(machine);
+    window->showLink(connectedTo({turning(-250)}));  // -2500 counts/s
+    EXPECT_EQ(text(u"velocityLabel"_s), u"\u221225.0 mm/s"_s);
+}
+
+TEST_F(Head, SaysNoSpeedOfWhatDoesNotAnswer) {
+    ModuleState module = turning(250);
+    module.silent = true;
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"velocityLabel"_s), u"–"_s);
+}
+
+TEST_F(Head, ShowsLimitsAndPower) {
+    ModuleState module = Servo{}.state();
+    module.latest->status |= 0x20;  // limit 1 (DS-V 5.3)
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"headLimit1"_s), u"Limit 1 high"_s);
+    EXPECT_EQ(text(u"headLimit2"_s), u"Limit 2 low"_s);
+    EXPECT_EQ(text(u"headPower"_s), u"Power"_s);
+    showServo({.power = false});
+    EXPECT_EQ(text(u"headPower"_s), u"No power"_s);
+}
+
+TEST_F(Head, ShowsNoLimitWhereThePinIsAnOutput) {
+    ModuleState module = Servo{}.state();
+    module.io = servo::IoControl{.limit1IsInput = false};
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"headLimit1"_s), u"Limit 1 –"_s);
+}
+
+TEST_F(Head, ShowsAnArmedLimitStop) {
+    ModuleState module = Servo{}.state();
+    servo::SetHoming arm;
+    arm.onLimit1Change = true;
+    arm.stopAbruptly = true;
+    module.apply(bus::CommandExecuted{module.info.index, module.latestTime, ServoCommand(arm)});
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"headLimitStop"_s), u"● Limit stop armed"_s);
+}
+
+TEST_F(Head, AndTheListShowARunningProcedure) {
+    showServo();
+    ProcedureReport report;
+    report.stage = ProcedureStage::Searching;
+    window->showProcedure(report);
+    EXPECT_TRUE(text(u"procedureLabel"_s).contains(u"Searching"_s));
+    EXPECT_TRUE(listed().startsWith(u"Searching"_s)) << listed().toStdString();
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    EXPECT_TRUE(text(u"procedureLabel"_s).isEmpty());
+    EXPECT_FALSE(listed().startsWith(u"Searching"_s));
+}
+
+TEST_F(Head, OfAStepperShowsItsInputs) {
+    Stepper stepper = Stepper::holding();
+    stepper.module.latest->aux = std::uint8_t{0x08};  // limit 1 (DS-S 5.3)
+    window->showLink(connectedTo({stepper.module}));
+    EXPECT_EQ(text(u"stepHeadLimit1"_s), u"Limit 1 high"_s);
+    EXPECT_EQ(text(u"stepHeadLimit2"_s), u"Limit 2 low"_s);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace nmc {
+
+/// Finds any command by typing some of its words, says why it can't be done now, and does it on Enter. It
+/// blocks nothing: STOP ALL and Esc work as ever, and Esc closes it. GUI thread.
+class CommandPalette : public QDialog {
+    Q_OBJECT
+
+public:
+    struct Entry {
+        QString text;      ///< as on its button: "Go"
+        QString sentence;  ///< "Go to the position"
+        QString place;     ///< whose it is: "Module 3 "Z axis"", "Chain"
+        QString key;
+        QString meaning;                  ///< what Enter does
+        std::function<QString()> reason;  ///< why it can't be done now; empty where it can
+        std::function<void()> act;
+    };
+
+    explicit CommandPalette(QWidget* parent);
+
+    /// Opens it with these, whatever it had before.
+    void showEntries(std::vector<Entry> entries);
+
+protected:
+    /// The arrow keys choose while the line has the focus.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void filter();
+    void choose();
+    void act();
+    [[nodiscard]] const Entry* current() const;
+
+    QLineEdit* m_words;
+    QTreeWidget* m_list;
+    QLabel* m_reason;
+    std::vector<Entry> m_entries;
+};
+
+}  // namespace nmc

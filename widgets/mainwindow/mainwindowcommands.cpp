@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every command of the window in one place: the Module menu, and the palette that finds them by their words.
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QTimer>
+
+#include "widgets/chain/chainview.h"
+#include "widgets/common/words.h"
+#include "widgets/mainwindow/commandpalette.h"
+#include "widgets/mainwindow/mainwindow.h"
+#include "widgets/panels/command.h"
+#include "widgets/panels/modulepage.h"
+#include "widgets/panels/modulepanel.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString keyOf(const QAction& action) {
+    return action.shortcut().toString(QKeySequence::NativeText);
+}
+
+void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
+    for (QAction* action : menu.actions()) {
+        if (action->menu() != nullptr) {
+            addMenu(*action->menu(), entries);
+            continue;
+        }
+        if (action->isSeparator() || !action->isVisible())
+            continue;
+        const QString text = action->text().remove(u'&');
+        const auto reason = [action = QPointer(action)] {
+            if (action && action->isEnabled())
+                return QString();
+            const bool told = action && action->toolTip() != action->iconText();
+            return told ? action->toolTip() : MainWindow::tr("It is not possible now.");
+        };
+        entries.push_back({text, text, menu.title().remove(u'&'), keyOf(*action),
+                           MainWindow::tr("Enter does it."), reason, [action = QPointer(action)] {
+                               if (action)
+                                   action->trigger();
+                           }});
+    }
+}
+
+}  // namespace
+
+void MainWindow::fillModuleMenu(QMenu& menu) {
+    menu.clear();
+    ModulePage* page = m_panel->page();
+    if (page == nullptr) {
+        menu.addAction(tr("No module"))->setEnabled(false);
+        return;
+    }
+    page->context().catchUp();
+    const QWidget* box = nullptr;
+    for (Command* command : page->commands()) {
+        if (!command->isVisible())
+            continue;
+        if (box != nullptr && box != command->box())
+            menu.addSeparator();
+        box = command->box();
+        menu.addAction(command);
+    }
+}
+
+void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
+    ModulePage* page = m_panel->page();
+    if (page == nullptr)
+        return;
+    page->context().catchUp();
+    for (Command* command : page->commands()) {
+        if (!command->isVisible())
+            continue;
+        const auto reason = [command = QPointer(command)] {
+            return command ? command->reason() : tr("Its module is gone.");
+        };
+        const auto act = [page = QPointer(page), command = QPointer(command)] {
+            if (!page || !command)
+                return;
+            // As it is now, in sight or not.
+            page->context().catchUp();
+            command->act();
+        };
+        entries.push_back({command->text().remove(u'&'), command->sentence(),
+                           texts::moduleName(page->context().state().info.index), keyOf(*command),
+                           command->toolTip(), reason, act});
+    }
+}
+
+/// What other modules can be told stands on their pages, with values that nobody sees from here: it is shown,
+/// not done.
+void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
+    for (const ModuleState& module : m_link.modules) {
+        const ModuleIndex index = module.info.index;
+        if (index == selectedModule())
+            continue;
+        const ModulePage* alike = m_panel->pageLike(viewOf(module));
+        if (alike == nullptr)
+            continue;
+        for (const Command* command : alike->commands()) {
+            const QString name = command->button()->objectName();
+            entries.push_back({command->text().remove(u'&'),
+                               command->sentence(),
+                               texts::moduleName(index),
+                               {},
+                               tr("Enter shows it on the page of its module; nothing is sent."),
+                               [] { return QString(); },
+                               [this, index, name] {
+                                   m_chain->choose(index);
+                                   if (ModulePage* page = m_panel->page())
+                                       page->showCommand(name);
+                               }});
+        }
+    }
+}
+
+void MainWindow::openPalette() {
+    std::vector<CommandPalette::Entry> entries;
+    addModuleEntries(entries);
+    for (const QAction* action : findChild<QMenuBar*>(u"menuBar"_s)->actions())
+        if (action->menu() != nullptr && action->menu()->objectName() != u"moduleMenu"_s)
+            addMenu(*action->menu(), entries);
+    addOtherModules(entries);
+    if (m_palette == nullptr)
+        m_palette = new CommandPalette(this);
+    m_palette->showEntries(std::move(entries));
+}
+
+}  // namespace nmc

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/modulecontext.h"
+
+#include <QEvent>
+#include <QScopedValueRollback>
+#include <QWidget>
+#include <utility>
+
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+namespace {
+
+/// Runs `refresh` at once where it can be seen, and keeps it for later where it can't.
+class Seen : public QObject {
+public:
+    Seen(QWidget* box, std::function<void()> refresh)
+        : QObject(box), m_box(*box), m_refresh(std::move(refresh)) {
+        box->installEventFilter(this);
+    }
+
+    void news() {
+        m_stale = true;
+        if (m_box.isVisible())
+            catchUp();
+    }
+    void catchUp() {
+        if (std::exchange(m_stale, false))
+            m_refresh();
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Show)
+            catchUp();
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    QWidget& m_box;
+    std::function<void()> m_refresh;
+    bool m_stale = false;
+};
+
+}  // namespace
+
+ModuleContext::ModuleContext(const PanelView& view, QObject* parent) : QObject(parent) {
+    adopt(view);
+}
+
+void ModuleContext::adopt(const PanelView& view) {
+    m_state = view.module;
+    m_settings = view.settings;
+    m_connected = view.connected;
+    m_age = view.age;
+    if (view.procedure == nullptr)
+        m_procedures.clear();
+    else
+        m_procedures.insert_or_assign(view.procedure->kind, *view.procedure);
+}
+
+void ModuleContext::show(const PanelView& view) {
+    // A status that was on its way ends nothing: the module has to speak after it was asked.
+    const bool answered = m_askedAt && view.module.latestTime != *m_askedAt && !view.module.awaited;
+    if (answered || !view.connected)
+        m_askedAt.reset();
+    adopt(view);
+    emit changed();
+}
+
+std::optional<ProcedureReport> ModuleContext::procedure(ProcedureKind kind) const {
+    const auto found = m_procedures.find(kind);
+    return found != m_procedures.end() ? std::optional(found->second) : std::nullopt;
+}
+
+std::optional<ProcedureReport> ModuleContext::runningProcedure() const {
+    for (const auto& [kind, report] : m_procedures)
+        if (!report.over())
+            return report;
+    return std::nullopt;
+}
+
+std::optional<Refusal> ModuleContext::whyNot(Request request) const {
+    return m_connected ? nmc::whyNot(request, m_state) : std::optional(Refusal::NotConnected);
+}
+
+QString ModuleContext::reasonFor(Request request) const {
+    const std::optional<Refusal> refusal = whyNot(request);
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
+QString ModuleContext::reasonNow(Request request) const {
+    const QString reason = reasonFor(request);
+    return reason.isEmpty() ? whyBusy() : reason;
+}
+
+QString ModuleContext::whyBusy() const {
+    return busy() ? tr("Waiting for the module's answer.") : QString();
+}
+
+void ModuleContext::ask(const Intent& intent) {
+    if (!isStop(intent) && !std::holds_alternative<intent::CancelProcedure>(intent)) {
+        if (busy())
+            return;
+        m_askedAt = m_state.latestTime;
+        emit changed();
+    }
+    emit asked(intent);
+}
+
+void ModuleContext::edit(const SettingsEdit& edit) {
+    AxisSettings settings = m_settings;
+    edit(settings);
+    if (m_showing || settings == m_settings)
+        return;
+    m_settings = settings;
+    emit edited(settings);
+}
+
+void ModuleContext::whenSeen(QWidget* box, const std::function<void()>& refresh) {
+    const auto quietly = [this, refresh] {
+        const QScopedValueRollback<bool> showing(m_showing, true);
+        refresh();
+    };
+    auto* seen = new Seen(box, quietly);
+    connect(this, &ModuleContext::changed, seen, &Seen::news);
+    connect(this, &ModuleContext::wanted, seen, &Seen::catchUp);
+    quietly();
+}
+
+}  // namespace nmc
