@@ -2319,10 +2319,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat die Referenzposition gefunden und hält nahe dabei, aber nichts wurde auf null gesetzt.</translation>
     </message>
     <message>
-        <source>It does not come to rest at home exactly: friction keeps it some counts off, and zero would be off by as much. Raise Ki and IL, or do without the zero.</source>
-        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe: Reibung hält ihn einige Inkremente daneben, und null läge ebenso weit daneben. Ki und IL erhöhen oder auf das Nullsetzen verzichten.</translation>
-    </message>
-    <message>
         <source>Preparing</source>
         <translation>Bereitet vor</translation>
     </message>
@@ -2421,10 +2417,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Two readings of home differ. The motor stands still.</source>
         <translation>Zwei Lesungen der Referenzposition weichen voneinander ab. Der Motor steht still.</translation>
-    </message>
-    <message>
-        <source>It does not come to rest at home exactly, so nothing was made zero.</source>
-        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe, daher wurde nichts auf null gesetzt.</translation>
     </message>
     <message>
         <source>Module %1 has no motor power, so its motor is off.</source>
@@ -3117,6 +3109,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Where home is, is not known: search for it, or save it.</source>
         <translation>Wo die Referenz liegt, ist nicht bekannt: suchen oder speichern.</translation>
+    </message>
+    <message>
+        <source>It rests %1 off its home, and zero would be off by as much: friction keeps it there. Raise Ki and IL on the page Gains, or clear &quot;Make it zero&quot; on the page Homing. What is close enough follows from the unit on the page Axis.</source>
+        <translation>Der Motor ruht %1 neben seiner Referenz, und null läge ebenso weit daneben: Reibung hält ihn dort. Ki und IL auf der Seite Reglerwerte erhöhen oder „Auf null setzen“ auf der Seite Referenzsuche abwählen. Was nah genug ist, folgt aus der Einheit auf der Seite Achse.</translation>
+    </message>
+    <message>
+        <source>It rests %1 off its home, and is zero there.</source>
+        <translation>Der Motor ruht %1 neben seiner Referenz, und dort ist null.</translation>
+    </message>
+    <message>
+        <source>It rests too far from its home for a zero. See Ki and IL on the page Gains.</source>
+        <translation>Der Motor ruht zu weit neben seiner Referenz für ein Nullsetzen. Siehe Ki und IL auf der Seite Reglerwerte.</translation>
     </message>
 </context>
 <context>
@@ -4543,10 +4547,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Auf null setzen</translation>
     </message>
     <message>
-        <source>Once the motor stands at home exactly, its position becomes 0.</source>
-        <translation>Sobald der Motor genau an der Referenz steht, wird seine Position 0.</translation>
-    </message>
-    <message>
         <source>A search for home is under way.</source>
         <translation>Eine Referenzsuche läuft.</translation>
     </message>
@@ -4585,6 +4585,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>At home the motor is switched off, and is free to turn.</source>
         <translation>An der Referenz wird der Motor abgeschaltet und ist frei drehbar.</translation>
+    </message>
+    <message>
+        <source>Once the motor stands at home, its position becomes 0.</source>
+        <translation>Sobald der Motor an der Referenz steht, wird seine Position 0.</translation>
     </message>
 </context>
 <context>

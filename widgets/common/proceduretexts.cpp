@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the table of texts has to say of procedures: homing, moves by N, changes of a motion, step responses.
 #include <QDir>
+#include <cstdlib>
 
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
@@ -18,8 +19,8 @@ struct Words {
 };
 
 /// `who`: "Module 1".
-Words homingFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
+Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
+    switch (*report.failure) {
         case ProcedureFailure::SwitchActive:
             return {Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
                     Texts::tr("The switch may be stuck, or the search goes the wrong way. Move the motor off "
@@ -62,8 +63,10 @@ Words homingFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
-                Texts::tr("It does not come to rest at home exactly: friction keeps it some counts off, "
-                          "and zero would be off by as much. Raise Ki and IL, or do without the zero.")};
+                Texts::tr("It rests %1 off its home, and zero would be off by as much: friction keeps it "
+                          "there. Raise Ki and IL on the page Gains, or clear \"Make it zero\" on the page "
+                          "Homing. What is close enough follows from the unit on the page Axis.")
+                    .arg(position(scale, std::abs(report.offHome)))};
     }
     return {};
 }
@@ -156,7 +159,7 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
     if (report.stage == ProcedureStage::Failed && report.failure) {
         Words words;
         if (report.kind == ProcedureKind::Homing)
-            words = homingFailed(*report.failure, who);
+            words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
         else
@@ -170,6 +173,9 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         return std::nullopt;
     message.headline =
         Texts::tr("%1 has found its home: it was at %2.").arg(who, position(scale, *report.home));
+    if (report.offHome != 0)
+        message.body = Texts::tr("It rests %1 off its home, and is zero there.")
+                           .arg(position(scale, std::abs(report.offHome)));
     return message;
 }
 
@@ -209,7 +215,7 @@ QString procedureFailure(ProcedureFailure failure) {
                 "The motor swung by more than the whole step and did not calm down, so it was "
                 "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::NotAtHome:
-            return Texts::tr("It does not come to rest at home exactly, so nothing was made zero.");
+            return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
     }
     return {};
 }

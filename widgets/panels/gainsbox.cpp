@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QUndoStack>
 
+#include "model/settings/startinggains.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -156,7 +157,7 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
     addLine(line + 1, {step}, {m_revert, m_apply});
     connect(m_apply, &QPushButton::clicked, this, &GainsBox::apply);
     connect(m_revert, &QPushButton::clicked, this, &GainsBox::revert);
-    connect(m_fill, &QPushButton::clicked, this, [this] { fill(startingValue); });
+    connect(m_fill, &QPushButton::clicked, this, [this] { stage(startingGains(m_settings.unit)); });
     connect(m_zero, &QPushButton::clicked, this, [this] { fill(zeroValue); });
     connect(m_undo, &QPushButton::clicked, this, [this] { undoStack().undo(); });
     connect(m_redo, &QPushButton::clicked, this, [this] { undoStack().redo(); });

@@ -103,8 +103,9 @@ HomingBox::HomingBox(QWidget* parent, ModuleType type)
     layout->addWidget(m_hint);  // it comes and goes, and nothing may move under the pointer
 
     connect(m_form, &HomingForm::edited, this, &HomingBox::keepRecipe);
-    connect(m_home, &QPushButton::clicked, this,
-            [this] { emit intentRequested(intent::Home{m_form->recipe()}); });
+    connect(m_home, &QPushButton::clicked, this, [this] {
+        emit intentRequested(intent::Home{m_form->recipe(), homeTolerance(m_settings.unit)});
+    });
     connect(m_cancel, &QPushButton::clicked, this,
             [this] { emit intentRequested(intent::CancelProcedure{}); });
     refresh();

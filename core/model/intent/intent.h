@@ -67,6 +67,8 @@ struct ControlIo {
 /// Look for home; either chip. A procedure.
 struct Home {
     HomingRecipe recipe;
+    /// Counts that it may rest off its home and make it zero all the same (homeTolerance()).
+    std::int32_t tolerance = 0;
 };
 /// Trapezoidal moves by N, one after the other. A procedure.
 struct StepBy {

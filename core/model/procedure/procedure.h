@@ -49,7 +49,7 @@ enum class ProcedureFailure : std::uint8_t {
     ReadingsDiffer,
     NotStill,   ///< it swings where it should stand; the servo stays on
     Unstable,   ///< it has gone too far, and did not come to rest by a hold; it was switched off
-    NotAtHome,  ///< it does not come to rest at home exactly, so that must not become zero
+    NotAtHome,  ///< it comes to rest too far from home for that to become zero
 };
 
 /// What the window shows of a procedure.
@@ -59,6 +59,7 @@ struct ProcedureReport {
     ProcedureStage stage = ProcedureStage::Preparing;
     std::optional<ProcedureFailure> failure{};  ///< of Failed
     std::optional<std::int32_t> home{};         ///< captured, before it was made zero
+    std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
     std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken

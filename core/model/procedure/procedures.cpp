@@ -12,7 +12,9 @@ namespace nmc {
 
 std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState& module) {
     if (const auto* home = std::get_if<intent::Home>(&intent))
-        return whyNotHome(home->recipe, module) ? nullptr : std::make_unique<HomingRun>(home->recipe, module);
+        return whyNotHome(home->recipe, module)
+                   ? nullptr
+                   : std::make_unique<HomingRun>(home->recipe, home->tolerance, module);
     if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
