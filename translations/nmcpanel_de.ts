@@ -3115,12 +3115,104 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor ruht %1 neben seiner Referenz, und null läge ebenso weit daneben: Reibung hält ihn dort. Ki und IL auf der Seite Reglerwerte erhöhen oder „Auf null setzen“ auf der Seite Referenzsuche abwählen. Was nah genug ist, folgt aus der Einheit auf der Seite Achse.</translation>
     </message>
     <message>
+        <source>%1 has no verdict on its direction, and its motor is off.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor ist aus.</translation>
+    </message>
+    <message>
+        <source>%1 has no verdict on its direction, and its motor was told to switch off.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor wurde angewiesen, sich abzuschalten.</translation>
+    </message>
+    <message>
+        <source>It was turned farther than the check allows: something else turns it, or it runs on for long. See that it stands still, then check again.</source>
+        <translation>Er wurde weiter gedreht, als die Prüfung erlaubt: Etwas anderes dreht ihn, oder er läuft lange nach. Dafür sorgen, dass er stillsteht, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>It does not stand still although nothing drives it. See what turns it, then check again.</source>
+        <translation>Er steht nicht still, obwohl ihn nichts antreibt. Nachsehen, was ihn dreht, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>The link was in doubt meanwhile. See to the link, then check again.</source>
+        <translation>Die Verbindung war unterdessen zweifelhaft. Die Verbindung in Ordnung bringen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has no verdict on its direction and does not answer. Motor state unknown.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und das Modul antwortet nicht. Zustand des Motors unbekannt.</translation>
+    </message>
+    <message>
+        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <translation>Er wurde angewiesen, sich abzuschalten. Den Hardware-Not-Halt benutzen, falls er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>A command was not carried out, or its answer was lost. Check again.</source>
+        <translation>Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren. Erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: motor and encoder go the same way.</source>
+        <translation>%1: Motor und Encoder laufen in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>%1: motor or encoder is reversed. Do not enable it.</source>
+        <translation>%1: Motor oder Encoder ist vertauscht. Nicht einschalten.</translation>
+    </message>
+    <message>
+        <source>%1 did not move when it was pushed.</source>
+        <translation>%1 hat sich beim Anstoßen nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>%1 closed a limit switch, so it was not pushed on.</source>
+        <translation>%1 hat einen Endschalter geschlossen und wurde deshalb nicht weiter angestoßen.</translation>
+    </message>
+    <message>
+        <source>%1 lost its motor power while it was pushed.</source>
+        <translation>%1 hat beim Anstoßen die Motorversorgung verloren.</translation>
+    </message>
+    <message>
+        <source>%1 did not move one way and the other.</source>
+        <translation>%1 hat sich nicht hin und her bewegt.</translation>
+    </message>
+    <message>
         <source>It rests %1 off its home, and is zero there.</source>
         <translation>Der Motor ruht %1 neben seiner Referenz, und dort ist null.</translation>
     </message>
     <message>
         <source>It rests too far from its home for a zero. See Ki and IL on the page Gains.</source>
         <translation>Der Motor ruht zu weit neben seiner Referenz für ein Nullsetzen. Siehe Ki und IL auf der Seite Reglerwerte.</translation>
+    </message>
+    <message>
+        <source>All right: driven forward it counts up, in reverse down. It can be enabled.</source>
+        <translation>In Ordnung: Vorwärts angetrieben zählt er aufwärts, rückwärts abwärts. Er kann eingeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Reversed: driven forward it counts down. Enabled like this it would run away. Swap the motor&apos;s two leads, or the encoder&apos;s A and B, then check again.</source>
+        <translation>Vertauscht: Vorwärts angetrieben zählt er abwärts. So eingeschaltet würde er davonlaufen. Die beiden Motorleitungen oder A und B des Encoders vertauschen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>No movement with %1 % of the supply, and motor power is there: look for a jam or a brake, at the cables of motor and encoder, or for a load that is too heavy.</source>
+        <translation>Keine Bewegung mit %1 % der Versorgung, und die Motorversorgung ist da: nach einer Blockade oder Bremse, nach den Kabeln von Motor und Encoder oder nach einer zu schweren Last sehen.</translation>
+    </message>
+    <message>
+        <source>A limit input is active: it may stand in a switch that takes its power away.</source>
+        <translation>Ein Endschaltereingang ist aktiv: Vielleicht steht er in einem Schalter, der ihm den Strom nimmt.</translation>
+    </message>
+    <message>
+        <source>Limit 1 closed on the way.</source>
+        <translation>Endschalter 1 hat unterwegs geschlossen.</translation>
+    </message>
+    <message>
+        <source>Limit 2 closed on the way.</source>
+        <translation>Endschalter 2 hat unterwegs geschlossen.</translation>
+    </message>
+    <message>
+        <source>Turn the motor away from its end by hand, then check again.</source>
+        <translation>Den Motor von Hand vom Ende wegdrehen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Motor power went away. Switch it on, then check again.</source>
+        <translation>Die Motorversorgung ist ausgefallen. Einschalten, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.</source>
+        <translation>Nicht eindeutig: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Von Hand vom Ende wegdrehen, die Last abnehmen, dann erneut prüfen.</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,59 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
     return {};
 }
 
+Words directionFailed(ProcedureFailure failure, const QString& who) {
+    const QString off = Texts::tr("%1 has no verdict on its direction, and its motor is off.").arg(who);
+    const QString told =
+        Texts::tr("%1 has no verdict on its direction, and its motor was told to switch off.").arg(who);
+    switch (failure) {
+        case ProcedureFailure::TravelLimit:
+            return {off,
+                    Texts::tr("It was turned farther than the check allows: something else turns it, or it "
+                              "runs on for long. See that it stands still, then check again.")};
+        case ProcedureFailure::NotStill:
+            return {off,
+                    Texts::tr("It does not stand still although nothing drives it. See what turns it, then "
+                              "check again.")};
+        case ProcedureFailure::LinkSuspect:
+            return {told, Texts::tr("The link was in doubt meanwhile. See to the link, then check again.")};
+        case ProcedureFailure::ModuleSilent:
+            return {Texts::tr("%1 has no verdict on its direction and does not answer. Motor state unknown.")
+                        .arg(who),
+                    Texts::tr("It was told to switch off. Use the hardware stop if it moves."),
+                    Severity::Fault};
+        case ProcedureFailure::Refused:
+            return {told, Texts::tr("A command was not carried out, or its answer was lost. Check again.")};
+        case ProcedureFailure::SwitchActive:
+        case ProcedureFailure::NotFound:
+        case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::WentOff:
+        case ProcedureFailure::ReadingsDiffer:
+        case ProcedureFailure::Unstable:
+        case ProcedureFailure::NotAtHome:
+            return {};  // of other kinds
+    }
+    return {};
+}
+
+/// `who`: "Module 1".
+QString directionHeadline(const DirectionFound& found, const QString& who) {
+    switch (found.verdict) {
+        case DirectionVerdict::Right:
+            return Texts::tr("%1: motor and encoder go the same way.").arg(who);
+        case DirectionVerdict::Reversed:
+            return Texts::tr("%1: motor or encoder is reversed. Do not enable it.").arg(who);
+        case DirectionVerdict::NoMovement:
+            return Texts::tr("%1 did not move when it was pushed.").arg(who);
+        case DirectionVerdict::LimitClosed:
+            return Texts::tr("%1 closed a limit switch, so it was not pushed on.").arg(who);
+        case DirectionVerdict::NoPower:
+            return Texts::tr("%1 lost its motor power while it was pushed.").arg(who);
+        case DirectionVerdict::Unclear:
+            return Texts::tr("%1 did not move one way and the other.").arg(who);
+    }
+    return {};
+}
+
 QString homingStage(ProcedureStage stage) {
     switch (stage) {
         case ProcedureStage::Preparing:
@@ -162,11 +215,21 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::DirectionCheck)
+            words = directionFailed(*report.failure, who);
         else
             words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
         message.headline = words.headline;
         message.body = words.body;
         message.severity = words.severity;
+        return message;
+    }
+    if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::DirectionCheck &&
+        report.direction) {
+        message.headline = directionHeadline(*report.direction, who);
+        message.body = directionFound(*report.direction);
+        message.severity =
+            report.direction->verdict == DirectionVerdict::Right ? Severity::Normal : Severity::Attention;
         return message;
     }
     if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
@@ -216,6 +279,39 @@ QString procedureFailure(ProcedureFailure failure) {
                 "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
+    }
+    return {};
+}
+
+QString directionFound(const DirectionFound& found) {
+    constexpr double kWhole = 255.0;
+    const int percent = qRound(found.strongestPush * 100.0 / kWhole);
+    switch (found.verdict) {
+        case DirectionVerdict::Right:
+            return Texts::tr("All right: driven forward it counts up, in reverse down. It can be enabled.");
+        case DirectionVerdict::Reversed:
+            return Texts::tr(
+                "Reversed: driven forward it counts down. Enabled like this it would run away. Swap "
+                "the motor's two leads, or the encoder's A and B, then check again.");
+        case DirectionVerdict::NoMovement:
+            return Texts::tr(
+                       "No movement with %1 % of the supply, and motor power is there: look for a jam or a "
+                       "brake, at the cables of motor and encoder, or for a load that is too heavy.")
+                       .arg(percent) +
+                   (found.limit1 || found.limit2
+                        ? u' ' + Texts::tr("A limit input is active: it may stand in a "
+                                           "switch that takes its power away.")
+                        : QString());
+        case DirectionVerdict::LimitClosed:
+            return (found.limit1 ? Texts::tr("Limit 1 closed on the way.")
+                                 : Texts::tr("Limit 2 closed on the way.")) +
+                   u' ' + Texts::tr("Turn the motor away from its end by hand, then check again.");
+        case DirectionVerdict::NoPower:
+            return Texts::tr("Motor power went away. Switch it on, then check again.");
+        case DirectionVerdict::Unclear:
+            return Texts::tr(
+                "Not clear: it moved one way only, or the same way twice. Something blocks or turns "
+                "it. Turn it away from its end by hand, take the load off, then check again.");
     }
     return {};
 }

@@ -132,6 +132,8 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+/// What a direction check has found, and what to do about it; plain text.
+[[nodiscard]] QString directionFound(const DirectionFound& found);
 [[nodiscard]] QString stepRunsSaved(const QString& path);
 
 // ---- what the scope keeps ----

@@ -10,6 +10,7 @@
 #include "bus/types.h"
 #include "model/intent/steptaken.h"
 #include "model/module/modulestate.h"
+#include "model/procedure/directionfound.h"
 
 namespace nmc {
 
@@ -18,6 +19,7 @@ enum class ProcedureKind : std::uint8_t {
     StepBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
+    DirectionCheck,
 };
 
 /// Where a procedure is; not every kind has every stage.
@@ -62,7 +64,8 @@ struct ProcedureReport {
     std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
-    std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken
+    std::optional<StepTaken> step{};            ///< of StepResponse, once it was taken
+    std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
 
     [[nodiscard]] bool over() const {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||

@@ -4,6 +4,7 @@
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
 #include "model/procedure/changemotion.h"
+#include "model/procedure/directioncheck.h"
 #include "model/procedure/homingrun.h"
 #include "model/procedure/stepby.h"
 #include "model/procedure/stepresponse.h"
@@ -19,6 +20,8 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
+    if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
+        return plan(intent, module) ? std::make_unique<DirectionCheck>(*check, module) : nullptr;
     if (const auto* change = std::get_if<stepintent::ChangeMotion>(&intent))
         return whyNotFromStandstill(change->motion, module)
                    ? nullptr
