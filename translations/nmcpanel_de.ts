@@ -4042,6 +4042,93 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::DirectionCheckBox</name>
+    <message>
+        <source>Direction</source>
+        <translation>Drehrichtung</translation>
+    </message>
+    <message>
+        <source>Direction check…</source>
+        <translation>Richtungsprüfung …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Direction of motor and encoder</source>
+        <translation>Drehrichtung von Motor und Encoder</translation>
+    </message>
+    <message>
+        <source>Check the direction of motor and encoder</source>
+        <translation>Drehrichtung von Motor und Encoder prüfen</translation>
+    </message>
+    <message>
+        <source>Cancel the direction check</source>
+        <translation>Richtungsprüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>What the direction check has found</source>
+        <translation>Was die Richtungsprüfung ergeben hat</translation>
+    </message>
+    <message>
+        <source>A direction check is under way.</source>
+        <translation>Eine Richtungsprüfung läuft.</translation>
+    </message>
+    <message>
+        <source>Something turns the motor. Wait until it stands still.</source>
+        <translation>Etwas dreht den Motor. Warten, bis er stillsteht.</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Wartet auf die Antwort des Moduls.</translation>
+    </message>
+    <message>
+        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.</source>
+        <translation>Der Motor von %1 wird sich ein wenig bewegen, vorwärts und rückwärts. Er wird jeweils weniger als eine Zehntelsekunde lang angestoßen, jedes Mal ein wenig stärker bis zu %2 % seiner Versorgung, bis er sich um %3 bewegt hat; ein frei drehender Motor kann noch etwas weiterlaufen. Mehr als %4 beendet die Prüfung. Abstand halten.</translation>
+    </message>
+    <message>
+        <source>Direction check</source>
+        <translation>Richtungsprüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Push the motor</source>
+        <translation>&amp;Motor anstoßen</translation>
+    </message>
+    <message>
+        <source>Pushing it in reverse.</source>
+        <translation>Wird rückwärts angestoßen.</translation>
+    </message>
+    <message>
+        <source>Pushing it forward.</source>
+        <translation>Wird vorwärts angestoßen.</translation>
+    </message>
+    <message>
+        <source>No verdict: see the message.</source>
+        <translation>Kein Ergebnis: siehe die Meldung.</translation>
+    </message>
+    <message>
+        <source>Not checked in this connection. Do it before you enable the servo for the first time: with motor or encoder reversed it runs away.</source>
+        <translation>In dieser Verbindung nicht geprüft. Vor dem ersten Einschalten des Servos prüfen: Mit vertauschtem Motor oder Encoder läuft er davon.</translation>
+    </message>
+    <message>
+        <source>Moves the motor a little, without the servo, to see that it turns the way its encoder counts. Asks first.</source>
+        <translation>Bewegt den Motor ein wenig, ohne Servo, um zu sehen, ob er sich so dreht, wie sein Encoder zählt. Fragt vorher.</translation>
+    </message>
+    <message>
+        <source>No direction check is under way.</source>
+        <translation>Es läuft keine Richtungsprüfung.</translation>
+    </message>
+    <message>
+        <source>Ends the check; the motor is off then.</source>
+        <translation>Beendet die Prüfung; der Motor ist dann aus.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::DoctorPage</name>
     <message>
         <source>Chain doctor</source>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/servopanel.h"
 
+#include <QFormLayout>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
+#include "widgets/panels/directioncheckbox.h"
 #include "widgets/panels/gainsbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/iobox.h"
@@ -32,6 +34,7 @@ ServoPanel::ServoPanel(QWidget* parent)
       m_homing(new HomingBox(this)),
       m_pwm(new PwmBox(this)),
       m_axis(new AxisBox(this)),
+      m_direction(new DirectionCheckBox(m_axis)),
       m_details(new DetailsBox(this)) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
     look::name(m_pages, u"servoPages"_s, tr("Pages of the module"));
@@ -40,6 +43,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_pages->addTab(m_homing, tr("Homing"));
     m_pages->addTab(m_pwm, tr("PWM"));
     m_pages->addTab(m_axis, tr("Axis"));
+    qobject_cast<QFormLayout*>(m_axis->layout())->addRow(m_direction);
     m_pages->addTab(m_details, tr("Details"));
 
     auto* left = new QVBoxLayout;
@@ -60,6 +64,7 @@ void ServoPanel::connectBoxes() {
     connect(m_io, &IoBox::intentRequested, this, &ServoPanel::pass);
     connect(m_pwm, &PwmBox::intentRequested, this, &ServoPanel::pass);
     connect(m_details, &DetailsBox::intentRequested, this, &ServoPanel::pass);
+    connect(m_direction, &DirectionCheckBox::intentRequested, this, &ServoPanel::pass);
     connect(m_homing, &HomingBox::intentRequested, this, &ServoPanel::pass);
     connect(m_homing, &HomingBox::settingsEdited, this, &ServoPanel::passEdit);
     connect(m_gains, &GainsBox::applyRequested, this,
@@ -81,6 +86,7 @@ void ServoPanel::setBusy(bool busy) {
     m_io->setBusy(busy);
     m_pwm->setBusy(busy);
     m_homing->setBusy(busy);
+    m_direction->setBusy(busy);
     m_details->setBusy(busy);
 }
 
@@ -94,6 +100,7 @@ void ServoPanel::showBoxes(const PanelView& view) {
     m_homing->showModule(view);
     m_pwm->showModule(view);
     m_axis->showModule(view);
+    m_direction->showModule(view);
     m_details->showModule(view);
 }
 

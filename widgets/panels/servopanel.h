@@ -9,6 +9,7 @@ namespace nmc {
 
 class AxisBox;
 class DetailsBox;
+class DirectionCheckBox;
 class GainsBox;
 class HomingBox;
 class IoBox;
@@ -52,6 +53,7 @@ private:
     HomingBox* m_homing;
     PwmBox* m_pwm;
     AxisBox* m_axis;
+    DirectionCheckBox* m_direction;
     DetailsBox* m_details;
 };
 
