@@ -939,10 +939,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat seinen Servo abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
     </message>
     <message>
-        <source>Check for a jam, or raise the limit.</source>
-        <translation>Prüfen, ob etwas klemmt, oder die Grenze erhöhen.</translation>
-    </message>
-    <message>
         <source>Clear and stay off</source>
         <translation>Löschen, Servo bleibt aus</translation>
     </message>
@@ -3213,6 +3209,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.</source>
         <translation>Nicht eindeutig: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Von Hand vom Ende wegdrehen, die Last abnehmen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Check for a jam, or raise EL on the page Gains.</source>
+        <translation>Auf eine Blockade prüfen oder EL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.</source>
+        <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
+    </message>
+    <message>
+        <source>It was driven and did not move: look for a jam, a brake or an end stop, and at the motor&apos;s cable. If it is only hard to turn, raise OL on the page Gains.</source>
+        <translation>Er wurde angetrieben und hat sich nicht bewegt: nach einer Blockade, einer Bremse, einem Anschlag und nach dem Motorkabel sehen. Ist er nur schwergängig, OL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>Limit 1 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <translation>Endschalter 1 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <translation>Endschalter 2 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.</source>
+        <translation>Er bewegte sich wie verlangt und kam nicht nach: Geschwindigkeit oder Beschleunigung senken oder OL und EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
 </context>
 <context>
