@@ -278,10 +278,11 @@ void Composition::told(const ServoWentOff& off) {
     const ModuleState* module = m_store.module(off.module);
     const auto limit =
         module != nullptr && module->gains ? std::optional<int>(module->gains->el) : std::nullopt;
+    const TripCause cause = module != nullptr ? module->tripCause : TripCause::Unknown;
     const Message message = module != nullptr && module->isStepper()
                                 ? texts::amplifierWentOff(off.module, off.activity)
                             : off.activity == Activity::PowerLost ? texts::powerLost(off.module)
-                                                                  : texts::tripped(off.module, limit);
+                                                                  : texts::tripped(off.module, limit, cause);
     m_standing.whileTrue(tellIncident(message, off.module), off.module,
                          [](const ModuleState& state) { return state.switchedItselfOff; });
 }

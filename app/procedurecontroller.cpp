@@ -15,13 +15,15 @@ constexpr int kIntervalMs = 50;
 
 /// After a stop by somebody else: what neither moves nor switches anything on.
 void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
-    const auto disarms = [](const bus::Step& step) {
+    const auto harmless = [](const bus::Step& step) {
         const auto* servo = std::get_if<ServoCommand>(&step.command);
         const auto* stepper = std::get_if<StepCommand>(&step.command);
-        return (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
+        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
+        return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
+               (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
                (stepper != nullptr && std::holds_alternative<step::SetHoming>(*stepper));
     };
-    steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(disarms)), steps.end());
+    steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(harmless)), steps.end());
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ namespace nmc {
 
 /// Runs procedures, at most one with each module: asks them what is next whenever there is news, and 20 times
 /// a second. A stop never waits for one: whatever has stopped the motor is told to it afterwards, and all
-/// that it may still send then is that the chip need not look for home any more. GUI thread.
+/// that it may still send then is that the chip need not look for home any more, or that the motor is off.
+/// GUI thread.
 class ProcedureController : public QObject {
     Q_OBJECT
 

@@ -939,10 +939,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat seinen Servo abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
     </message>
     <message>
-        <source>Check for a jam, or raise the limit.</source>
-        <translation>Prüfen, ob etwas klemmt, oder die Grenze erhöhen.</translation>
-    </message>
-    <message>
         <source>Clear and stay off</source>
         <translation>Löschen, Servo bleibt aus</translation>
     </message>
@@ -2319,10 +2315,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat die Referenzposition gefunden und hält nahe dabei, aber nichts wurde auf null gesetzt.</translation>
     </message>
     <message>
-        <source>It does not come to rest at home exactly: friction keeps it some counts off, and zero would be off by as much. Raise Ki and IL, or do without the zero.</source>
-        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe: Reibung hält ihn einige Inkremente daneben, und null läge ebenso weit daneben. Ki und IL erhöhen oder auf das Nullsetzen verzichten.</translation>
-    </message>
-    <message>
         <source>Preparing</source>
         <translation>Bereitet vor</translation>
     </message>
@@ -2421,10 +2413,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Two readings of home differ. The motor stands still.</source>
         <translation>Zwei Lesungen der Referenzposition weichen voneinander ab. Der Motor steht still.</translation>
-    </message>
-    <message>
-        <source>It does not come to rest at home exactly, so nothing was made zero.</source>
-        <translation>Der Motor kommt nicht genau auf der Referenzposition zur Ruhe, daher wurde nichts auf null gesetzt.</translation>
     </message>
     <message>
         <source>Module %1 has no motor power, so its motor is off.</source>
@@ -3117,6 +3105,134 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Where home is, is not known: search for it, or save it.</source>
         <translation>Wo die Referenz liegt, ist nicht bekannt: suchen oder speichern.</translation>
+    </message>
+    <message>
+        <source>It rests %1 off its home, and zero would be off by as much: friction keeps it there. Raise Ki and IL on the page Gains, or clear &quot;Make it zero&quot; on the page Homing. What is close enough follows from the unit on the page Axis.</source>
+        <translation>Der Motor ruht %1 neben seiner Referenz, und null läge ebenso weit daneben: Reibung hält ihn dort. Ki und IL auf der Seite Reglerwerte erhöhen oder „Auf null setzen“ auf der Seite Referenzsuche abwählen. Was nah genug ist, folgt aus der Einheit auf der Seite Achse.</translation>
+    </message>
+    <message>
+        <source>%1 has no verdict on its direction, and its motor is off.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor ist aus.</translation>
+    </message>
+    <message>
+        <source>%1 has no verdict on its direction, and its motor was told to switch off.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und der Motor wurde angewiesen, sich abzuschalten.</translation>
+    </message>
+    <message>
+        <source>It was turned farther than the check allows: something else turns it, or it runs on for long. See that it stands still, then check again.</source>
+        <translation>Er wurde weiter gedreht, als die Prüfung erlaubt: Etwas anderes dreht ihn, oder er läuft lange nach. Dafür sorgen, dass er stillsteht, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>It does not stand still although nothing drives it. See what turns it, then check again.</source>
+        <translation>Er steht nicht still, obwohl ihn nichts antreibt. Nachsehen, was ihn dreht, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>The link was in doubt meanwhile. See to the link, then check again.</source>
+        <translation>Die Verbindung war unterdessen zweifelhaft. Die Verbindung in Ordnung bringen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has no verdict on its direction and does not answer. Motor state unknown.</source>
+        <translation>%1: kein Ergebnis zur Drehrichtung, und das Modul antwortet nicht. Zustand des Motors unbekannt.</translation>
+    </message>
+    <message>
+        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <translation>Er wurde angewiesen, sich abzuschalten. Den Hardware-Not-Halt benutzen, falls er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>A command was not carried out, or its answer was lost. Check again.</source>
+        <translation>Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren. Erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: motor and encoder go the same way.</source>
+        <translation>%1: Motor und Encoder laufen in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>%1: motor or encoder is reversed. Do not enable it.</source>
+        <translation>%1: Motor oder Encoder ist vertauscht. Nicht einschalten.</translation>
+    </message>
+    <message>
+        <source>%1 did not move when it was pushed.</source>
+        <translation>%1 hat sich beim Anstoßen nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>%1 closed a limit switch, so it was not pushed on.</source>
+        <translation>%1 hat einen Endschalter geschlossen und wurde deshalb nicht weiter angestoßen.</translation>
+    </message>
+    <message>
+        <source>%1 lost its motor power while it was pushed.</source>
+        <translation>%1 hat beim Anstoßen die Motorversorgung verloren.</translation>
+    </message>
+    <message>
+        <source>%1 did not move one way and the other.</source>
+        <translation>%1 hat sich nicht hin und her bewegt.</translation>
+    </message>
+    <message>
+        <source>It rests %1 off its home, and is zero there.</source>
+        <translation>Der Motor ruht %1 neben seiner Referenz, und dort ist null.</translation>
+    </message>
+    <message>
+        <source>It rests too far from its home for a zero. See Ki and IL on the page Gains.</source>
+        <translation>Der Motor ruht zu weit neben seiner Referenz für ein Nullsetzen. Siehe Ki und IL auf der Seite Reglerwerte.</translation>
+    </message>
+    <message>
+        <source>All right: driven forward it counts up, in reverse down. It can be enabled.</source>
+        <translation>In Ordnung: Vorwärts angetrieben zählt er aufwärts, rückwärts abwärts. Er kann eingeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Reversed: driven forward it counts down. Enabled like this it would run away. Swap the motor&apos;s two leads, or the encoder&apos;s A and B, then check again.</source>
+        <translation>Vertauscht: Vorwärts angetrieben zählt er abwärts. So eingeschaltet würde er davonlaufen. Die beiden Motorleitungen oder A und B des Encoders vertauschen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>No movement with %1 % of the supply, and motor power is there: look for a jam or a brake, at the cables of motor and encoder, or for a load that is too heavy.</source>
+        <translation>Keine Bewegung mit %1 % der Versorgung, und die Motorversorgung ist da: nach einer Blockade oder Bremse, nach den Kabeln von Motor und Encoder oder nach einer zu schweren Last sehen.</translation>
+    </message>
+    <message>
+        <source>A limit input is active: it may stand in a switch that takes its power away.</source>
+        <translation>Ein Endschaltereingang ist aktiv: Vielleicht steht er in einem Schalter, der ihm den Strom nimmt.</translation>
+    </message>
+    <message>
+        <source>Limit 1 closed on the way.</source>
+        <translation>Endschalter 1 hat unterwegs geschlossen.</translation>
+    </message>
+    <message>
+        <source>Limit 2 closed on the way.</source>
+        <translation>Endschalter 2 hat unterwegs geschlossen.</translation>
+    </message>
+    <message>
+        <source>Turn the motor away from its end by hand, then check again.</source>
+        <translation>Den Motor von Hand vom Ende wegdrehen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Motor power went away. Switch it on, then check again.</source>
+        <translation>Die Motorversorgung ist ausgefallen. Einschalten, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.</source>
+        <translation>Nicht eindeutig: Er bewegte sich nur in eine Richtung oder zweimal in dieselbe. Etwas blockiert oder dreht ihn. Von Hand vom Ende wegdrehen, die Last abnehmen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Check for a jam, or raise EL on the page Gains.</source>
+        <translation>Auf eine Blockade prüfen oder EL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.</source>
+        <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
+    </message>
+    <message>
+        <source>It was driven and did not move: look for a jam, a brake or an end stop, and at the motor&apos;s cable. If it is only hard to turn, raise OL on the page Gains.</source>
+        <translation>Er wurde angetrieben und hat sich nicht bewegt: nach einer Blockade, einer Bremse, einem Anschlag und nach dem Motorkabel sehen. Ist er nur schwergängig, OL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>Limit 1 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <translation>Endschalter 1 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.</source>
+        <translation>Endschalter 2 hat unterwegs geschlossen: Er ist wahrscheinlich am Ende seines Wegs. In die andere Richtung fahren; ein Endschalter-Stopp auf der Seite Referenzsuche beendet eine Bewegung rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.</source>
+        <translation>Er bewegte sich wie verlangt und kam nicht nach: Geschwindigkeit oder Beschleunigung senken oder OL und EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
 </context>
 <context>
@@ -3946,6 +4062,93 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::DirectionCheckBox</name>
+    <message>
+        <source>Direction</source>
+        <translation>Drehrichtung</translation>
+    </message>
+    <message>
+        <source>Direction check…</source>
+        <translation>Richtungsprüfung …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Direction of motor and encoder</source>
+        <translation>Drehrichtung von Motor und Encoder</translation>
+    </message>
+    <message>
+        <source>Check the direction of motor and encoder</source>
+        <translation>Drehrichtung von Motor und Encoder prüfen</translation>
+    </message>
+    <message>
+        <source>Cancel the direction check</source>
+        <translation>Richtungsprüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>What the direction check has found</source>
+        <translation>Was die Richtungsprüfung ergeben hat</translation>
+    </message>
+    <message>
+        <source>A direction check is under way.</source>
+        <translation>Eine Richtungsprüfung läuft.</translation>
+    </message>
+    <message>
+        <source>Something turns the motor. Wait until it stands still.</source>
+        <translation>Etwas dreht den Motor. Warten, bis er stillsteht.</translation>
+    </message>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Wartet auf die Antwort des Moduls.</translation>
+    </message>
+    <message>
+        <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.</source>
+        <translation>Der Motor von %1 wird sich ein wenig bewegen, vorwärts und rückwärts. Er wird jeweils weniger als eine Zehntelsekunde lang angestoßen, jedes Mal ein wenig stärker bis zu %2 % seiner Versorgung, bis er sich um %3 bewegt hat; ein frei drehender Motor kann noch etwas weiterlaufen. Mehr als %4 beendet die Prüfung. Abstand halten.</translation>
+    </message>
+    <message>
+        <source>Direction check</source>
+        <translation>Richtungsprüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Push the motor</source>
+        <translation>&amp;Motor anstoßen</translation>
+    </message>
+    <message>
+        <source>Pushing it in reverse.</source>
+        <translation>Wird rückwärts angestoßen.</translation>
+    </message>
+    <message>
+        <source>Pushing it forward.</source>
+        <translation>Wird vorwärts angestoßen.</translation>
+    </message>
+    <message>
+        <source>No verdict: see the message.</source>
+        <translation>Kein Ergebnis: siehe die Meldung.</translation>
+    </message>
+    <message>
+        <source>Not checked in this connection. Do it before you enable the servo for the first time: with motor or encoder reversed it runs away.</source>
+        <translation>In dieser Verbindung nicht geprüft. Vor dem ersten Einschalten des Servos prüfen: Mit vertauschtem Motor oder Encoder läuft er davon.</translation>
+    </message>
+    <message>
+        <source>Moves the motor a little, without the servo, to see that it turns the way its encoder counts. Asks first.</source>
+        <translation>Bewegt den Motor ein wenig, ohne Servo, um zu sehen, ob er sich so dreht, wie sein Encoder zählt. Fragt vorher.</translation>
+    </message>
+    <message>
+        <source>No direction check is under way.</source>
+        <translation>Es läuft keine Richtungsprüfung.</translation>
+    </message>
+    <message>
+        <source>Ends the check; the motor is off then.</source>
+        <translation>Beendet die Prüfung; der Motor ist dann aus.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::DoctorPage</name>
     <message>
         <source>Chain doctor</source>
@@ -4543,10 +4746,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Auf null setzen</translation>
     </message>
     <message>
-        <source>Once the motor stands at home exactly, its position becomes 0.</source>
-        <translation>Sobald der Motor genau an der Referenz steht, wird seine Position 0.</translation>
-    </message>
-    <message>
         <source>A search for home is under way.</source>
         <translation>Eine Referenzsuche läuft.</translation>
     </message>
@@ -4585,6 +4784,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>At home the motor is switched off, and is free to turn.</source>
         <translation>An der Referenz wird der Motor abgeschaltet und ist frei drehbar.</translation>
+    </message>
+    <message>
+        <source>Once the motor stands at home, its position becomes 0.</source>
+        <translation>Sobald der Motor an der Referenz steht, wird seine Position 0.</translation>
     </message>
 </context>
 <context>

@@ -13,8 +13,9 @@ namespace nmc::test {
 /// procedure controller does.
 class ProcedureBench {
 public:
-    explicit ProcedureBench(const std::vector<ModuleIdentity>& identities, sim::ChainOptions options = {})
-        : bus(identities, fast(), options) {
+    explicit ProcedureBench(const std::vector<ModuleIdentity>& identities, sim::ChainOptions options = {},
+                            std::uint32_t baud = 115'200)
+        : bus(identities, at(baud), withFaults(options)) {
         bus.onTime = [this] {
             workSwitches();
             noteSpeed();
@@ -39,6 +40,13 @@ public:
     [[nodiscard]] sim::StepSnapshot stepTruth() { return *bus.chain.snapshot(ModuleIndex(0), bus.now).step; }
     void set(sim::Input input, std::optional<double> value) {
         bus.chain.set(ModuleIndex(0), input, value, bus.now);
+    }
+    /// Of servo 1, from now on.
+    void fault(sim::FaultKind kind) {
+        sim::FaultSpec spec;
+        spec.kind = kind;
+        spec.modules = {0};
+        EXPECT_TRUE(bus.chain.inject(spec, bus.now).has_value());
     }
     /// The servo's switch is closed while the shaft is below `at` (`below`), or above.
     void putSwitch(sim::Input input, double at, bool below) { m_switches.push_back({input, at, below}); }
@@ -116,10 +124,14 @@ private:
         std::optional<bool> last{};
     };
 
-    [[nodiscard]] static bus::EngineConfig fast() {
+    [[nodiscard]] static bus::EngineConfig at(std::uint32_t baud) {
         bus::EngineConfig config;
-        config.baud = 115'200;
+        config.baud = baud;
         return config;
+    }
+    [[nodiscard]] static sim::ChainOptions withFaults(sim::ChainOptions options) {
+        options.enableFaults = true;
+        return options;
     }
     void workSwitches() {
         if (m_switches.empty())

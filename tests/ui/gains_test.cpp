@@ -83,6 +83,17 @@ TEST_F(Gains, StartingValuesFillTheFieldsAndSendNothing) {
     EXPECT_EQ(intents.size(), 0);
     EXPECT_TRUE(button(u"applyGainsButton"_s)->isEnabled());
     EXPECT_TRUE(text(u"kpState"_s).contains(u"not sent"_s));
+    EXPECT_EQ(field(u"olField"_s)->value(), 64) << "a quarter of 255";
+    EXPECT_EQ(field(u"elField"_s)->value(), 500) << "a quarter of 2 000 counts";
+}
+
+TEST_F(Gains, StartingValuesFollowTheEncoder) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Turns, 4'000.0, {}};
+    window->showMachine(machine);
+    showServo({.on = false, .gains = false});
+    click(u"fillGainsButton"_s);
+    EXPECT_EQ(field(u"elField"_s)->value(), 1'000);
 }
 
 TEST_F(Gains, RevertGoesBackToWhatWasSent) {

@@ -76,6 +76,7 @@ TEST_F(Homing, WhatIsShownIsSentAndKept) {
     EXPECT_TRUE(home.recipe.goToHome);
     EXPECT_FALSE(home.recipe.makeZero);
     EXPECT_EQ(kept(), home.recipe);
+    EXPECT_EQ(home.tolerance, 1) << "of counts";
 }
 
 TEST_F(Homing, ShowingEmitsNothing) {
@@ -323,6 +324,7 @@ TEST(ProcedureTexts, EachFailureSaysWhatItMeansForTheMotor) {
         report.module = ModuleIndex(2);
         report.stage = ProcedureStage::Failed;
         report.failure = failure;
+        report.offHome = 4;
         const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
         ASSERT_TRUE(message);
         EXPECT_NE(message->severity, Severity::Normal);
@@ -335,6 +337,23 @@ TEST(ProcedureTexts, EachFailureSaysWhatItMeansForTheMotor) {
         headlines.insert(message->headline);
     }
     EXPECT_EQ(headlines.size(), static_cast<qsizetype>(kFailures.size()));
+}
+
+TEST(ProcedureTexts, AZeroThatIsRefusedNamesTheBoxesToChange) {
+    ProcedureReport report;
+    report.stage = ProcedureStage::Failed;
+    report.failure = ProcedureFailure::NotAtHome;
+    report.offHome = -4;
+    const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
+    ASSERT_TRUE(message);
+    EXPECT_TRUE(message->body.startsWith(u"It rests 4 counts off its home"_s)) << message->body.toStdString();
+    EXPECT_TRUE(message->body.contains(u"Ki and IL on the page Gains"_s));
+    EXPECT_TRUE(message->body.contains(u"\"Make it zero\" on the page Homing"_s));
+    report.stage = ProcedureStage::Done;
+    report.failure.reset();
+    report.home = -1'000;
+    EXPECT_EQ(texts::procedureEnded(report, AxisScale::servo({}, 1))->body,
+              u"It rests 4 counts off its home, and is zero there."_s);
 }
 
 TEST(ProcedureTexts, EachRefusalHasASentenceOfItsOwn) {

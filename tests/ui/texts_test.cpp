@@ -99,8 +99,17 @@ TEST(Texts, ErrorTrip) {
     EXPECT_EQ(
         m.headline,
         u"Module 1 switched its servo off because the motor was more than 400 counts from where it should be."_s);
-    EXPECT_EQ(m.body, u"Check for a jam, or raise the limit."_s);
+    EXPECT_EQ(m.body, u"Check for a jam, or raise EL on the page Gains."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Clear and stay off"_s});
+}
+
+TEST(Texts, ErrorTripAdvisesByItsCause) {
+    const auto advice = [](TripCause cause) { return texts::tripped(ModuleIndex(0), 400, cause).body; };
+    EXPECT_TRUE(advice(TripCause::Reversed).contains(u"direction check on the page Axis"_s));
+    EXPECT_TRUE(advice(TripCause::Jam).contains(u"a jam, a brake or an end stop"_s));
+    EXPECT_TRUE(advice(TripCause::Limit1).startsWith(u"Limit 1 closed"_s));
+    EXPECT_TRUE(advice(TripCause::Limit2).startsWith(u"Limit 2 closed"_s));
+    EXPECT_TRUE(advice(TripCause::Behind).contains(u"could not keep up"_s));
 }
 
 TEST(Texts, Power) {

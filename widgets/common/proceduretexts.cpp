@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the table of texts has to say of procedures: homing, moves by N, changes of a motion, step responses.
 #include <QDir>
+#include <cstdlib>
 
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
@@ -18,8 +19,8 @@ struct Words {
 };
 
 /// `who`: "Module 1".
-Words homingFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
+Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
+    switch (*report.failure) {
         case ProcedureFailure::SwitchActive:
             return {Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
                     Texts::tr("The switch may be stuck, or the search goes the wrong way. Move the motor off "
@@ -62,8 +63,10 @@ Words homingFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
-                Texts::tr("It does not come to rest at home exactly: friction keeps it some counts off, "
-                          "and zero would be off by as much. Raise Ki and IL, or do without the zero.")};
+                Texts::tr("It rests %1 off its home, and zero would be off by as much: friction keeps it "
+                          "there. Raise Ki and IL on the page Gains, or clear \"Make it zero\" on the page "
+                          "Homing. What is close enough follows from the unit on the page Axis.")
+                    .arg(position(scale, std::abs(report.offHome)))};
     }
     return {};
 }
@@ -116,6 +119,59 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
     return {};
 }
 
+Words directionFailed(ProcedureFailure failure, const QString& who) {
+    const QString off = Texts::tr("%1 has no verdict on its direction, and its motor is off.").arg(who);
+    const QString told =
+        Texts::tr("%1 has no verdict on its direction, and its motor was told to switch off.").arg(who);
+    switch (failure) {
+        case ProcedureFailure::TravelLimit:
+            return {off,
+                    Texts::tr("It was turned farther than the check allows: something else turns it, or it "
+                              "runs on for long. See that it stands still, then check again.")};
+        case ProcedureFailure::NotStill:
+            return {off,
+                    Texts::tr("It does not stand still although nothing drives it. See what turns it, then "
+                              "check again.")};
+        case ProcedureFailure::LinkSuspect:
+            return {told, Texts::tr("The link was in doubt meanwhile. See to the link, then check again.")};
+        case ProcedureFailure::ModuleSilent:
+            return {Texts::tr("%1 has no verdict on its direction and does not answer. Motor state unknown.")
+                        .arg(who),
+                    Texts::tr("It was told to switch off. Use the hardware stop if it moves."),
+                    Severity::Fault};
+        case ProcedureFailure::Refused:
+            return {told, Texts::tr("A command was not carried out, or its answer was lost. Check again.")};
+        case ProcedureFailure::SwitchActive:
+        case ProcedureFailure::NotFound:
+        case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::WentOff:
+        case ProcedureFailure::ReadingsDiffer:
+        case ProcedureFailure::Unstable:
+        case ProcedureFailure::NotAtHome:
+            return {};  // of other kinds
+    }
+    return {};
+}
+
+/// `who`: "Module 1".
+QString directionHeadline(const DirectionFound& found, const QString& who) {
+    switch (found.verdict) {
+        case DirectionVerdict::Right:
+            return Texts::tr("%1: motor and encoder go the same way.").arg(who);
+        case DirectionVerdict::Reversed:
+            return Texts::tr("%1: motor or encoder is reversed. Do not enable it.").arg(who);
+        case DirectionVerdict::NoMovement:
+            return Texts::tr("%1 did not move when it was pushed.").arg(who);
+        case DirectionVerdict::LimitClosed:
+            return Texts::tr("%1 closed a limit switch, so it was not pushed on.").arg(who);
+        case DirectionVerdict::NoPower:
+            return Texts::tr("%1 lost its motor power while it was pushed.").arg(who);
+        case DirectionVerdict::Unclear:
+            return Texts::tr("%1 did not move one way and the other.").arg(who);
+    }
+    return {};
+}
+
 QString homingStage(ProcedureStage stage) {
     switch (stage) {
         case ProcedureStage::Preparing:
@@ -156,9 +212,11 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
     if (report.stage == ProcedureStage::Failed && report.failure) {
         Words words;
         if (report.kind == ProcedureKind::Homing)
-            words = homingFailed(*report.failure, who);
+            words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::DirectionCheck)
+            words = directionFailed(*report.failure, who);
         else
             words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
         message.headline = words.headline;
@@ -166,10 +224,21 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         message.severity = words.severity;
         return message;
     }
+    if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::DirectionCheck &&
+        report.direction) {
+        message.headline = directionHeadline(*report.direction, who);
+        message.body = directionFound(*report.direction);
+        message.severity =
+            report.direction->verdict == DirectionVerdict::Right ? Severity::Normal : Severity::Attention;
+        return message;
+    }
     if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
         return std::nullopt;
     message.headline =
         Texts::tr("%1 has found its home: it was at %2.").arg(who, position(scale, *report.home));
+    if (report.offHome != 0)
+        message.body = Texts::tr("It rests %1 off its home, and is zero there.")
+                           .arg(position(scale, std::abs(report.offHome)));
     return message;
 }
 
@@ -209,7 +278,40 @@ QString procedureFailure(ProcedureFailure failure) {
                 "The motor swung by more than the whole step and did not calm down, so it was "
                 "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::NotAtHome:
-            return Texts::tr("It does not come to rest at home exactly, so nothing was made zero.");
+            return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
+    }
+    return {};
+}
+
+QString directionFound(const DirectionFound& found) {
+    constexpr double kWhole = 255.0;
+    const int percent = qRound(found.strongestPush * 100.0 / kWhole);
+    switch (found.verdict) {
+        case DirectionVerdict::Right:
+            return Texts::tr("All right: driven forward it counts up, in reverse down. It can be enabled.");
+        case DirectionVerdict::Reversed:
+            return Texts::tr(
+                "Reversed: driven forward it counts down. Enabled like this it would run away. Swap "
+                "the motor's two leads, or the encoder's A and B, then check again.");
+        case DirectionVerdict::NoMovement:
+            return Texts::tr(
+                       "No movement with %1 % of the supply, and motor power is there: look for a jam or a "
+                       "brake, at the cables of motor and encoder, or for a load that is too heavy.")
+                       .arg(percent) +
+                   (found.limit1 || found.limit2
+                        ? u' ' + Texts::tr("A limit input is active: it may stand in a "
+                                           "switch that takes its power away.")
+                        : QString());
+        case DirectionVerdict::LimitClosed:
+            return (found.limit1 ? Texts::tr("Limit 1 closed on the way.")
+                                 : Texts::tr("Limit 2 closed on the way.")) +
+                   u' ' + Texts::tr("Turn the motor away from its end by hand, then check again.");
+        case DirectionVerdict::NoPower:
+            return Texts::tr("Motor power went away. Switch it on, then check again.");
+        case DirectionVerdict::Unclear:
+            return Texts::tr(
+                "Not clear: it moved one way only, or the same way twice. Something blocks or turns "
+                "it. Turn it away from its end by hand, take the load off, then check again.");
     }
     return {};
 }

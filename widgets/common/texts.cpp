@@ -79,7 +79,40 @@ Message operationFailed(const bus::OperationFinished& finished) {
     return m;
 }
 
-Message tripped(ModuleIndex module, std::optional<int> limit) {
+namespace {
+
+/// Names the box to change: its page and its field.
+QString tripAdvice(TripCause cause) {
+    switch (cause) {
+        case TripCause::Unknown:
+            return Texts::tr("Check for a jam, or raise EL on the page Gains.");
+        case TripCause::Reversed:
+            return Texts::tr(
+                "It ran away from where it was told to be: motor or encoder is probably reversed. "
+                "Make the direction check on the page Axis before you enable it again.");
+        case TripCause::Jam:
+            return Texts::tr(
+                "It was driven and did not move: look for a jam, a brake or an end stop, and at the "
+                "motor's cable. If it is only hard to turn, raise OL on the page Gains.");
+        case TripCause::Limit1:
+            return Texts::tr(
+                "Limit 1 closed on the way: it is probably at the end of its travel. Drive it the "
+                "other way; a limit stop on the page Homing ends a motion in time.");
+        case TripCause::Limit2:
+            return Texts::tr(
+                "Limit 2 closed on the way: it is probably at the end of its travel. Drive it the "
+                "other way; a limit stop on the page Homing ends a motion in time.");
+        case TripCause::Behind:
+            return Texts::tr(
+                "It moved as it was told, and could not keep up: lower its velocity or "
+                "acceleration, or raise OL and EL on the page Gains.");
+    }
+    return {};
+}
+
+}  // namespace
+
+Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
     return {.key = key::tripped(module),
             .severity = Severity::Fault,
@@ -91,7 +124,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit) {
                             : Texts::tr("Module %1 switched its servo off because the motor was too far "
                                         "from where it should be.")
                                   .arg(number),
-            .body = Texts::tr("Check for a jam, or raise the limit."),
+            .body = tripAdvice(cause),
             .actions = {{action::kClearAndStayOff, Texts::tr("Clear and stay off")}}};
 }
 

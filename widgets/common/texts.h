@@ -115,7 +115,9 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message foreignMotion(const bus::ForeignMotion& motion);
 [[nodiscard]] Message operationFailed(const bus::OperationFinished& finished);
 /// `limit`: the position error limit in force, where it is known.
-[[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit);
+/// `cause`: what the advice is made for.
+[[nodiscard]] Message tripped(ModuleIndex module, std::optional<int> limit,
+                              TripCause cause = TripCause::Unknown);
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: too much current.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
@@ -132,6 +134,8 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+/// What a direction check has found, and what to do about it; plain text.
+[[nodiscard]] QString directionFound(const DirectionFound& found);
 [[nodiscard]] QString stepRunsSaved(const QString& path);
 
 // ---- what the scope keeps ----

@@ -54,6 +54,10 @@ QString AxisBox::named(const QString& name) const {
     return m_type == ModuleType::Step ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
 }
 
+void AxisBox::addBelow(QWidget* box) {
+    qobject_cast<QFormLayout*>(layout())->addRow(box);
+}
+
 NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                                 const QString& meaning) {
     auto* field = new NumberField(kScaleDecimals, this);

@@ -26,6 +26,9 @@ public:
     /// are.
     AxisBox(ModuleContext& context, QWidget* parent);
 
+    /// Another box, below its fields.
+    void addBelow(QWidget* box);
+
 private:
     [[nodiscard]] QString named(const QString& name) const;
     void build();

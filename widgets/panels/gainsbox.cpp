@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QUndoStack>
 
+#include "model/settings/startinggains.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -152,7 +153,7 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
                                .icon = u"wand"_s,
                                .text = tr("Start&ing values"),
                                .accessible = tr("Fill in starting values")},
-                              this, [this] { fill(startingValue); });
+                              this, [this] { stage(startingGains(m_context.settings().unit)); });
     start->setPossible({}, tr("Fills the fields with values to begin tuning with. Sends nothing."));
     m_apply = new Command({.name = u"applyGainsButton"_s,
                            .icon = u"send"_s,

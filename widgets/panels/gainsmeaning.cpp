@@ -200,27 +200,6 @@ QString gainRemark(Gain gain, int value) {
     return {};
 }
 
-int startingValue(Gain gain) {
-    switch (gain) {
-        case Gain::Kp:
-            return 100;
-        case Gain::Kd:
-            return 1000;
-        case Gain::Ki:
-        case Gain::Il:
-        case Gain::Cl:
-        case Gain::Db:
-            return 0;
-        case Gain::Ol:
-            return 255;
-        case Gain::El:
-            return 4000;
-        case Gain::Sr:
-            return 1;
-    }
-    return 0;
-}
-
 int zeroValue(Gain gain) {
     return static_cast<int>(gainRange(gain).min);
 }

@@ -27,9 +27,6 @@ void setGain(servo::SetGain& gains, Gain gain, int value);
 [[nodiscard]] QString gainMeaning(Gain gain);
 /// What a value comes to: "1.953 kHz", "off"; empty where the number says it all.
 [[nodiscard]] QString gainRemark(Gain gain, int value);
-/// Where to begin with a motor that nothing is known of: the family's own test values. Never sent by
-/// themselves.
-[[nodiscard]] int startingValue(Gain gain);
 /// 0, or the least the chip takes.
 [[nodiscard]] int zeroValue(Gain gain);
 

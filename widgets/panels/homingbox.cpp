@@ -52,12 +52,15 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         return type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
     };
     m_form = new HomingForm(type, this);
-    m_home = new Command({.name = named(u"homeButton"_s),
-                          .icon = u"home"_s,
-                          .text = tr("Home"),
-                          .accessible = tr("Search for home"),
-                          .key = Qt::CTRL | Qt::Key_H},
-                         this, [this] { m_context.ask(intent::Home{m_form->recipe()}); });
+    m_home = new Command(
+        {.name = named(u"homeButton"_s),
+         .icon = u"home"_s,
+         .text = tr("Home"),
+         .accessible = tr("Search for home"),
+         .key = Qt::CTRL | Qt::Key_H},
+        this, [this] {
+            m_context.ask(intent::Home{m_form->recipe(), homeTolerance(m_context.settings().unit)});
+        });
     m_cancel = new Command({.name = named(u"cancelHomingButton"_s),
                             .icon = u"x"_s,
                             .text = tr("Cancel search"),

@@ -202,7 +202,7 @@ void HomingForm::buildEnd(QGridLayout* grid) {
                     tr("The motor stops behind home; this moves it back to it. A servo or amplifier that "
                        "the search has switched off is switched on again for it.")),
              addBox(u"makeZeroBox"_s, tr("Make it zero"), &HomingRecipe::makeZero,
-                    tr("Once the motor stands at home exactly, its position becomes 0."))}));
+                    tr("Once the motor stands at home, its position becomes 0."))}));
 }
 
 void HomingForm::showRecipe(const HomingRecipe& recipe) {

@@ -7,6 +7,7 @@
 #include "widgets/common/look.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
+#include "widgets/panels/directioncheckbox.h"
 #include "widgets/panels/gainsbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/iobox.h"
@@ -38,7 +39,9 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_pages->addTab(new IoBox(m_context, this), tr("Limits && I/O"));
     m_pages->addTab(new HomingBox(m_context, this), tr("Homing"));
     m_pages->addTab(new PwmBox(m_context, this), tr("PWM"));
-    m_pages->addTab(new AxisBox(m_context, this), tr("Axis"));
+    auto* axis = new AxisBox(m_context, this);
+    axis->addBelow(new DirectionCheckBox(m_context, axis));
+    m_pages->addTab(axis, tr("Axis"));
     m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));
     layOut(head, left, m_pages);
     connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);

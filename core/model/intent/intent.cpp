@@ -161,6 +161,9 @@ struct Planner {
         const auto refusal = whyNot(response, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
     }
+    Plan operator()(const intent::CheckDirection&) const {
+        return allowed(Request::CheckDirection, module, [] { return Steps{}; });
+    }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {
@@ -207,11 +210,10 @@ bool isStop(const Intent& intent) {
                            intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
                            intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                           intent::StepBy, intent::StepResponse, intent::CancelProcedure,
-                           intent::ArmLimitStop, stepintent::SetParameters, stepintent::SetOutputs,
-                           stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion> auto&) {
-                return false;
-            },
+                           intent::StepBy, intent::StepResponse, intent::CheckDirection,
+                           intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
+                           stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                           stepintent::ChangeMotion> auto&) { return false; },
         },
         intent);
 }
@@ -267,6 +269,13 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             if (!module.latest->servoStatus().powerOn())
                 return Refusal::NoPower;
             return module.servoOn() ? std::optional(Refusal::ServoOn) : std::nullopt;
+        case Request::CheckDirection:
+            if (const auto refusal = whyNot(Request::DrivePwm, module))
+                return refusal;
+            if (!module.latest->position || !module.latest->aux)
+                return Refusal::PositionUnknown;
+            return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
+                                                                            : std::nullopt;
         case Request::ControlIo:
             return module.info.identity.version < servo::kOtherIoVersion
                        ? std::nullopt

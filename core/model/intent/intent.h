@@ -67,6 +67,8 @@ struct ControlIo {
 /// Look for home; either chip. A procedure.
 struct Home {
     HomingRecipe recipe;
+    /// Counts that it may rest off its home and make it zero all the same (homeTolerance()).
+    std::int32_t tolerance = 0;
 };
 /// Trapezoidal moves by N, one after the other. A procedure.
 struct StepBy {
@@ -83,6 +85,11 @@ struct StepResponse {
     std::int32_t counts = 0;  ///< signed
     StepWay way = StepWay::Profile;
     double record = 0.0;  ///< s, from the step on
+};
+/// Short, weak pushes in PWM mode that tell whether motor and encoder agree, before the servo is on for the
+/// first time. A procedure (model/procedure/directioncheck.h).
+struct CheckDirection {
+    std::int32_t reach = 0;  ///< counts; farther than that ends it (directionReach())
 };
 /// Ends whatever procedure runs with this module: the motor is stopped smoothly.
 struct CancelProcedure {};
@@ -101,8 +108,9 @@ using Intent =
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
-                 intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
-                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
+                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                 stepintent::ChangeMotion>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -166,6 +174,7 @@ enum class Request : std::uint8_t {
     StartLoaded,
     StopHere,
     DrivePwm,
+    CheckDirection,
     SetAmplifier,
     ControlIo,
     Home,

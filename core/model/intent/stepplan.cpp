@@ -182,7 +182,7 @@ struct Planner {
     Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                                 intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                                 intent::ControlIo, intent::StepBy, intent::StepResponse,
-                                intent::ArmLimitStop> auto&) const {
+                                intent::CheckDirection, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
 };
@@ -251,6 +251,7 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::ClearStickyBits:
         case Request::StopHere:
         case Request::DrivePwm:
+        case Request::CheckDirection:
         case Request::ControlIo:
         case Request::ArmLimitStop:
             return Refusal::NotAServo;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/modulestate.h"
 
+#include <cmath>
+
 #include "bus/standstill.h"
 
 namespace nmc {
@@ -79,14 +81,32 @@ void ModuleState::apply(const bus::Sample& sample) {
     } else if (m_looksWhileOff > 0 && ++m_looksWhileOff > 3) {
         wentOff();
     }
+    if (latest->position)
+        m_trip.apply(tripLook());
 }
 
 void ModuleState::wentOff() {
     m_looksWhileOff = 0;
     m_goal.reset();
     switchedItselfOff = true;
+    tripCause = TripCause::Unknown;
+    if (gains && latest->position)
+        if (const auto facts = m_trip.facts(tripLook(), gains->el))
+            tripCause = judge(*facts);
     powerLostWhileOn = !latest->servoStatus().powerOn();
     motion = MotionMode::None;
+}
+
+TripWatch::Look ModuleState::tripLook() const {
+    const servo::StatusByte status = latest->servoStatus();
+    return {latestTime, *latest->position, status.limit1() && (!io || io->limit1IsInput),
+            status.limit2() && (!io || io->limit2IsInput)};
+}
+
+/// `velocity`: counts per tick. Before the command has changed anything here.
+void ModuleState::noteCommand(TimePoint time, int direction, double velocity) {
+    const double tick = toSeconds(kServoTick) * (gains ? gains->sr : 1);
+    m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(velocity) / tick});
 }
 
 /// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
@@ -143,6 +163,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         m_goal.reset();
         m_restedAt.reset();
         m_drifts = false;
+        m_trip.forget();
     }
 }
 
@@ -188,8 +209,12 @@ void ModuleState::applyLoaded(TimePoint time) {
         offCommanded = true;
         return;
     }
-    offCommanded = m_motionUnknown = false;
     const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
+    const bool reverse = velocityMode ? m_loaded.reverse
+                                      : latest && latest->position && m_loaded.position &&
+                                            m_loaded.position->value() < *latest->position;
+    noteCommand(time, m_loadedVelocity == 0.0 ? 0 : reverse ? -1 : 1, m_loadedVelocity);
+    offCommanded = m_motionUnknown = false;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
     if (!velocityMode && m_loaded.position)
         m_goal = m_loaded.position->value();
@@ -200,6 +225,8 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     amplifierEnabled = stop.amplifierEnable;
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
+    if (stop.manner != servo::StopManner::MotorOff)
+        noteCommand(time, 0, 0.0);
     motionCommandedAt = time;
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;

@@ -12,6 +12,7 @@
 #include "model/module/homewatch.h"
 #include "model/module/measuredspeed.h"
 #include "model/module/stepstate.h"
+#include "model/module/tripwatch.h"
 
 namespace nmc {
 
@@ -55,6 +56,8 @@ struct ModuleState {
     MeasuredSpeed speed;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
+    /// Of switchedItselfOff, on a PIC-SERVO: why, as far as that can be told.
+    TripCause tripCause = TripCause::Unknown;
     /// As above, and motor power was missing when it was noticed.
     bool powerLostWhileOn = false;
     /// The last command that concerns the servo switched it off.
@@ -97,6 +100,8 @@ private:
     void watchDrift(const bus::Sample& sample, bool wasOn);
     void watchHome(const bus::Sample& sample);
     void wentOff();
+    void noteCommand(TimePoint time, int direction, double velocity);
+    [[nodiscard]] TripWatch::Look tripLook() const;
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
@@ -107,6 +112,7 @@ private:
     bool m_motionUnknown = false;
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;
+    TripWatch m_trip;
     double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
 

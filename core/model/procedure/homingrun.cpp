@@ -27,9 +27,10 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
 
 }  // namespace
 
-HomingRun::HomingRun(HomingRecipe recipe, const ModuleState& module)
+HomingRun::HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module)
     : Procedure(module.info.index, ProcedureKind::Homing),
       m_recipe(effective(std::move(recipe), module.info.identity)),
+      m_tolerance(tolerance),
       m_chip(module) {
     m_goesOff = m_chip.goesOff(m_recipe);
     m_mayRun = true;
@@ -230,8 +231,12 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
         return disarm();
     if (seen.position == home)
         return enter(ProcedureStage::Zeroing, now, m_chip.zero());
-    // The zero would be off by what it is off now: the chip calls the motor's position 0, not the goal.
-    return now - *m_stillSince > kLastCount ? fail(ProcedureFailure::NotAtHome) : Next(Wait{});
+    if (now - *m_stillSince <= kLastCount)
+        return Wait{};
+    // The zero is off by what it is off now: the chip calls the motor's position 0, not the goal.
+    m_report.offHome = countsBetween(home, seen.position);
+    return std::abs(m_report.offHome) <= m_tolerance ? enter(ProcedureStage::Zeroing, now, m_chip.zero())
+                                                     : fail(ProcedureFailure::NotAtHome);
 }
 
 HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {

@@ -19,7 +19,9 @@ namespace nmc {
 class HomingRun : public Procedure {
 public:
     /// `recipe` fits the module (model/intent/homingplan.h).
-    HomingRun(HomingRecipe recipe, const ModuleState& module);
+    /// `tolerance`: counts that it may rest off its home for that to become zero. What is still off when it
+    /// has had its time is told in the report.
+    HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module);
 
 private:
     enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
@@ -51,6 +53,7 @@ private:
     [[nodiscard]] bool stands(const HomingLook& seen);
 
     HomingRecipe m_recipe;
+    std::int32_t m_tolerance;
     HomingChip m_chip;
     Sent m_sent = Sent::Nothing;
     bool m_goesOff = false;  ///< finding home switches the motor off

@@ -10,6 +10,7 @@
 #include "bus/types.h"
 #include "model/intent/steptaken.h"
 #include "model/module/modulestate.h"
+#include "model/procedure/directionfound.h"
 
 namespace nmc {
 
@@ -18,6 +19,7 @@ enum class ProcedureKind : std::uint8_t {
     StepBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
+    DirectionCheck,
 };
 
 /// Where a procedure is; not every kind has every stage.
@@ -49,7 +51,7 @@ enum class ProcedureFailure : std::uint8_t {
     ReadingsDiffer,
     NotStill,   ///< it swings where it should stand; the servo stays on
     Unstable,   ///< it has gone too far, and did not come to rest by a hold; it was switched off
-    NotAtHome,  ///< it does not come to rest at home exactly, so that must not become zero
+    NotAtHome,  ///< it comes to rest too far from home for that to become zero
 };
 
 /// What the window shows of a procedure.
@@ -59,9 +61,11 @@ struct ProcedureReport {
     ProcedureStage stage = ProcedureStage::Preparing;
     std::optional<ProcedureFailure> failure{};  ///< of Failed
     std::optional<std::int32_t> home{};         ///< captured, before it was made zero
+    std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
-    std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken
+    std::optional<StepTaken> step{};            ///< of StepResponse, once it was taken
+    std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
 
     [[nodiscard]] bool over() const {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||

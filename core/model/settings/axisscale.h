@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace nmc {
@@ -21,6 +22,13 @@ struct AxisUnit {
 
     bool operator==(const AxisUnit&) const = default;
 };
+
+/// What one turn is, where the unit tells; of the axis, which behind a gear is not the motor's.
+[[nodiscard]] std::optional<double> countsPerTurn(const AxisUnit& unit);
+/// Counts that a motor may rest off its home and home still becomes zero: a thousandth of a turn or of an own
+/// unit, a hundredth of a millimetre; never less than one, the grain of the encoder, which is all there is
+/// for who thinks in counts.
+[[nodiscard]] std::int32_t homeTolerance(const AxisUnit& unit);
 
 /// Between the chip's numbers and the user's. "Native" is what the chip counts in: counts, counts per servo
 /// tick, counts per servo tick squared on a PIC-SERVO, whose tick the servo rate stretches; steps, steps/s

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "model/settings/startinggains.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+/// A quarter of a turn of the most common encoder: 500 lines, 2000 counts.
+constexpr double kCountsPerTurnUnknown = 2'000.0;
+/// Below the least a servo with these gains trips at a push; and a unit that turns behind a gear must not
+/// make a runaway long.
+constexpr double kLeastErrorLimit = 100.0;
+constexpr double kMostErrorLimit = 2'000.0;
+
+[[nodiscard]] std::uint16_t errorLimit(const AxisUnit& unit) {
+    const double quarter = countsPerTurn(unit).value_or(kCountsPerTurnUnknown) / 4.0;
+    return static_cast<std::uint16_t>(std::lround(std::clamp(quarter, kLeastErrorLimit, kMostErrorLimit)));
+}
+
+}  // namespace
+
+servo::SetGain startingGains(const AxisUnit& unit) {
+    servo::SetGain gains;
+    gains.kp = 100;
+    gains.kd = 1'000;
+    gains.ki = 80;
+    gains.il = 50;  // Ki * IL / 256 is 15.6 of 255
+    gains.ol = 64;  // of 255
+    gains.cl = 0;
+    gains.el = errorLimit(unit);
+    gains.sr = 1;
+    gains.db = std::uint8_t{0};
+    return gains;
+}
+
+}  // namespace nmc

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/directioncheckbox.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QVBoxLayout>
+
+#include "model/intent/directionplan.h"
+#include "widgets/common/askdialog.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
+    : QGroupBox(tr("Direction"), parent),
+      m_context(context),
+      m_check(new Command({.name = u"directionCheckButton"_s,
+                           .icon = {},
+                           .text = tr("Direction check…"),
+                           .accessible = tr("Check the direction of motor and encoder")},
+                          this, [this] { ask(); })),
+      m_cancel(new Command({.name = u"cancelDirectionCheckButton"_s,
+                            .icon = {},
+                            .text = tr("Cancel"),
+                            .accessible = tr("Cancel the direction check")},
+                           this, [this] { m_context.ask(intent::CancelProcedure{}); })),
+      m_state(new QLabel(this)) {
+    look::name(this, u"directionCheckBox"_s, tr("Direction of motor and encoder"));
+    look::nameText(m_state, u"directionCheckState"_s, tr("What the direction check has found"));
+    m_state->setWordWrap(true);
+    m_state->setTextFormat(Qt::PlainText);
+    const int unit = look::gridUnit(this);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addStretch(1);
+    buttons->addWidget(m_cancel->button());
+    buttons->addWidget(m_check->button());
+    auto* layout = new QVBoxLayout(this);
+    layout->setSpacing(unit / 2);
+    layout->addWidget(m_state);
+    layout->addLayout(buttons);
+    m_context.whenSeen(this, [this] { refresh(); });
+}
+
+std::optional<ProcedureReport> DirectionCheckBox::report() const {
+    // Before a restart: whoever has changed a plug then has to look again.
+    if (!m_context.connected() || m_context.state().hasRestarted)
+        return std::nullopt;
+    return m_context.procedure(ProcedureKind::DirectionCheck);
+}
+
+bool DirectionCheckBox::running() const {
+    const auto check = report();
+    return check && !check->over();
+}
+
+QString DirectionCheckBox::whyNotNow() const {
+    if (!m_context.connected())
+        return texts::refusal(Refusal::NotConnected);
+    if (running())
+        return tr("A direction check is under way.");
+    if (m_context.whyNot(Request::CheckDirection) == Refusal::Moving)
+        return tr("Something turns the motor. Wait until it stands still.");
+    return m_context.reasonNow(Request::CheckDirection);
+}
+
+QString DirectionCheckBox::question() const {
+    constexpr double kWhole = 255.0;
+    const AxisScale scale = m_context.scale();
+    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than a "
+              "tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it "
+              "has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the "
+              "check. Keep clear of it.")
+        .arg(texts::moduleName(m_context.state().info.index))
+        .arg(qRound(kStrongestPush * 100.0 / kWhole))
+        .arg(texts::position(scale, kMovedCounts),
+             texts::position(scale, directionReach(m_context.settings().unit)));
+}
+
+void DirectionCheckBox::ask() {
+    // As long as its module is in sight and can be checked.
+    const auto text = [self = QPointer(this)] {
+        const bool stands = self && self->parentWidget()->isVisible() && self->whyNotNow().isEmpty();
+        return stands ? self->question() : QString();
+    };
+    const auto go = [self = QPointer(this)] {
+        if (self)
+            self->m_context.ask(intent::CheckDirection{directionReach(self->m_context.settings().unit)});
+    };
+    AskDialog::ask({.name = u"directionCheckDialog"_s,
+                    .title = tr("Direction check"),
+                    .text = text,
+                    .stay = tr("&Cancel"),
+                    .stayName = u"stayDirectionCheckButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("&Push the motor"), u"startDirectionCheckButton"_s, go}}, window());
+}
+
+/// Shape, then word.
+QString DirectionCheckBox::found() const {
+    const auto check = report();
+    if (running())
+        return u"▶ "_s + (check->round > 1 ? tr("Pushing it in reverse.") : tr("Pushing it forward."));
+    if (check && check->direction)
+        return (check->direction->verdict == DirectionVerdict::Right ? u"✓ "_s : u"▲ "_s) +
+               texts::directionFound(*check->direction);
+    if (check && check->failure)
+        return u"▲ "_s + tr("No verdict: see the message.");
+    return u"○ "_s +
+           tr("Not checked in this connection. Do it before you enable the servo for the first time: "
+              "with motor or encoder reversed it runs away.");
+}
+
+void DirectionCheckBox::refresh() {
+    m_check->setPossible(whyNotNow(),
+                         tr("Moves the motor a little, without the servo, to see that it turns the way its "
+                            "encoder counts. Asks first."));
+    m_cancel->setPossible(running() ? QString() : tr("No direction check is under way."),
+                          tr("Ends the check; the motor is off then."));
+    look::setText(m_state, found());
+}
+
+}  // namespace nmc

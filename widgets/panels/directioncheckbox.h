@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGroupBox>
+
+#include "widgets/panels/modulecontext.h"
+
+class QLabel;
+
+namespace nmc {
+
+class Command;
+
+/// Whether motor and encoder of a PIC-SERVO go the same way, to be found out before it is enabled for the
+/// first time (model/procedure/directioncheck.h). It asks before the motor is pushed, and forbids nothing.
+class DirectionCheckBox : public QGroupBox {
+    Q_OBJECT
+
+public:
+    DirectionCheckBox(ModuleContext& context, QWidget* parent);
+
+private:
+    void ask();
+    void refresh();
+    [[nodiscard]] std::optional<ProcedureReport> report() const;
+    [[nodiscard]] bool running() const;
+    [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] QString question() const;
+    [[nodiscard]] QString found() const;
+
+    ModuleContext& m_context;
+    Command* m_check;
+    Command* m_cancel;
+    QLabel* m_state;
+};
+
+}  // namespace nmc
