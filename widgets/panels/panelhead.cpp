@@ -10,7 +10,6 @@
 #include "widgets/common/homewords.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/promptbutton.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
@@ -110,7 +109,7 @@ QString PanelHead::named(const QString& name) const {
 
 QPushButton* PanelHead::addButton(const QString& icon, const QString& text, const QString& objectName,
                                   const QString& accessibleName, Intent intent) {
-    auto* button = new PromptButton(icons::tinted(icon), text, this);
+    auto* button = new QPushButton(icons::tinted(icon), text, this);
     look::name(button, named(objectName), accessibleName);
     connect(button, &QPushButton::clicked, this, [this, intent] { emit intentRequested(intent); });
     return button;
