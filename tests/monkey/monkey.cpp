@@ -8,6 +8,7 @@
 #include <QClipboard>
 #include <QDir>
 #include <QLineEdit>
+#include <QTabBar>
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
@@ -242,6 +243,7 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
                                      : "right-clicks ") +
          spot.name.toStdString());
     const bool starts = startsMotor(hit);
+    const bool isTab = qobject_cast<const QTabBar*>(hit) != nullptr;
     if (starts)
         m_oath->mayStart(hit->objectName() == u"groupStartButton"_s);
     if (spot.name.startsWith(u"sim"_s))
@@ -257,6 +259,7 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
             m_oath->movedFocus();
         if (hold) {
             m_pressedIn = still;
+            m_pressedTab = isTab;
             m_pressedAt = at;
         } else if (still != nullptr) {
             QTest::mouseRelease(window, button, {}, at);
@@ -268,8 +271,9 @@ void Monkey::releaseMouse(bool elsewhere) {
     if (m_pressedIn == nullptr)
         return;
     QWindow* window = std::exchange(m_pressedIn, nullptr);
-    // The window may have become smaller meanwhile.
-    const bool there = !elsewhere && QRect({}, window->size()).contains(m_pressedAt);
+    // A tab is not dragged: Qt paints it, also when its page has gone meanwhile, and complains. And the
+    // window may have become smaller.
+    const bool there = (!elsewhere || m_pressedTab) && QRect({}, window->size()).contains(m_pressedAt);
     const QPoint at = there ? m_pressedAt : QPoint(3, 3);
     note(there ? "releases" : "moves away and releases");
     if (startsMotor(QApplication::widgetAt(window->mapToGlobal(at))))

@@ -81,6 +81,7 @@ private:
     int m_delivering = 0;
     QPointer<QWindow> m_pressedIn;
     QPoint m_pressedAt;
+    bool m_pressedTab = false;
     std::optional<Qt::Key> m_keyDown;
 };
 
