@@ -59,6 +59,8 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine) {
     const QString host = texts::portName(QString::fromStdString(state.port));
     if (host != m_host) {
         m_host = host;
+        if (!m_open)
+            return;  // there is no row of it
         const QModelIndex changed = index(moduleCount());
         emit dataChanged(changed, changed);
     }
@@ -122,7 +124,9 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
 }
 
 Qt::ItemFlags ChainModel::flags(const QModelIndex& index) const {
-    if (!index.isValid() || index.row() >= moduleCount())
+    if (!index.isValid())
+        return Qt::NoItemFlags;
+    if (index.row() >= moduleCount())
         return Qt::ItemNeverHasChildren;
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
 }
