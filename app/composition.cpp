@@ -221,7 +221,7 @@ void Composition::openNow(const ConnectTarget& target) {
     m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
-    m_worker.open(std::move(factory), config);
+    m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
     m_frameTimer.start();
     m_figuresTimer.start();
 }

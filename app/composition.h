@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QSettings>
 #include <QTimer>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,6 +36,11 @@ public:
     /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings.
     explicit Composition(QSettings& settings, PortController::Places places = {},
                          const QString& dataFolder = {}, QObject* parent = nullptr);
+
+    /// What opens a port, in the bus thread.
+    using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;
+    /// For tests, instead of the system's ports and the simulator. Before show().
+    void setTransports(Transports transports) { m_transports = std::move(transports); }
 
     /// Shows the window and does what the command line asked for.
     void show(const Start& start);
@@ -147,6 +153,7 @@ private:
     LinkPhase m_shownPhase = LinkPhase::Disconnected;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
+    Transports m_transports;
     std::optional<ConnectTarget> m_target;    ///< what is connected, or was last
     std::optional<ConnectTarget> m_openNext;  ///< to be opened when the present connection has closed
     std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it

@@ -3294,7 +3294,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>N&amp;ame</source>
-        <translation>&amp;Name</translation>
+        <translation>Name de&amp;r Achse</translation>
     </message>
     <message>
         <source>Unit of the axis</source>
@@ -3362,7 +3362,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>&amp;Jog cap</source>
-        <translation>Höchs&amp;twert Tippen</translation>
+        <translation>H&amp;öchstwert Tippen</translation>
     </message>
     <message>
         <source>A/D, each step</source>
@@ -4822,7 +4822,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
-        <translation>Verstärker ein (A&amp;MP_EN)</translation>
+        <translation>Ve&amp;rstärker ein (AMP_EN)</translation>
     </message>
     <message>
         <source>Amplifier enabled</source>
@@ -5646,7 +5646,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
-        <translation>Vor&amp;wärts</translation>
+        <translation>Vorw&amp;ärts</translation>
     </message>
     <message>
         <source>Run forward until stopped</source>
@@ -6754,7 +6754,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>&amp;Zero here</source>
-        <translation>Hier n&amp;ullen</translation>
+        <translation>Hie&amp;r nullen</translation>
     </message>
     <message>
         <source>Save as home</source>
@@ -6904,7 +6904,7 @@ Ohne Hardware den Simulator wählen.</translation>
     <name>nmc::StepHoldBox</name>
     <message>
         <source>Speed whe&amp;n held</source>
-        <translation>Ti&amp;ppgeschwindigkeit</translation>
+        <translation>Tippges&amp;chwindigkeit</translation>
     </message>
     <message>
         <source>Speed while held</source>
@@ -7165,7 +7165,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>R&amp;un forward</source>
-        <translation>Vor&amp;wärts</translation>
+        <translation>Vorw&amp;ärts</translation>
     </message>
     <message>
         <source>Run forward until stopped</source>
@@ -7319,7 +7319,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>&amp;Apply parameters</source>
-        <translation>A&amp;lle anwenden</translation>
+        <translation>Alle an&amp;wenden</translation>
     </message>
     <message>
         <source>Parameters</source>

@@ -16,6 +16,7 @@
 
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/turnto.h"
 #include "widgets/panels/holdbutton.h"
 
 namespace nmc {
@@ -37,6 +38,7 @@ public:
         auto* widget = m_composition.window().findChild<Widget*>(QLatin1String(name));
         if (widget == nullptr)
             throw std::runtime_error(std::string("there is no ") + name);
+        testing_support::turnTo(*widget);
         return *widget;
     }
     void type(const char* field, const QString& text) {

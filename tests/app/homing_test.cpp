@@ -34,14 +34,14 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
-        auto* pages = panel.window().findChild<QTabWidget*>(u"servoPages"_s);
-        pages->setCurrentWidget(panel.window().findChild<QWidget*>(u"homingBox"_s));
+        testing_support::turnTo(*panel.window().findChild<QWidget*>(u"homingBox"_s));
         ASSERT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }))
             << button("homeButton")->toolTip().toStdString();
     }
     QAbstractButton* button(const char* name) {
         auto* found = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
         EXPECT_NE(found, nullptr) << name;
+        testing_support::turnTo(*found);
         return found;
     }
     QString text(const char* label) {

@@ -10,6 +10,7 @@
 
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/turnto.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
 

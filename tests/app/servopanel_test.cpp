@@ -48,12 +48,14 @@ protected:
         list->setCurrentIndex(list->model()->index(row, 0));
     }
     void show(const char* page) {
-        panel.window().findChild<QTabWidget*>(u"servoPages"_s)->setCurrentWidget(find<QWidget>(page));
+        find<QWidget>(page);
     }
     template <typename Widget>
     Widget* find(const char* name) {
         auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
         EXPECT_NE(widget, nullptr) << name;
+        if (widget != nullptr)
+            testing_support::turnTo(*widget);
         return widget;
     }
     void type(const char* field, const QString& words) {

@@ -17,6 +17,7 @@
 #include "app/composition.h"
 #include "app/procedurecontroller.h"
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/turnto.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
 
@@ -44,18 +45,11 @@ protected:
         auto* widget = m_composition.window().findChild<Widget*>(QLatin1String(name));
         if (widget == nullptr)
             throw std::runtime_error(std::string("there is no ") + name);
+        testing_support::turnTo(*widget);
         return *widget;
-    }
-    /// The page that a control is on comes up first, as a user would have it.
-    void bringUp(QWidget& widget) {
-        auto& pages = find<QTabWidget>("stepPages");
-        for (int i = 0; i < pages.count(); ++i)
-            if (pages.widget(i)->isAncestorOf(&widget))
-                pages.setCurrentIndex(i);
     }
     void type(const char* field, const QString& text) {
         auto& edit = find<QLineEdit>(field);
-        bringUp(edit);
         edit.setFocus();
         edit.selectAll();
         QTest::keyClicks(&edit, text);
@@ -63,7 +57,6 @@ protected:
     }
     void click(const char* button) {
         auto& widget = find<QAbstractButton>(button);
-        bringUp(widget);
         ASSERT_TRUE(waitFor([&] { return widget.isEnabled(); })) << button << ": " << tip(button);
         QTest::mouseClick(&widget, Qt::LeftButton, {}, {widget.height() / 2, widget.height() / 2});
     }
@@ -89,7 +82,6 @@ protected:
     /// 4x: 100 to 25 000 steps/s.
     void setParameters() {
         auto& mode = find<QComboBox>("stepSpeedModeField");
-        bringUp(mode);
         mode.setFocus();
         QTest::keyClick(&mode, Qt::Key_Home);
         for (int i = 0; i < 2; ++i)

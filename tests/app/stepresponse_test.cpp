@@ -40,6 +40,8 @@ protected:
     Widget* find(const char* name) {
         auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
         EXPECT_NE(widget, nullptr) << name;
+        if (widget != nullptr)
+            testing_support::turnTo(*widget);
         return widget;
     }
     void click(const char* name) {

@@ -17,7 +17,11 @@ using testing_support::NmcsimProcess;
 class Truth : public testing::Test {
 protected:
     void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim)); }
-    QString label(const char* name) { return panel.window().findChild<QLabel*>(QLatin1String(name))->text(); }
+    QString label(const char* name) {
+        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(name));
+        testing_support::turnTo(*found);
+        return found->text();
+    }
     bool saysSoon(const char* state) {
         return panel.waitFor([&] { return label("stateLabel") == QLatin1String(state); });
     }

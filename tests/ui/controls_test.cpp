@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QTabWidget>
 
+#include "app/translations.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -84,7 +85,22 @@ TEST_F(Controls, EachIsReachedByTab) {
 }
 
 /// Of the module panel only one page is there at a time, and of its tabs only one; hidden ones do not listen.
-class Mnemonics : public Controls, public testing::WithParamInterface<std::pair<const char*, const char*>> {
+struct Panel {
+    const char* panel;
+    const char* pages;
+    QLocale::Language language;
+};
+void PrintTo(const Panel& panel, std::ostream* out) {
+    *out << panel.panel << ", " << QLocale::languageToString(panel.language).toStdString();
+}
+
+/// In force before the window is built.
+struct Spoken : testing::WithParamInterface<Panel> {
+    Spoken() { installTranslations(translations, QLocale(GetParam().language)); }
+    Translations translations;
+};
+
+class Mnemonics : public Spoken, public Controls {
 protected:
     Mnemonics() {
         showSimulatedServo();
@@ -100,9 +116,9 @@ protected:
         const QWidget* above = widget->parentWidget();
         for (; above != nullptr; child = above, above = above->parentWidget()) {
             if (above->objectName() == u"modulePanel"_s)
-                return child->objectName() == QLatin1String(GetParam().first);
+                return child->objectName() == QLatin1String(GetParam().panel);
             if (above->objectName() == u"qt_tabwidget_stackedwidget"_s &&
-                above->parentWidget()->objectName() == QLatin1String(GetParam().second) && child != tab)
+                above->parentWidget()->objectName() == QLatin1String(GetParam().pages) && child != tab)
                 return false;
         }
         return true;
@@ -133,7 +149,7 @@ protected:
 };
 
 TEST_P(Mnemonics, DoNotCollide) {
-    auto* tabs = find<QTabWidget>(QLatin1String(GetParam().second));
+    auto* tabs = find<QTabWidget>(QLatin1String(GetParam().pages));
     for (int i = 0; i < tabs->count(); ++i) {
         SCOPED_TRACE(tabs->tabText(i).toStdString());
         expectNoneTwice(tabs->widget(i));
@@ -141,8 +157,10 @@ TEST_P(Mnemonics, DoNotCollide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Panels, Mnemonics,
-                         testing::Values(std::pair{"servoPanel", "servoPages"},
-                                         std::pair{"stepPanel", "stepPages"}));
+                         testing::Values(Panel{"servoPanel", "servoPages", QLocale::English},
+                                         Panel{"stepPanel", "stepPages", QLocale::English},
+                                         Panel{"servoPanel", "servoPages", QLocale::German},
+                                         Panel{"stepPanel", "stepPages", QLocale::German}));
 
 TEST_F(Controls, EachDockHasAMenuEntry) {
     for (const QString& dock : {u"chainDock"_s, u"scopeDock"_s, u"messagesDock"_s}) {

@@ -15,7 +15,7 @@ class DirectionBox : public WindowTest {
 protected:
     void show(const Servo& servo = {.on = false, .gains = false}) {
         showServo(servo);
-        find<QTabWidget>(u"servoPages"_s)->setCurrentWidget(find(u"axisBox"_s));
+        find(u"axisBox"_s);
     }
     void report(ProcedureStage stage, std::optional<DirectionFound> found = {}, unsigned round = 1) {
         ProcedureReport r;

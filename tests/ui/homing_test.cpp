@@ -14,7 +14,7 @@ namespace {
 
 class Homing : public WindowTest {
 protected:
-    void open() { find<QTabWidget>(u"servoPages"_s)->setCurrentWidget(find(u"homingBox"_s)); }
+    void open() { find(u"homingBox"_s); }
     void show(const Servo& servo = {}) {
         showServo(servo);
         open();

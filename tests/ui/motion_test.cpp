@@ -218,6 +218,15 @@ TEST_F(Motion, StatusBitsHaveTheirDataSheetNames) {
     EXPECT_TRUE(std::holds_alternative<intent::ClearStickyBits>(sent()));
 }
 
+TEST_F(Motion, AMoveByItsShortcutIsOfTheModuleThatWasSeen) {
+    showServo();
+    QTest::keyClick(window.get(), Qt::Key_U, Qt::AltModifier);
+    EXPECT_EQ(intents.size(), 1) << "at once: soon another may be selected, or nothing be allowed any more";
+    showServo({.millisecond = 20});
+    QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(intents.size(), 2);
+}
+
 TEST_F(Motion, AStopByItsMnemonicDoesNotWaitForTheButtonToBeSeenPressed) {
     showServo({.moveDone = false});
     QTest::keyClick(window.get(), Qt::Key_S, Qt::AltModifier);

@@ -3,7 +3,6 @@
 
 #include <QAbstractButton>
 #include <QPalette>
-#include <QTabWidget>
 
 namespace nmc {
 
@@ -77,13 +76,6 @@ void WindowTest::showServos(std::vector<Servo> servos) {
         modules.push_back(servos[i].state());
     }
     window->showLink(connectedTo(std::move(modules)));
-}
-
-void WindowTest::turnTo(const QWidget& widget) {
-    for (QWidget* page = widget.parentWidget(); page != nullptr; page = page->parentWidget())
-        if (page->parentWidget() != nullptr)
-            if (auto* tabs = qobject_cast<QTabWidget*>(page->parentWidget()->parentWidget()))
-                tabs->setCurrentWidget(page);
 }
 
 void WindowTest::type(const QString& objectName, const QString& text) {

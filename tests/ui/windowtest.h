@@ -12,6 +12,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "tests/support/turnto.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -55,11 +56,9 @@ protected:
         EXPECT_NE(widget, nullptr) << objectName.toStdString();
         if constexpr (std::is_base_of_v<QWidget, T>)
             if (widget != nullptr)
-                turnTo(*widget);
+                testing_support::turnTo(*widget);
         return widget;
     }
-    /// To the tab that it stands on, as everybody must who wants to see it.
-    static void turnTo(const QWidget& widget);
     NumberField* field(const QString& objectName) { return find<NumberField>(objectName); }
     QAbstractButton* button(const QString& objectName) { return find<QAbstractButton>(objectName); }
     QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }

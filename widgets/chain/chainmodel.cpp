@@ -74,7 +74,7 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine, const 
     m_host = host;
     if (others) {
         endResetModel();
-    } else if (otherHost && open) {
+    } else if (otherHost && open) {  // else there is no row of it
         const QModelIndex changed = index(moduleCount());
         emit dataChanged(changed, changed);
     }
@@ -139,7 +139,9 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
 }
 
 Qt::ItemFlags ChainModel::flags(const QModelIndex& index) const {
-    if (!index.isValid() || index.row() >= moduleCount())
+    if (!index.isValid())
+        return Qt::NoItemFlags;
+    if (index.row() >= moduleCount())
         return Qt::ItemNeverHasChildren;
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
 }

@@ -22,6 +22,7 @@
 #include "widgets/mainwindow/menus.h"
 #include "widgets/mainwindow/otherwindows.h"
 #include "widgets/mainwindow/pressfilter.h"
+#include "widgets/mainwindow/promptfilter.h"
 #include "widgets/mainwindow/repeatfilter.h"
 #include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
@@ -125,6 +126,7 @@ void MainWindow::connectParts() {
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
+    new PromptFilter(this);
     new RepeatFilter(this);
     connect(new OtherWindows(this), &OtherWindows::opened, m_panel, &ModulePanel::endHold);
 

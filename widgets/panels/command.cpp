@@ -9,7 +9,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 Command::Command(const Spec& spec, QWidget* box, std::function<void()> act)
-    : QAction(spec.text, box), m_sentence(spec.accessible), m_button(new PromptButton(spec.text, box)) {
+    : QAction(spec.text, box), m_sentence(spec.accessible), m_button(new QPushButton(spec.text, box)) {
     look::name(m_button, spec.name, spec.accessible);
     if (!spec.icon.isEmpty())
         setIcon(icons::tinted(spec.icon));

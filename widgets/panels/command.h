@@ -3,9 +3,9 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QPushButton>
 #include <functional>
 
-#include "widgets/common/promptbutton.h"
 
 namespace nmc {
 
@@ -46,7 +46,7 @@ public:
 private:
     QString m_sentence;
     QString m_reason;
-    PromptButton* m_button;
+    QPushButton* m_button;
 };
 
 }  // namespace nmc

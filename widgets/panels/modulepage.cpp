@@ -111,10 +111,9 @@ void ModulePage::showCommand(const QString& name) {
         if (command->button()->objectName() != name)
             continue;
         reveal(*command->box());
+        // Not the focus: the next press of Space would be a command.
         QPushButton* button = command->button();
-        button->setFocus(Qt::OtherFocusReason);
-        if (!command->isEnabled())  // where it would be, and why it can't be done
-            QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
+        QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
     }
 }
 

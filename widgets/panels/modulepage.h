@@ -28,7 +28,7 @@ public:
     [[nodiscard]] ModuleContext& context() { return m_context; }
     /// Of all its boxes, in the order in which they stand.
     [[nodiscard]] QList<Command*> commands() const;
-    /// Its button comes in sight and gets the focus; `name` is that of the button.
+    /// Its button comes in sight, with its tool tip; `name` is that of the button.
     void showCommand(const QString& name);
 
     /// How much higher their room is than the motions need; below 0: not all of them are in view.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QPoint>
+#include <QPointer>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+/// What can be seen and reached of the program at this moment, whatever it is made of.
+namespace nmc::monkey {
+
+/// Somewhere on the screen to press, and how to call it.
+struct Spot {
+    QPointer<QWidget> window;
+    QPoint at;  ///< on the screen
+    QString name;
+};
+
+/// All that can be seen, in an order that is the same each time.
+[[nodiscard]] QWidgetList windows();
+/// Buttons, fields, tabs, rows, cells, menu entries: all that is enabled, and not covered. In a popup when
+/// one is open, since it has the pointer to itself.
+[[nodiscard]] QList<Spot> spots();
+/// All shortcuts and mnemonics of controls that can be used now.
+[[nodiscard]] QList<QKeySequence> shortcuts();
+/// What is there, or what it is in, sets the selected motor in motion when it is pressed.
+[[nodiscard]] bool startsMotor(const QWidget* widget);
+/// Something that sets a motor in motion has this shortcut, and can be used.
+[[nodiscard]] bool startsMotor(const QKeySequence& keys);
+/// Enter does in it what a button does that sets a motor in motion.
+[[nodiscard]] bool startsByEnter(const QWidget* widget);
+/// What files are chosen in; the way out of it leads to other people's files.
+[[nodiscard]] bool inFileDialog(const QWidget* widget);
+
+}  // namespace nmc::monkey

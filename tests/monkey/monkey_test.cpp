@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random users of the whole program (issue 14). NMC_MONKEY: how many acts of each seed; NMC_MONKEY_SEED: this
+// one only.
+#include <gtest/gtest.h>
+
+#include "tests/monkey/monkey.h"
+
+namespace nmc::monkey {
+namespace {
+
+constexpr int kActs = 200;
+constexpr int kSeeds = 6;
+
+int fromEnvironment(const char* name, int otherwise) {
+    const int value = qEnvironmentVariableIntValue(name);
+    return value > 0 ? value : otherwise;
+}
+
+/// What all of them have met.
+struct Met {
+    unsigned motions = 0;
+    unsigned stopsInMotion = 0;
+    unsigned strikes = 0;
+};
+
+Met play(int seed, int acts) {
+    Monkey monkey(static_cast<std::uint64_t>(seed));
+    for (int i = 0; i < acts; ++i) {
+        if (monkey.act())
+            continue;
+        for (const std::string& complaint : monkey.oath().complaints())
+            ADD_FAILURE() << complaint;
+        ADD_FAILURE() << "NMC_MONKEY_SEED=" << seed << ", after these acts:\n" << monkey.story();
+        break;
+    }
+    return {monkey.motions(), monkey.stopsInMotion(), monkey.strikes()};
+}
+
+TEST(Monkey, BreaksNothing) {
+    const int acts = fromEnvironment("NMC_MONKEY", kActs);
+    if (const int seed = qEnvironmentVariableIntValue("NMC_MONKEY_SEED"); seed > 0) {
+        const Met met = play(seed, acts);
+        std::printf("%u motions, %u stopped with all, %u strikes\n", met.motions, met.stopsInMotion,
+                    met.strikes);
+        return;
+    }
+    Met met;
+    for (int seed = 1; seed <= kSeeds && !HasFailure(); ++seed) {
+        const Met one = play(seed, acts);
+        met.motions += one.motions;
+        met.stopsInMotion += one.stopsInMotion;
+        met.strikes += one.strikes;
+    }
+    // Or there was nothing to break.
+    EXPECT_GT(met.motions, 0U);
+    EXPECT_GT(met.stopsInMotion, 0U);
+    EXPECT_GT(met.strikes, 0U);
+}
+
+}  // namespace
+}  // namespace nmc::monkey

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/monkey/bench.h"
+
+namespace nmc::monkey {
+
+/// What must be true whatever anybody does to the window, and whatever befalls the chain.
+///
+///  asked    no motor moves, and no start is sent to one, but for somebody who has pressed what starts it
+///  visible  the window asks for nothing that the state it shows forbids, and for nothing by itself
+///  read     a read-only connection sends questions, and stops when they are asked for
+///  stop     STOP ALL is there whenever a port is open; it acts within the press, its packets go before any
+///           other, and every motor whose module hears is at rest kAtRestWithin later
+///  focus    is not handed to a control that starts a motor
+///  chip     a line that is well sees nothing that a real chip would not forgive
+class Oath {
+public:
+    /// Of a stop of all where the line is well (faults.md F-01).
+    static constexpr Duration kAtRestWithin = std::chrono::milliseconds(2'500);
+
+    Oath(Bench& bench, Composition& program);
+
+    // Told by who acts.
+    /// Something of the user's is being delivered: the window may ask for something.
+    void userActs(bool acts) { m_acting = acts; }
+    /// What he does starts the selected motor, or with `group` all that are in one.
+    void mayStart(bool group);
+    /// He asks one motor to stop, or all of them to.
+    void stopsOne();
+    void aboutToStopAll();
+    void stoppedAll();
+    /// Something is wrong with the line or a module, until `until`.
+    void fault(TimePoint until);
+    /// What he did takes the focus where he wants it: Tab, or a press on what gets it.
+    void movedFocus();
+    /// After each bit of time.
+    void look();
+    [[nodiscard]] const std::vector<std::string>& complaints() const { return m_complaints; }
+    /// So that a test can see that there was something to be seen.
+    [[nodiscard]] unsigned motions() const { return m_motions; }
+    [[nodiscard]] unsigned stopsInMotion() const { return m_stopsInMotion; }
+
+private:
+    struct Motor {
+        bool mayMove = false;
+        bool moves = false;
+        TimePoint lastMoved{};
+        std::optional<TimePoint> stopAsked;
+        std::optional<TimePoint> restDue;
+    };
+
+    void complain(const std::string& what);
+    [[nodiscard]] std::optional<std::size_t> placeOf(ModuleIndex module);
+    [[nodiscard]] std::optional<std::size_t> selected();
+    [[nodiscard]] const LinkState& link() const { return m_program.store().link(); }
+    [[nodiscard]] bool calm() const;
+    void checkIntent(ModuleIndex module, const Intent& intent);
+    void checkPackets();
+    void checkStopPackets(const std::vector<Packet>& packets);
+    void checkMotors();
+    void checkWindow();
+
+    Bench& m_bench;
+    Composition& m_program;
+    QObject m_context;
+    std::vector<Motor> m_motors;
+    std::vector<std::string> m_complaints;
+    bool m_acting = false;
+    std::uint32_t m_press = 0;
+    bool m_askedRead = false;  ///< a stop, in this connection
+    bool m_wasDisconnected = true;
+    TimePoint m_faultsUntil{};
+    QHash<const QWidget*, const QWidget*> m_focus;  ///< by window: where the user has put it
+    unsigned m_stops = 0;                           ///< that the window has asked for
+    struct Stop {
+        TimePoint at{};
+        unsigned before = 0;
+        bool open = false;
+        bool judged = false;  ///< its packets are
+    };
+    std::optional<Stop> m_stop;
+    unsigned m_motions = 0;
+    unsigned m_stopsInMotion = 0;
+};
+
+}  // namespace nmc::monkey
