@@ -10,6 +10,7 @@
 #include "app/unixsignals.h"
 #include "link/connection/crashburst.h"
 #include "link/ports/portlist.h"
+#include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 
 namespace {
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
     const nmc::crashburst::HandlerStack stack;
     nmc::crashburst::installHandlers();
     QApplication application(argc, argv);
+    nmc::look::setUp(application);
     // Once more: translators belong to the application object.
     nmc::installTranslations(translations, QLocale::system());
     QApplication::setDesktopFileName(QStringLiteral("org.nmcpanel.NmcPanel"));

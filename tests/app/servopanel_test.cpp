@@ -47,9 +47,7 @@ protected:
         auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
         list->setCurrentIndex(list->model()->index(row, 0));
     }
-    void show(const char* page) {
-        find<QWidget>(page);
-    }
+    void show(const char* page) { find<QWidget>(page); }
     template <typename Widget>
     Widget* find(const char* name) {
         auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));

@@ -30,27 +30,14 @@ namespace {
 /// By their object names. A new one that is missing here is found out: it moves a motor that nobody asked to
 /// move.
 const QStringList& starters() {
-    static const QStringList names{u"goButton"_s,
-                                   u"goHomeButton"_s,
-                                   u"startButton"_s,
-                                   u"runForwardButton"_s,
-                                   u"runReverseButton"_s,
-                                   u"stepForwardButton"_s,
-                                   u"stepReverseButton"_s,
-                                   u"homeButton"_s,
-                                   u"pwmForwardButton"_s,
-                                   u"pwmReverseButton"_s,
-                                   u"stepGoButton"_s,
-                                   u"stepRunForwardButton"_s,
-                                   u"stepRunReverseButton"_s,
-                                   u"stepStartLoadedButton"_s,
-                                   u"stepHomeButton"_s,
-                                   u"stepResponseButton"_s,
-                                   u"startDirectionCheckButton"_s,
-                                   u"groupStartButton"_s,
+    static const QStringList names{u"goButton"_s, u"goHomeButton"_s, u"startButton"_s, u"runForwardButton"_s,
+                                   u"runReverseButton"_s, u"stepForwardButton"_s, u"stepReverseButton"_s,
+                                   u"homeButton"_s, u"pwmForwardButton"_s, u"pwmReverseButton"_s,
+                                   u"stepGoButton"_s, u"stepRunForwardButton"_s, u"stepRunReverseButton"_s,
+                                   u"stepStartLoadedButton"_s, u"stepHomeButton"_s, u"stepResponseButton"_s,
+                                   u"startDirectionCheckButton"_s, u"groupStartButton"_s,
                                    // which may hold any of them
-                                   u"moduleMenu"_s,
-                                   u"commandPalette"_s};
+                                   u"moduleMenu"_s, u"commandPalette"_s};
     return names;
 }
 
@@ -207,9 +194,9 @@ bool startsMotor(const QKeySequence& keys) {
 }
 
 bool startsByEnter(const QWidget* widget) {
-    return widget != nullptr && (widget->objectName() == u"goalField"_s ||
-                                 widget->objectName() == u"stepGoalField"_s ||
-                                 widget->objectName() == u"runVelocityField"_s || startsMotor(widget));
+    return widget != nullptr &&
+           (widget->objectName() == u"goalField"_s || widget->objectName() == u"stepGoalField"_s ||
+            widget->objectName() == u"runVelocityField"_s || startsMotor(widget));
 }
 
 bool inFileDialog(const QWidget* widget) {

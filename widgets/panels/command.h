@@ -6,7 +6,6 @@
 #include <QPushButton>
 #include <functional>
 
-
 namespace nmc {
 
 /// Something that can be asked for on a page, as an object: what it is called, its key, what it does, and why
