@@ -48,15 +48,17 @@ DirectionCheckBox::DirectionCheckBox(QWidget* parent)
 
 void DirectionCheckBox::showModule(const PanelView& view) {
     const bool another = !m_known || m_module.info.index != view.module.info.index;
-    // Of another connection, or before a restart: whoever has changed a plug then has to look again.
-    if (another || !view.connected || view.module.hasRestarted)
+    if (another || !view.connected)
         m_report.reset();
     m_known = true;
     m_module = view.module;
     m_unit = view.settings.unit;
     m_scale = view.scale();
     m_connected = view.connected;
-    if (m_connected && view.procedure != nullptr && view.procedure->kind == ProcedureKind::DirectionCheck)
+    // None was told of in this connection: whoever has changed a plug since the last has to look again.
+    if (view.procedure == nullptr)
+        m_report.reset();
+    else if (m_connected && view.procedure->kind == ProcedureKind::DirectionCheck)
         m_report = *view.procedure;
     refresh();
 }
