@@ -108,7 +108,9 @@ TEST_F(DirectionBox, AVerdictIsOfItsModuleAndItsConnection) {
     show();
     report(ProcedureStage::Done, DirectionFound{Verdict::Right, 20, -20, 12, false, false});
     ASSERT_TRUE(state().startsWith(u"✓ "_s));
-    window->showLink(LinkState{});
+    LinkState connecting;
+    connecting.phase = LinkPhase::Connecting;
+    window->showLink(connecting);
     show({.on = false, .gains = false, .millisecond = 10});
     EXPECT_FALSE(state().contains(u"All right"_s));
 }

@@ -50,10 +50,8 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
 }
 
 std::optional<ProcedureReport> DirectionCheckBox::report() const {
-    // Before a restart: whoever has changed a plug then has to look again.
-    if (!m_context.connected() || m_context.state().hasRestarted)
-        return std::nullopt;
-    return m_context.procedure(ProcedureKind::DirectionCheck);
+    // Of this connection: whoever has changed a plug since the last has to look again.
+    return m_context.connected() ? m_context.procedure(ProcedureKind::DirectionCheck) : std::nullopt;
 }
 
 bool DirectionCheckBox::running() const {
