@@ -9,6 +9,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 #include "app/commandline.h"
 #include "app/flightcontroller.h"
@@ -56,6 +58,15 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What the window's controls follow.
+    struct Shown {
+        explicit Shown(const LinkState& link);
+        LinkPhase phase;
+        std::vector<std::tuple<Activity, std::optional<bus::OperationId>, std::optional<servo::SetGain>>>
+            modules;
+        bool operator==(const Shown&) const = default;
+    };
+
     void quit();
     void wireWindow();
     void wireChain();
@@ -150,7 +161,7 @@ private:
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;
-    LinkPhase m_shownPhase = LinkPhase::Disconnected;
+    std::optional<Shown> m_shown;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     Transports m_transports;

@@ -24,9 +24,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     }
     void show(const char* page) {
-        auto* widget = panel.window().findChild<QWidget*>(QLatin1String(page));
-        ASSERT_NE(widget, nullptr) << page;
-        panel.window().findChild<QTabWidget*>(u"servoPages"_s)->setCurrentWidget(widget);
+        testing_support::turnTo(*panel.window().findChild<QWidget*>(QLatin1String(page)));
     }
     QString text(const char* label) {
         return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
