@@ -27,7 +27,9 @@ protected:
         testing_support::turnTo(*panel.window().findChild<QWidget*>(QLatin1String(page)));
     }
     QString text(const char* label) {
-        return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
+        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
+        testing_support::turnTo(*found);
+        return found->text();
     }
     void click(const char* name) {
         const auto ready = [&] {
