@@ -119,13 +119,14 @@ public:
     std::vector<double> keystrokes() {
         auto* field = window().findChild<NumberField*>(QStringLiteral("goalField"));
         field->setFocus();
-        return trials(field, [field] { return field->text(); },
-                      [field](int i) {
-                          const bool digit = i % 2 == 0;
-                          QCoreApplication::postEvent(
-                              field, new QKeyEvent(QEvent::KeyPress, digit ? Qt::Key_7 : Qt::Key_Backspace,
-                                                   Qt::NoModifier, QString(digit ? u"7" : u"\b")));
-                      });
+        return trials(
+            field, [field] { return field->text(); },
+            [field](int i) {
+                const bool digit = i % 2 == 0;
+                QCoreApplication::postEvent(
+                    field, new QKeyEvent(QEvent::KeyPress, digit ? Qt::Key_7 : Qt::Key_Backspace,
+                                         Qt::NoModifier, QString(digit ? u"7" : u"\b")));
+            });
     }
 
     /// Up and down the list by its arrow keys.
@@ -234,8 +235,9 @@ int main(int argc, char** argv) {
     if (argc > 1 && QString::fromLocal8Bit(argv[1]) == QLatin1String("paints"))
         return paints(bench);
     const double seconds = argc > 1 ? std::strtod(argv[1], nullptr) : 20;
-    std::printf("window: 32 modules at 115200 Bd, four strips, %.0f s: GUI thread %.1f %% of a core (aim 15)\n",
-                seconds, 100 * bench.share(seconds));
+    std::printf(
+        "window: 32 modules at 115200 Bd, four strips, %.0f s: GUI thread %.1f %% of a core (aim 15)\n",
+        seconds, 100 * bench.share(seconds));
     const std::vector<double> keys = bench.keystrokes();
     std::printf("window: keystroke to its repaint: p50 %.1f, p99 %.1f ms (aim 8), %zu of %d\n",
                 percentile(keys, 0.5), percentile(keys, 0.99), keys.size(), kTrials);
