@@ -125,7 +125,7 @@ public:
                 const bool digit = i % 2 == 0;
                 QCoreApplication::postEvent(
                     field, new QKeyEvent(QEvent::KeyPress, digit ? Qt::Key_7 : Qt::Key_Backspace,
-                                         Qt::NoModifier, QString(digit ? u"7" : u"\b")));
+                                         Qt::NoModifier, digit ? QStringLiteral("7") : QStringLiteral("\b")));
             });
     }
 

@@ -40,6 +40,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
+namespace {
+constexpr int kPrepareInterval = 200;  // ms
+}
+
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
@@ -137,6 +141,7 @@ void MainWindow::connectParts() {
     connect(m_panel, &ModulePanel::intentRequested, this, &MainWindow::intentRequested);
     connect(m_panel, &ModulePanel::holdRequested, this, &MainWindow::holdRequested);
     connect(m_panel, &ModulePanel::holdReleased, this, &MainWindow::holdReleased);
+    connect(&m_preparing, &QTimer::timeout, this, &MainWindow::preparePage);
     connect(m_panel, &ModulePanel::pageChanged, this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
     connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
@@ -185,6 +190,8 @@ void MainWindow::showLink(const LinkState& state) {
     }
     if (another)
         showSession();
+    if (another && state.phase == LinkPhase::Connected)
+        m_preparing.start(kPrepareInterval);
     m_bar->showLink(m_link);
     m_linkBar->showLink(m_link);
     m_simulator->showLink(m_link);
@@ -251,6 +258,14 @@ std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
     if (isLive(m_link, module))
         return std::nullopt;
     return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
+}
+
+/// One at a time, so that nobody waits: a module that is chosen first finds its page then.
+void MainWindow::preparePage() {
+    for (const ModuleState& module : m_link.modules)
+        if (m_panel->prepare(viewOf(module)))
+            return;
+    m_preparing.stop();
 }
 
 PanelView MainWindow::viewOf(const ModuleState& module) const {

@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <memory>
@@ -173,6 +174,7 @@ private:
     void showSession();
     void showModules();
     void showSelected();
+    void preparePage();
     [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
     void addModuleEntries(std::vector<CommandPalette::Entry>& entries);
     void addOtherModules(std::vector<CommandPalette::Entry>& entries);
@@ -214,6 +216,7 @@ private:
     QList<QDockWidget*> m_docks;
     QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
+    QTimer m_preparing;
     int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;
     bool m_workMayWait = false;  ///< unsaved, as the user has just agreed

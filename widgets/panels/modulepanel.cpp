@@ -40,9 +40,14 @@ ModulePanel::ModulePanel(QWidget* parent)
     connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
 }
 
-ModulePage* ModulePanel::build(const PanelView& view) {
-    ModulePage* page = view.module.isServo() ? static_cast<ModulePage*>(new ServoPanel(view, &m_drawer))
-                                             : new StepPanel(view, &m_drawer);
+ModulePanel::~ModulePanel() = default;
+
+std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
+    std::unique_ptr<ModulePage> page;
+    if (view.module.isServo())
+        page = std::make_unique<ServoPanel>(view);
+    else
+        page = std::make_unique<StepPanel>(view);
     const ModuleIndex module = view.module.info.index;
     ModuleContext& context = page->context();
     connect(&context, &ModuleContext::asked, this,
@@ -51,7 +56,7 @@ ModulePage* ModulePanel::build(const PanelView& view) {
             [this, module](const AxisSettings& settings) { emit settingsEdited(module, settings); });
     connect(&context, &ModuleContext::holdAsked, this, &ModulePanel::holdRequested);
     connect(&context, &ModuleContext::holdReleased, this, &ModulePanel::holdReleased);
-    connect(page, &ModulePage::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
+    connect(page.get(), &ModulePage::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
     if (m_holdInterval)
         context.setHoldInterval(*m_holdInterval);
     return page;
@@ -61,11 +66,18 @@ ModulePage& ModulePanel::pageOf(const PanelView& view) {
     const bus::ModuleInfo& info = view.module.info;
     Page& page = m_pages[info.index];
     const bool another = page.address != info.address || page.identity != info.identity;
-    if (page.widget != nullptr && another)
-        delete std::exchange(page.widget, nullptr);
-    if (page.widget == nullptr)
+    if (page.widget == nullptr || another) {
+        page.widget.reset();  // before the other is built: nobody is asked by both
         page = {info.address, info.identity, build(view)};
+    }
     return *page.widget;
+}
+
+bool ModulePanel::prepare(const PanelView& view) {
+    if ((!view.module.isServo() && !view.module.isStepper()) || m_pages.count(view.module.info.index) != 0)
+        return false;
+    (void)pageOf(view);
+    return true;
 }
 
 ModulePage* ModulePanel::page() const {
@@ -77,14 +89,12 @@ const ModulePage* ModulePanel::pageLike(const PanelView& view) {
         return nullptr;
     for (const auto& [module, page] : m_pages)
         if (page.identity == view.module.info.identity)
-            return page.widget;
+            return page.widget.get();
     return &pageOf(view);
 }
 
 void ModulePanel::forgetModules() {
     showNothing(m_empty->text());
-    for (const auto& [module, page] : m_pages)
-        delete page.widget;
     m_pages.clear();
 }
 
@@ -127,7 +137,7 @@ void ModulePanel::bringUp(QWidget* page) {
     setCurrentWidget(page);
     if (qobject_cast<ModulePage*>(before) != nullptr) {
         removeWidget(before);
-        before->setParent(&m_drawer);
+        before->setParent(nullptr);
     }
     emit pageChanged();
 }

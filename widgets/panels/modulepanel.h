@@ -3,6 +3,7 @@
 
 #include <QStackedWidget>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "widgets/panels/panelview.h"
@@ -21,9 +22,12 @@ class ModulePanel : public QStackedWidget {
 
 public:
     explicit ModulePanel(QWidget* parent = nullptr);
+    ~ModulePanel() override;
 
     /// Emits nothing, except that a hold ends when its module or its permission goes.
     void showModule(const PanelView& view);
+    /// Builds the page of a module that has none yet, for when it is shown. False: it has one, or needs none.
+    bool prepare(const PanelView& view);
     /// No module: `text` says why and what to do.
     void showNothing(const QString& text);
     /// A new connection: nothing that was typed, found or remembered for the modules of the last one is left.
@@ -52,7 +56,7 @@ signals:
 
 private:
     [[nodiscard]] ModulePage& pageOf(const PanelView& view);
-    ModulePage* build(const PanelView& view);
+    [[nodiscard]] std::unique_ptr<ModulePage> build(const PanelView& view);
     /// Only the page in sight decides how much room is needed.
     void bringUp(QWidget* page);
 
@@ -60,12 +64,12 @@ private:
         // Another module at the same place has a page of its own.
         BusAddress address;
         ModuleIdentity identity;
-        ModulePage* widget = nullptr;
+        std::unique_ptr<ModulePage> widget{};
     };
     QLabel* m_empty;
     GenericPanel* m_generic;
-    /// Where pages are while they are not shown: in the window there is one control of a name.
-    QWidget m_drawer;
+    /// Those that are not shown are windows of their own, never seen: in this one there is one control of a
+    /// name, and its focus chain stays short.
     std::map<ModuleIndex, Page> m_pages;
     std::optional<int> m_holdInterval;
 };
