@@ -31,8 +31,8 @@
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopepanel.h"
-#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
