@@ -170,7 +170,8 @@ void MainWindow::showLink(const LinkState& state) {
     const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
     const bool opened = state.phase != m_link.phase && m_link.phase == LinkPhase::Disconnected;
     const bool another = state.phase != m_link.phase || state.port != m_link.port ||
-                         state.simulated != m_link.simulated || state.readOnly != m_link.readOnly;
+                         state.simulated != m_link.simulated || state.readOnly != m_link.readOnly ||
+                         state.connection != m_link.connection;
     const std::optional<TimePoint> now = m_link.now;
     m_link = asShown(state);
     m_link.now = now;
@@ -183,8 +184,11 @@ void MainWindow::showLink(const LinkState& state) {
         m_procedures.clear();
         m_link.now.reset();
     }
-    if (another)
+    if (another) {
         showSession();
+        m_banner->review(m_link);
+        m_messages->review(m_link);
+    }
     m_bar->showLink(m_link);
     m_linkBar->showLink(m_link);
     m_simulator->showLink(m_link);
@@ -313,16 +317,19 @@ ScopeFiles& MainWindow::scopeFiles() {
     return m_scope->files();
 }
 
+Message MainWindow::ofThisConnection(Message message) const {
+    message.connection = m_link.phase != LinkPhase::Disconnected ? m_link.connection : 0;
+    return withoutImpossible(std::move(message), m_link);
+}
+
 void MainWindow::showMessage(const Message& news) {
-    const Message message = m_link.readOnly ? texts::withoutCommands(news) : news;
-    m_lastMessages.removeIf([&message](const Message& m) { return m.key == message.key; });
-    if (!message.command.isEmpty())
-        m_lastMessages.append(message);
+    const Message message = ofThisConnection(news);
     m_messages->showMessage(message);
     m_banner->showMessage(message);
 }
 
-void MainWindow::amendMessage(const Message& message) {
+void MainWindow::amendMessage(const Message& news) {
+    const Message message = ofThisConnection(news);
     m_messages->amendMessage(message);
     m_banner->amendMessage(message);
 }
@@ -332,27 +339,23 @@ void MainWindow::endMessage(const QString& key) {
     m_banner->endMessage(key);
 }
 
-void MainWindow::takeMessageAction(const QString& key, const QString& actionId) {
-    // It may stand since before this connection.
-    if (m_link.readOnly && texts::action::commands(actionId))
-        return showMessage(texts::onlyLooking());
-    if (actionId == texts::action::kCopyCommand) {
-        for (const Message& message : m_lastMessages)
-            if (message.key == key)
-                QGuiApplication::clipboard()->setText(message.command);
-    } else if (actionId == texts::action::kChoosePort) {
+void MainWindow::takeMessageAction(const Message& message, MessageAction action) {
+    if (!mayAct(message, action, m_link))
+        return;  // its connection may have gone while the button was held down
+    if (action == MessageAction::CopyCommand) {
+        QGuiApplication::clipboard()->setText(message.command);
+    } else if (action == MessageAction::ChoosePort) {
         m_bar->openPorts();
-    } else if (actionId == texts::action::kRestartNetwork) {
-        askBeforeRestart();
-        return;  // the message stays until it is done
-    } else if (actionId == texts::action::kStopAll) {
+    } else if (action == MessageAction::RestartNetwork) {
+        return askBeforeRestart();  // the message stays until it is done
+    } else if (action == MessageAction::StopAll) {
         requestStop();
-        endMessage(key);
-    } else if (actionId == texts::action::kUnderstood) {
+        endMessage(message.key);
+    } else if (action == MessageAction::Understood) {
         m_settings.setValue(kSafetyRead, true);
-        endMessage(key);
+        endMessage(message.key);
     }
-    emit messageAction(key, actionId);
+    emit messageAction(message, action);
 }
 
 void MainWindow::connectReadOnly() {

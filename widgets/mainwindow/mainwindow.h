@@ -143,9 +143,8 @@ signals:
     /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
     /// finishClose().
     void closeConfirmed();
-    /// A button of a message; "Copy command", "Choose another port" and "Understood" are done by the window
-    /// already.
-    void messageAction(const QString& key, const QString& actionId);
+    /// A button of a message that may act; what the window can do itself is done already.
+    void messageAction(const nmc::Message& message, nmc::MessageAction action);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -180,10 +179,11 @@ private:
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
-    /// Of a question that stands until the port is closed, or is another: what it says now.
+    /// Of a question that stands until its connection is gone: what it says now.
     [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
-    void takeMessageAction(const QString& key, const QString& actionId);
+    [[nodiscard]] Message ofThisConnection(Message message) const;
+    void takeMessageAction(const Message& message, MessageAction action);
     [[nodiscard]] int movingMotors() const;
     [[nodiscard]] bool leavingStopsMotors() const;
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
@@ -212,7 +212,6 @@ private:
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;
-    QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
     int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;

@@ -21,8 +21,8 @@ int MainWindow::movingMotors() const {
 }
 
 std::function<QString()> MainWindow::whileOpen(QString (*text)(int movingMotors)) const {
-    return [this, text, port = m_link.port] {
-        const bool same = m_link.phase != LinkPhase::Disconnected && m_link.port == port;
+    return [this, text, connection = m_link.connection] {
+        const bool same = m_link.phase != LinkPhase::Disconnected && m_link.connection == connection;
         return same ? text(movingMotors()) : QString();
     };
 }
