@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "widgets/chain/chainmenu.h"
@@ -45,7 +44,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
       m_settings(settings),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
-      m_chainMenu(new ChainMenu(m_machine, m_link, this)) {
+      m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
@@ -111,6 +110,13 @@ void MainWindow::buildCentre() {
 }
 
 void MainWindow::connectParts() {
+    connect(&m_session, &Session::phaseChanged, this, &MainWindow::showPhase);
+    connect(&m_session, &Session::changed, this, &MainWindow::showModules);
+    connect(&m_session, &Session::aged, this, [this] {
+        if (const ModuleState* module = selectedState(); module != nullptr && m_session.viewOf(*module).age)
+            showSelected();
+    });
+    connect(&m_session, &Session::disconnectRequested, this, &MainWindow::disconnectRequested);
     connect(m_bar, &ConnectionBar::connectRequested, this,
             [this](const QString& port, quint32 baud, bool readOnly) {
                 m_settings.setValue(kLastPort, port);
@@ -167,54 +173,37 @@ void MainWindow::choosePort(const QString& port, quint32 baud) {
 }
 
 void MainWindow::showLink(const LinkState& state) {
-    const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
-    const bool opened = state.phase != m_link.phase && m_link.phase == LinkPhase::Disconnected;
-    const bool another = state.phase != m_link.phase || state.port != m_link.port ||
-                         state.simulated != m_link.simulated || state.readOnly != m_link.readOnly ||
-                         state.connection != m_link.connection;
-    const std::optional<TimePoint> now = m_link.now;
-    m_link = asShown(state);
-    m_link.now = now;
-    if (state.phase == LinkPhase::Disconnected)
-        m_disconnectAfterStop = false;
-    if (opened)
+    m_session.setLink(state);
+}
+
+void MainWindow::showPhase(LinkPhase before) {
+    const LinkState& link = m_session.link();
+    if (before == LinkPhase::Disconnected && m_session.isOpen())
         m_panel->forgetModules();
-    if (connecting) {
+    if (before != link.phase && link.phase == LinkPhase::Connecting)
         m_panel->resetSpeeds();
-        m_procedures.clear();
-        m_link.now.reset();
-    }
-    if (another) {
-        showSession();
-        m_banner->review(m_link);
-        m_messages->review(m_link);
-    }
-    m_bar->showLink(m_link);
-    m_linkBar->showLink(m_link);
-    m_simulator->showLink(m_link);
-    m_monitor->showLink(m_link);
-    showModules();
+    showSession();
+    m_banner->review(link);
+    m_messages->review(link);
 }
 
 void MainWindow::showModules() {
-    m_live = liveModules();
-    m_chain->showLink(m_link, m_machine, m_procedures);
+    const LinkState& link = m_session.link();
+    m_bar->showLink(link);
+    m_linkBar->showLink(link);
+    m_simulator->showLink(link);
+    m_monitor->showLink(link);
+    m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
     showSelected();
 }
 
-std::vector<bool> MainWindow::liveModules() const {
-    std::vector<bool> live;
-    for (const ModuleState& module : m_link.modules)
-        live.push_back(isLive(m_link, module));
-    return live;
-}
-
 void MainWindow::showSession() {
-    const QString port = texts::portName(QString::fromStdString(m_link.port));
-    const bool open = m_link.phase != LinkPhase::Disconnected;
-    const bool simulated = open && m_link.simulated;
-    const bool readOnly = open && m_link.readOnly;
+    const LinkState& link = m_session.link();
+    const QString port = texts::portName(QString::fromStdString(link.port));
+    const bool open = m_session.isOpen();
+    const bool simulated = open && link.simulated;
+    const bool readOnly = open && link.readOnly;
     QString title = simulated ? tr("NMC Panel - Simulator")
                     : open    ? tr("NMC Panel - %1").arg(port)
                               : tr("NMC Panel");
@@ -229,19 +218,12 @@ void MainWindow::showSession() {
     m_readOnlyRibbon->setVisible(readOnly);
 }
 
-const ModuleState* MainWindow::selectedState() const {
-    const std::optional<ModuleIndex> selected = selectedModule();
-    if (!selected.has_value() || selected->value() >= m_link.modules.size())
-        return nullptr;
-    return &m_link.modules[selected->value()];
-}
-
 QString MainWindow::nothingText() const {
-    switch (m_link.phase) {
+    switch (m_session.link().phase) {
         case LinkPhase::Disconnected:
             return tr("Choose a port and connect.\nWithout hardware, choose the simulator.");
         case LinkPhase::Connecting:
-            return texts::link(m_link);
+            return texts::link(m_session.link());
         case LinkPhase::Connected:
         case LinkPhase::Lost:
             return tr("No module.");
@@ -249,24 +231,9 @@ QString MainWindow::nothingText() const {
     return {};
 }
 
-std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
-    if (!module.latest.has_value())
-        return std::nullopt;
-    if (isLive(m_link, module))
-        return std::nullopt;
-    return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
-}
-
-PanelView MainWindow::viewOf(const ModuleState& module) const {
-    const auto procedure = m_procedures.find(module.info.index);
-    return {module, m_machine.axis(module.info.index),
-            procedure != m_procedures.end() ? &procedure->second : nullptr,
-            m_link.phase == LinkPhase::Connected, ageOf(module)};
-}
-
 void MainWindow::showSelected() {
     if (const ModuleState* module = selectedState()) {
-        const PanelView view = viewOf(*module);
+        const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
         m_stepResponse->showModule(view);
     } else {
@@ -296,17 +263,11 @@ void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
 }
 
 void MainWindow::showMachine(const Machine& machine) {
-    m_machine = machine;
-    QStringList names;
-    for (const AxisSettings& axis : machine.axes)
-        names.append(QString::fromStdString(axis.name));
-    texts::setModuleNames(names);
-    showLink(m_link);
+    m_session.setMachine(machine);
 }
 
 void MainWindow::showProcedure(const ProcedureReport& report) {
-    m_procedures.insert_or_assign(report.module, report);
-    showModules();
+    m_session.setProcedure(report);
 }
 
 void MainWindow::showStepRun(const KeptRun& run) {
@@ -318,8 +279,8 @@ ScopeFiles& MainWindow::scopeFiles() {
 }
 
 Message MainWindow::ofThisConnection(Message message) const {
-    message.connection = m_link.phase != LinkPhase::Disconnected ? m_link.connection : 0;
-    return withoutImpossible(std::move(message), m_link);
+    message.connection = m_session.isOpen() ? m_session.link().connection : 0;
+    return withoutImpossible(std::move(message), m_session.link());
 }
 
 void MainWindow::showMessage(const Message& news) {
@@ -340,7 +301,7 @@ void MainWindow::endMessage(const QString& key) {
 }
 
 void MainWindow::takeMessageAction(const Message& message, MessageAction action) {
-    if (!mayAct(message, action, m_link))
+    if (!mayAct(message, action, m_session.link()))
         return;  // its connection may have gone while the button was held down
     if (action == MessageAction::CopyCommand) {
         QGuiApplication::clipboard()->setText(message.command);
@@ -368,23 +329,20 @@ void MainWindow::showSafetyOnce() {
 }
 
 void MainWindow::requestStop() {
-    if (m_link.phase == LinkPhase::Disconnected)
+    if (!m_session.isOpen())
         return;
     m_panel->endHold();
     emit stopAllRequested();
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const bool holding = std::any_of(m_link.modules.begin(), m_link.modules.end(),
-                                     [](const ModuleState& module) { return module.driveOn(); });
-    const Message result = texts::stopResult(finished, holding);
+    const Message result = texts::stopResult(finished, m_session.anyHolds());
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)
         endMessage(texts::key::stop());
     showMessage(texts::withRecord(result));
-    if (std::exchange(m_disconnectAfterStop, false) && all)
-        emit disconnectRequested();
+    m_session.stopFinished(all);
 }
 
 void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {

@@ -5,7 +5,6 @@
 #include <QList>
 #include <QMainWindow>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -18,6 +17,7 @@
 #include "model/settings/machine.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
+#include "widgets/mainwindow/session.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/scope/scoperecord.h"
 
@@ -172,29 +172,20 @@ private:
     void showSession();
     void showModules();
     void showSelected();
-    [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
     void addModuleEntries(std::vector<CommandPalette::Entry>& entries);
     void addOtherModules(std::vector<CommandPalette::Entry>& entries);
-    [[nodiscard]] std::vector<bool> liveModules() const;
+    void showPhase(LinkPhase before);
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
-    /// Of a question that stands until its connection is gone: what it says now.
-    [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     [[nodiscard]] Message ofThisConnection(Message message) const;
     void takeMessageAction(const Message& message, MessageAction action);
-    [[nodiscard]] int movingMotors() const;
-    [[nodiscard]] bool leavingStopsMotors() const;
-    [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
-    [[nodiscard]] const ModuleState* selectedState() const;
+    [[nodiscard]] const ModuleState* selectedState() const { return m_session.module(selectedModule()); }
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
-    LinkState m_link;          ///< as it may be shown
-    std::vector<bool> m_live;  ///< of its modules, as they are shown
-    Machine m_machine;
-    std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
+    Session m_session;
     FocusKeeper* m_focus;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
@@ -216,7 +207,6 @@ private:
     int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;
     bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
-    bool m_disconnectAfterStop = false;
 };
 
 }  // namespace nmc
