@@ -170,7 +170,11 @@ void Composition::wireStore() {
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         showLinkSoon();
         endLeft(m_motionMarker.update(m_store.link()));
-        endAll(m_standing.look(m_store.link()));
+        m_messages.look();
+    });
+    connect(&m_messages, &MessageController::aboutToTell, this, [this] {
+        if (m_linkTimer.isActive())
+            showLink();
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
@@ -217,7 +221,7 @@ void Composition::openNow(const ConnectTarget& target) {
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }
-    m_window.endMessage(texts::key::port());
+    m_messages.end(texts::key::port());
     m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
@@ -233,7 +237,7 @@ void Composition::connectFully() {
 
 void Composition::lookFirst(const QString& key) {
     if (m_worker.isOpen())
-        return m_window.showMessage(texts::openAlready());  // closing that one might stop the motors
+        return m_messages.tell(texts::openAlready());  // closing that one might stop the motors
     for (const MotionMarker::Left& left : m_motionMarker.left())
         if (texts::key::endedWhileMoving(left.file) == key)
             m_window.choosePort(left.port, left.baud);
@@ -246,57 +250,72 @@ void Composition::disconnectFromPort() {
     m_worker.close();
 }
 
-void Composition::act(const QString& key, const QString& action) {
-    if (action == texts::action::kShowRecord) {
-        m_flight.show(key);
-        return;  // it is still the case
+void Composition::act(const Message& message, MessageAction action) {
+    switch (action) {
+        case MessageAction::ShowRecord:
+            m_flight.show(message.key);
+            return;  // it is still the case
+        case MessageAction::Retry:
+            return m_target ? connectTo(*m_target) : void();  // over when the chain is found
+        case MessageAction::ScanAgain:
+        case MessageAction::Reconnect:
+            return scanAgain();
+        case MessageAction::UseSimulator:
+            m_window.choosePort(kSimulatorPort, kPowerUpBaud);
+            return connectTo({kSimulatorPort, kPowerUpBaud});
+        case MessageAction::LookFirst:
+            return lookFirst(message.key);  // until somebody has looked, or seen it stand
+        case MessageAction::Readdress:
+            return m_worker.readdress(*message.module);  // the message stays until it is done
+        case MessageAction::WorkWith:
+            return acceptChain();  // over if it may be done now
+        case MessageAction::ConnectOffered:
+            connectOffered();
+            break;
+        case MessageAction::How:
+            m_messages.tell(texts::latencyCure(m_ports.latencyFile()));
+            break;
+        case MessageAction::ConnectFully:
+            connectFully();
+            break;
+        case MessageAction::LookedAt:
+            for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
+                if (texts::key::endedWhileMoving(left.file) == message.key)
+                    m_motionMarker.forget(left.file);
+            break;
+        case MessageAction::ClearAndStayOff:
+            carryOut(*message.module, intent::MotorOff{});
+            carryOut(*message.module, intent::ClearStickyBits{});
+            return;  // over when it is
+        case MessageAction::RestoreWork:
+            m_machine.restoreWork();
+            break;
+        case MessageAction::DiscardWork:
+            m_machine.discardWork();
+            break;
+        case MessageAction::ChoosePort:
+        case MessageAction::CopyCommand:
+        case MessageAction::RestartNetwork:
+        case MessageAction::StopAll:
+        case MessageAction::Understood:
+            break;  // done by the window
     }
-    if (m_machine.act(action))
-        ;  // done
-    else if (action == texts::action::kRetry && m_target)
-        return connectTo(*m_target);  // over when the chain is found
-    else if (action == texts::action::kScanAgain || action == texts::action::kReconnect)
-        return scanAgain();
-    else if (action == texts::action::kConnectOffered && m_ports.offered()) {
-        const ConnectTarget offer = *m_ports.offered();
-        m_window.choosePort(offer.port, offer.baud);
-        if (m_troublePort)
-            m_troublePort = offer.port;  // the same adapter by another name
-        connectAnyway(offer);
-    } else if (action == texts::action::kHow) {
-        m_window.showMessage(texts::latencyCure(m_ports.latencyFile()));
-    } else if (action == texts::action::kUseSimulator) {
-        m_window.choosePort(kSimulatorPort, kPowerUpBaud);
-        return connectTo({kSimulatorPort, kPowerUpBaud});
-    } else if (action == texts::action::kConnectFully) {
-        connectFully();
-    } else if (action == texts::action::kLookFirst) {
-        return lookFirst(key);  // until somebody has looked, or seen it stand
-    } else if (action == texts::action::kLookedAt) {
-        for (const MotionMarker::Left& left : std::vector(m_motionMarker.left()))
-            if (texts::key::endedWhileMoving(left.file) == key)
-                m_motionMarker.forget(left.file);
-    } else if (action == texts::action::kReaddress) {
-        return readdress(key);  // the message stays until it is done
-    } else if (action == texts::action::kClearAndStayOff) {
-        clearTrip(key);
-    } else if (action == texts::action::kWorkWith) {
-        return acceptChain();  // over if it may be done now
-    }
-    m_window.endMessage(key);
+    m_messages.end(message.key);
+}
+
+void Composition::connectOffered() {
+    if (!m_ports.offered())
+        return;
+    const ConnectTarget offer = *m_ports.offered();
+    m_window.choosePort(offer.port, offer.baud);
+    if (m_troublePort)
+        m_troublePort = offer.port;  // the same adapter by another name
+    connectAnyway(offer);
 }
 
 void Composition::endLeft(const QStringList& files) {
     for (const QString& file : files)
-        m_window.endMessage(texts::key::endedWhileMoving(file));
-}
-
-void Composition::clearTrip(const QString& key) {
-    for (const ModuleState& module : m_store.link().modules)
-        if (texts::key::tripped(module.info.index) == key) {
-            carryOut(module.info.index, intent::MotorOff{});
-            carryOut(module.info.index, intent::ClearStickyBits{});
-        }
+        m_messages.end(texts::key::endedWhileMoving(file));
 }
 
 void Composition::showFrame() {
@@ -330,7 +349,7 @@ void Composition::showLink() {
     m_window.showLink(m_store.link());
 }
 
-Composition::Shown::Shown(const LinkState& link) : phase(link.phase) {
+Composition::Shown::Shown(const LinkState& link) : phase(link.phase), connection(link.connection) {
     for (const ModuleState& module : link.modules)
         modules.push_back({module.activity(), module.awaited, module.gains});
 }
@@ -349,11 +368,11 @@ void Composition::tellOfSessionsBefore() {
         if (const MotionMarker::Left* left = m_motionMarker.lastOf(report.process))
             toldByGuardian[left->file] = std::move(modules);
         else
-            m_window.showMessage(texts::guardianStoppedBefore(modules));
+            m_messages.tell(texts::guardianStoppedBefore(modules));
     }
     for (const MotionMarker::Left& left : m_motionMarker.left()) {
         const auto told = toldByGuardian.find(left.file);
-        m_window.showMessage(texts::endedWhileMoving(
+        m_messages.tell(texts::endedWhileMoving(
             {left.modules.begin(), left.modules.end()}, left.port, left.file,
             told != toldByGuardian.end() ? std::optional(told->second) : std::nullopt));
     }
@@ -362,7 +381,7 @@ void Composition::tellOfSessionsBefore() {
 void Composition::checkSettings() {
     m_settings.sync();
     if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
-        m_window.showMessage(texts::settingsNotSaved(m_settings.fileName()));
+        m_messages.tell(texts::settingsNotSaved(m_settings.fileName()));
 }
 
 }  // namespace nmc

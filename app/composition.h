@@ -15,11 +15,11 @@
 #include "app/commandline.h"
 #include "app/flightcontroller.h"
 #include "app/machinecontroller.h"
+#include "app/messagecontroller.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
-#include "app/standingmessages.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
@@ -62,6 +62,7 @@ private:
     struct Shown {
         explicit Shown(const LinkState& link);
         LinkPhase phase;
+        std::uint32_t connection;
         std::vector<std::tuple<Activity, std::optional<bus::OperationId>, std::optional<servo::SetGain>>>
             modules;
         bool operator==(const Shown&) const = default;
@@ -75,6 +76,8 @@ private:
     /// The same without asking whether that is still the adapter it was.
     void connectAnyway(const ConnectTarget& target);
     void openNow(const ConnectTarget& target);
+    /// To the adapter that is back.
+    void connectOffered();
     /// To the port that is open read-only.
     void connectFully();
     /// At the motors that another session has left, as the message of this key says.
@@ -86,32 +89,19 @@ private:
     /// Gives the module the bus while its step is recorded, and the window the run when it is over.
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
-    void act(const QString& key, const QString& action);
+    void act(const Message& message, MessageAction action);
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
     [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
     void scanAgain();
     /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
     void acceptChain();
-    /// The module that the message of this key is about gets its address back.
-    void readdress(const QString& key);
-    /// Of the module that the message of this key is about.
-    void clearTrip(const QString& key);
     void showLinkSoon();
     void showLink();
     void showFrame();
     void showFrameSoon();
 
     void tell(const StoreEvent& event);
-    void endAll(const QStringList& keys);
-    /// What a module did not do; over when it obeys again.
-    void tellOf(ModuleIndex module, const Message& message);
-    /// Of the chain as it is in this connection.
-    void tellOfChain(const Message& message);
-    /// A message whose cause can be looked at in the scope afterwards. Returns its key.
-    QString tellIncident(Message message, std::optional<ModuleIndex> module = {});
-    /// The same, of modules that were told to stop: the message says so when they are seen at rest.
-    QString tellStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
     void told(const bus::ChainFound& found);
     void noteChain(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
@@ -123,7 +113,7 @@ private:
     void told(const bus::EchoNoticed& noticed);
     void told(const bus::HoldExpired& expired);
     void told(const bus::HealthChanged& changed);
-    void told(const bus::ModuleRestarted& restarted);
+    void told(const bus::ModuleRestarted&) {}  // the state tells
     void told(const bus::Readdressed& readdressed);
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
@@ -133,9 +123,7 @@ private:
     void told(const bus::GroupFinished& finished);
     void told(const bus::RateChanged& changed);
     void told(const bus::RateChangeFailed& failed);
-    void told(const CurrentLimited& current);
     void told(const PortClosed& closed);
-    void told(const ServoWentOff& off);
     void told(const SimulatorAnswered& answer);
     void told(const PanelFroze& froze);
     void told(const MachineSlept& slept);
@@ -154,9 +142,9 @@ private:
         m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
     PortController m_ports;
     MachineController m_machine;
-    StandingMessages m_standing;
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings{m_window, m_store};
+    MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
@@ -168,10 +156,7 @@ private:
     std::optional<ConnectTarget> m_target;    ///< what is connected, or was last
     std::optional<ConnectTarget> m_openNext;  ///< to be opened when the present connection has closed
     std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it
-    /// Which message tells of it, with its words, which grow.
-    std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_toldToStop;
-    std::map<QString, Message> m_stopMessages;
-    std::optional<QString> m_troublePort;  ///< where motors' states became unknown
+    std::optional<QString> m_troublePort;     ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
     bool m_scanWhenIdle = false;  ///< as soon as no procedure runs any more
     bool m_enableFaults = false;

@@ -46,7 +46,7 @@ void Composition::scanAgain() {
     } else if (m_target) {
         connectTo(*m_target);
     }
-    m_window.endMessage(texts::key::port());
+    m_messages.end(texts::key::port());
 }
 
 /// Those that are missing by name are told of by their silence.
@@ -59,7 +59,7 @@ void Composition::noteChain(const bus::ChainFound& found) {
     if (modules < expected) {
         const std::string last =
             m_machine.machine().axis(ModuleIndex(static_cast<std::uint8_t>(modules - 1))).name;
-        m_window.showMessage(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
+        m_messages.tell(texts::fewerThanExpected(modules, expected, QString::fromStdString(last)));
     } else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated) {
         rememberChain(m_settings, m_target->port, found.modules);
     }
@@ -77,23 +77,17 @@ void Composition::acceptChain() {
     const bool forgets = there.size() < link.modules.size() && !link.simulated;
     // What was known goes only with the connection, whose end stops motors.
     if (forgets && !link.readOnly && m_store.movingMotors() > 0)
-        return m_window.showMessage(texts::chainNotAccepted());
+        return m_messages.tell(texts::chainNotAccepted());
     m_machine.acceptChain(expected);
-    m_window.endMessage(texts::key::port());
+    m_messages.end(texts::key::port());
     for (const ModuleState& module : link.modules)
         if (isMissing(module))
-            m_window.endMessage(texts::key::silent(module.info.index));
+            m_messages.end(texts::key::silent(module.info.index));
     if (link.phase != LinkPhase::Connected || link.simulated)
         return;
     rememberChain(m_settings, m_target->port, there);
     if (forgets)
         connectTo(*m_target);
-}
-
-void Composition::readdress(const QString& key) {
-    for (const ModuleState& module : m_store.link().modules)
-        if (texts::key::restarted(module.info.index) == key)
-            m_worker.readdress(module.info.index);
 }
 
 }  // namespace nmc

@@ -47,13 +47,13 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (auto procedure = procedureFor(intent, *module)) {
         // The one before is still stopping its motor: nothing waits in a queue to move.
         if (!m_procedures.begin(std::move(procedure)))
-            tellOf(index, texts::notPossible(index, Refusal::Moving));
+            m_messages.tellOf(texts::notPossible(index, Refusal::Moving));
         return;
     }
     auto steps = plan(intent, *module);
     if (!steps) {
         m_procedures.cancel(index);
-        tellOf(index, texts::notPossible(index, steps.error()));
+        m_messages.tellOf(texts::notPossible(index, steps.error()));
         return;
     }
     const bus::OperationId id = submit(std::move(*steps));
@@ -117,7 +117,7 @@ void Composition::showProcedure(const ProcedureReport& report) {
         return;
     const AxisScale scale = scaleOf(*module, m_machine.machine().axis(report.module));
     if (const auto message = texts::procedureEnded(report, scale))
-        tellOf(report.module, *message);
+        m_messages.tellOf(*message);
 }
 
 }  // namespace nmc

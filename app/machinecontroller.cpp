@@ -106,16 +106,6 @@ void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
     changed();
 }
 
-bool MachineController::act(const QString& action) {
-    if (action == texts::action::kDiscardWork)
-        m_unsaved.dropLeft();
-    else if (action == texts::action::kRestoreWork)
-        restore();
-    else
-        return false;
-    return true;
-}
-
 void MachineController::beginNew() {
     m_machine = {};
     m_saved = Machine{};
@@ -140,7 +130,7 @@ void MachineController::open(const QString& path) {
     showPending();
 }
 
-void MachineController::restore() {
+void MachineController::restoreWork() {
     if (!m_unsaved.left())
         return;
     auto content = parseMachine(m_unsaved.left()->content);

@@ -38,8 +38,9 @@ public:
     void noteGroup(const bus::GroupChange& change);
     /// These modules are the expected ones from now on.
     void acceptChain(const std::vector<ModuleIdentity>& there);
-    /// The button of a message; false: it is not one of these.
-    bool act(const QString& action);
+    /// What an earlier session has left.
+    void restoreWork();
+    void discardWork() { m_unsaved.dropLeft(); }
 
     void open(const QString& path);
 
@@ -63,7 +64,6 @@ private:
     void save(const QString& path);
     void showPending();
     void apply(const std::vector<PartId>& chosen);
-    void restore();
     void take(const Pending& from, Machine machine, bool whole);
     void followLink();
     void keepUnsaved();

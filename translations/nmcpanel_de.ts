@@ -3031,10 +3031,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zuerst trennen; das Schließen hält Motoren unter Umständen an. Dann noch einmal ansehen.</translation>
     </message>
     <message>
-        <source>Not possible in a read-only connection; nothing was sent.</source>
-        <translation>In einer Verbindung nur zum Lesen nicht möglich; nichts wurde gesendet.</translation>
-    </message>
-    <message>
         <source>Motor %1 was moving, at %2.</source>
         <translation>Motor %1 war in Bewegung, an %2.</translation>
     </message>
@@ -3241,6 +3237,34 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.</source>
         <translation>Er bewegte sich wie verlangt und kam nicht nach: Geschwindigkeit oder Beschleunigung senken oder OL und EL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>Limit %1 of module %2 closed while its motor was moving.</source>
+        <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte.</translation>
+    </message>
+    <message>
+        <source>The module lets its motor go no farther that way while the switch is closed. Move it the other way.</source>
+        <translation>Das Modul lässt den Motor in dieser Richtung nicht weiter, solange der Schalter geschlossen ist. In die andere Richtung fahren.</translation>
+    </message>
+    <message>
+        <source>Limit %1 of module %2 closed while its motor was moving, and does not stop it.</source>
+        <translation>Endschalter %1 von Modul %2 hat geschlossen, während sich der Motor bewegte, und stoppt ihn nicht.</translation>
+    </message>
+    <message>
+        <source>A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. Stop it, then move it the other way; the page Homing arms a limit stop.</source>
+        <translation>Ein PIC-SERVO stoppt an einem Endschalter nur dann von selbst, wenn ein Endschalter-Stopp scharf ist, und hier war keiner scharf. Motor stoppen, dann in die andere Richtung fahren; die Seite Referenzsuche schaltet einen Endschalter-Stopp scharf.</translation>
+    </message>
+    <message>
+        <source>The limit stop of module %1 switched its motor off.</source>
+        <translation>Der Endschalter-Stopp von Modul %1 hat den Motor abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The limit stop of module %1 stopped its motor.</source>
+        <translation>Der Endschalter-Stopp von Modul %1 hat den Motor gestoppt.</translation>
+    </message>
+    <message>
+        <source>It acts once, and is not armed any more. Move the motor off the switch, then arm it again on the page Homing, or disarm it there.</source>
+        <translation>Er wirkt einmal und ist nicht mehr scharf. Den Motor vom Schalter wegfahren, dann auf der Seite Referenzsuche wieder scharf schalten oder dort entschärfen.</translation>
     </message>
 </context>
 <context>

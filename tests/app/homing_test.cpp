@@ -86,6 +86,7 @@ TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     EXPECT_TRUE(truth[u"limit1"_s].toBool()) << "0 is where the switch closes";
     EXPECT_TRUE(truth[u"servo_on"_s].toBool());
     EXPECT_EQ(panel.count(u"has found its home"_s), 1);
+    EXPECT_EQ(panel.count(u"imit"_s), 0) << "the switch was to be found: no limit that closed, no limit stop";
     EXPECT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }));
     EXPECT_EQ(sim.violations(), "");
 }

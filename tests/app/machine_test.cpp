@@ -334,7 +334,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
         panel.start();
         EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved work on \"mill\" is there."));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
-        emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kRestoreWork);
+        emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::RestoreWork);
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
         EXPECT_TRUE(panel.window().isWindowModified());
         EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
@@ -356,7 +356,7 @@ TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
         if (starts == 1)
             rename(panel, "Z");
         else
-            emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kDiscardWork);
+            emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::DiscardWork);
     }
     IntentPanel panel(settings);
     panel.start();
@@ -390,7 +390,7 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     IntentPanel panel(settings);
     connectTo(panel, sim);
     const std::string before = told(sim);
-    emit panel.window().messageAction(texts::key::unsavedWork(), texts::action::kRestoreWork);
+    emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::RestoreWork);
     ASSERT_NE(table(panel), nullptr);
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");

@@ -74,7 +74,7 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    emit panel.window().messageAction({.key = texts::key::port()}, MessageAction::ConnectOffered);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
@@ -123,7 +123,7 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    emit panel.window().messageAction({.key = texts::key::port()}, MessageAction::ConnectOffered);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
 }
@@ -140,7 +140,7 @@ TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("adapter waits 16 ms")) == 1; }));
-    emit panel.window().messageAction(QStringLiteral("slowAdapter"), texts::action::kHow);
+    emit panel.window().messageAction({.key = QStringLiteral("slowAdapter")}, MessageAction::How);
     EXPECT_EQ(panel.count(QStringLiteral("Set the latency timer")), 1);
 }
 
@@ -191,7 +191,7 @@ TEST(F33_Text, NamesTheFileItsOwnerAndTheCommand) {
     const Message m = texts::portProblem(error);
     EXPECT_TRUE(m.body.contains(QLatin1String("The lock file /run/lock/LCK..ttyUSB0 was left by root")));
     EXPECT_EQ(m.command, QStringLiteral("sudo rm /run/lock/LCK..ttyUSB0"));
-    EXPECT_EQ(m.actions.first().id, texts::action::kCopyCommand);
+    EXPECT_EQ(m.actions.first().id, MessageAction::CopyCommand);
 }
 
 TEST(F34_Text, SaysThatALockFileCannotBeMade) {
@@ -207,7 +207,7 @@ TEST(F36_Text, HasTheUdevRuleToCopy) {
     const Message modem = texts::portProblem(busy("ModemManager", 800));
     EXPECT_TRUE(modem.command.contains(QLatin1String("ENV{ID_MM_PORT_IGNORE}=\"1\"")));
     EXPECT_TRUE(modem.body.contains(modem.command));
-    EXPECT_EQ(modem.actions.first().id, texts::action::kCopyCommand);
+    EXPECT_EQ(modem.actions.first().id, MessageAction::CopyCommand);
     const Message braille = texts::portProblem(busy("brltty", 801));
     EXPECT_TRUE(braille.command.contains(QLatin1String("90-brltty-usb-generic.rules")));
 }

@@ -99,5 +99,43 @@ TEST_F(Standing, ARefusalIsOverWhenTheModuleObeysAgain) {
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
 }
 
+TEST_F(Standing, ALimitThatClosesOnTheWayIsOverWhenItOpens) {
+    (void)sim.control(u"set 1 limit1 1"_s);
+    const QString closed = u"Limit 1 of module 1 closed while its motor was moving"_s;
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(closed) != nullptr; }))
+        << panel.headlines().join(u" | "_s).toStdString();
+    EXPECT_TRUE(moves(sim)) << "as the message says";
+    EXPECT_TRUE(panel.press(closed, u"STOP ALL"_s));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    (void)sim.control(u"set 1 limit1 0"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(closed); }));
+}
+
+TEST_F(Standing, ALimitStopThatTripsIsOverWhenItIsDisarmed) {
+    panel.ask(intent::ArmLimitStop{true, true, HomingRecipe::Stop::Abruptly});
+    ASSERT_TRUE(panel.waitFor([&] {
+        return panel.module().homing.state() == HomeWatch::State::Armed &&
+               panel.module().latest->servoStatus().homeInProgress();
+    }));
+    (void)sim.control(u"set 1 limit1 1"_s);
+    const QString tripped = u"The limit stop of module 1 stopped its motor"_s;
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(tripped) != nullptr; }))
+        << panel.headlines().join(u" | "_s).toStdString();
+    EXPECT_EQ(panel.count(u"closed while its motor"_s), 0) << "one cause, one message";
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    panel.ask(intent::ArmLimitStop{});
+    EXPECT_TRUE(panel.waitFor([&] { return isOver(tripped); }));
+}
+
+TEST_F(Standing, AFaultLeavesWithItsConnectionAndIsNotOfferedInTheNext) {
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(u"Limit 1 of module 1"_s) != nullptr; }));
+    NmcsimProcess other(u"servo,servo"_s);
+    emit panel.window().connectRequested(other.terminal(), 115'200);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.chainsFound() == 2; }));
+    EXPECT_TRUE(isOver(u"Limit 1 of module 1"_s));
+    EXPECT_EQ(panel.window().findChild<QPushButton*>(u"bannerAction_stopAll"_s), nullptr);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -9,8 +9,8 @@
 #include <QTableWidget>
 
 #include "tests/app/panel.h"
-#include "widgets/scope/stepplot.h"
-#include "widgets/scope/stepresponsepage.h"
+#include "widgets/response/stepplot.h"
+#include "widgets/response/stepresponsepage.h"
 
 namespace nmc {
 namespace {

@@ -2,7 +2,9 @@
 #include <QAbstractButton>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QPointer>
 
+#include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
 #include "windowtest.h"
@@ -13,6 +15,23 @@ namespace {
 class Messages : public WindowTest {
 protected:
     MessageList* list() { return find<MessageList>(u"messageList"_s); }
+    /// Two servos, as the `number`th connection has them.
+    LinkState connection(std::uint32_t number, LinkPhase phase = LinkPhase::Connected) {
+        LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
+        link.connection = number;
+        link.phase = phase;
+        if (phase == LinkPhase::Disconnected)
+            link.modules.clear();
+        return link;
+    }
+    [[nodiscard]] bool offers(const QString& action) {
+        return window->findChild<QWidget*>(u"bannerAction_"_s + action) != nullptr ||
+               window->findChild<QWidget*>(u"listAction_"_s + action) != nullptr;
+    }
+    void tripTheSecond() {
+        window->showLink(connection(1));
+        window->showMessage(texts::withRecord(texts::tripped(ModuleIndex(1), 400)));
+    }
     QSignalSpy actions{window.get(), &MainWindow::messageAction};
 };
 
@@ -84,8 +103,8 @@ TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
     window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
     click(u"bannerAction_retry"_s);
     ASSERT_EQ(actions.size(), 1);
-    EXPECT_EQ(actions.at(0).at(0).toString(), texts::key::port());
-    EXPECT_EQ(actions.at(0).at(1).toString(), texts::action::kRetry);
+    EXPECT_EQ(actions.at(0).at(0).value<Message>().key, texts::key::port());
+    EXPECT_EQ(actions.at(0).at(1).value<MessageAction>(), MessageAction::Retry);
     QTest::mouseClick(list()->rows().at(0)->findChild<QAbstractButton*>(u"listAction_retry"_s),
                       Qt::LeftButton);
     EXPECT_EQ(actions.size(), 2);
@@ -93,7 +112,7 @@ TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
 
 TEST_F(Messages, AnActionMayEndItsOwnMessage) {
     QObject::connect(window.get(), &MainWindow::messageAction, window.get(),
-                     [this](const QString& key) { window->endMessage(key); });
+                     [this](const Message& message) { window->endMessage(message.key); });
     window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
     QTest::mouseClick(list()->rows().at(0)->findChild<QAbstractButton*>(u"listAction_retry"_s),
                       Qt::LeftButton);
@@ -118,6 +137,103 @@ TEST_F(Messages, HidingTheBannerKeepsTheRow) {
 TEST_F(Messages, TextFromOutsideIsNotMarkup) {
     window->showMessage(texts::portProblem({PortProblem::InUse, "<b>x</b>", {}, {}, {}, 0}));
     EXPECT_EQ(find<QLabel>(u"bannerHeadline"_s)->textFormat(), Qt::PlainText);
+}
+
+TEST_F(Messages, AButtonActsOnTheModuleOfItsMessageWhateverIsSelected) {
+    tripTheSecond();
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(0));
+    click(u"bannerAction_clearAndStayOff"_s);
+    ASSERT_EQ(actions.size(), 1);
+    EXPECT_EQ(actions.at(0).at(0).value<Message>().module, ModuleIndex(1));
+    EXPECT_EQ(actions.at(0).at(1).value<MessageAction>(), MessageAction::ClearAndStayOff);
+}
+
+TEST_F(Messages, WhatCommandsIsOfferedAsLongAsItsConnectionIsThere) {
+    tripTheSecond();
+    EXPECT_TRUE(offers(u"clearAndStayOff"_s));
+    window->showLink(connection(1, LinkPhase::Lost));
+    EXPECT_TRUE(offers(u"clearAndStayOff"_s)) << "the link may come back";
+    window->showLink(connection(1, LinkPhase::Connecting));
+    window->showLink(connection(1));
+    EXPECT_TRUE(offers(u"clearAndStayOff"_s));
+    window->showLink(connection(1, LinkPhase::Disconnected));
+    EXPECT_FALSE(offers(u"clearAndStayOff"_s));
+    window->showLink(connection(2));
+    EXPECT_FALSE(offers(u"clearAndStayOff"_s)) << "that would be another motor";
+    EXPECT_TRUE(offers(u"showRecord"_s)) << "what was kept can be looked at";
+}
+
+TEST_F(Messages, AnotherConnectionWithoutAWordOfTheEndOfTheFirstTakesTheButtonToo) {
+    tripTheSecond();
+    window->showLink(connection(2, LinkPhase::Connecting));
+    EXPECT_FALSE(offers(u"clearAndStayOff"_s));
+}
+
+TEST_F(Messages, AChainIsAcceptedOnlyInTheConnectionThatLacksAModule) {
+    window->showLink(connection(1));
+    window->showMessage(texts::fewerThanExpected(2, 3));
+    EXPECT_TRUE(offers(u"workWith"_s));
+    window->showLink(connection(1, LinkPhase::Disconnected));
+    EXPECT_FALSE(offers(u"workWith"_s));
+    EXPECT_TRUE(offers(u"scanAgain"_s)) << "that connects, and tells nobody anything";
+}
+
+TEST_F(Messages, AButtonThatIsHeldWhileItsConnectionGoesDoesNothing) {
+    tripTheSecond();
+    QPointer<QAbstractButton> pressed = button(u"bannerAction_clearAndStayOff"_s);
+    QTest::mousePress(pressed, Qt::LeftButton);
+    window->showLink(connection(1, LinkPhase::Disconnected));
+    window->showLink(connection(2));
+    if (pressed)
+        QTest::mouseRelease(pressed, Qt::LeftButton);
+    EXPECT_EQ(actions.size(), 0);
+}
+
+TEST_F(Messages, AQuestionThatAMessageAskedGoesWithTheConnection) {
+    QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);
+    window->showLink(connection(1));
+    window->showMessage(texts::restarted({ModuleIndex(1)}, 2));
+    click(u"bannerAction_restartNetwork"_s);
+    ASSERT_TRUE(find(u"restartDialog"_s)->isVisible());
+    window->showLink(connection(2, LinkPhase::Connecting));
+    window->showLink(connection(2));
+    auto* dialog = window->findChild<QWidget*>(u"restartDialog"_s);
+    EXPECT_TRUE(dialog == nullptr || !dialog->isVisible()) << "the same port, and another chain perhaps";
+    EXPECT_EQ(restarts.size(), 0);
+}
+
+TEST_F(Messages, AnEventLeavesTheBannerWhenItIsOldNews) {
+    find<Banner>(u"banner"_s)->setNewsLife(std::chrono::milliseconds(1));
+    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    EXPECT_TRUE(find(u"banner"_s)->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !find(u"banner"_s)->isVisible(); }));
+    ASSERT_EQ(list()->rows().size(), 1);
+    EXPECT_FALSE(list()->rows().front()->over());
+}
+
+TEST_F(Messages, WhatIsStillTheCaseOrAsksForSomethingStaysInTheBanner) {
+    find<Banner>(u"banner"_s)->setNewsLife(std::chrono::milliseconds(1));
+    ModuleState tripped = Servo{}.state();
+    tripped.switchedItselfOff = true;
+    for (const Message& message : texts::standing(connectedTo({tripped}), TimePoint{}))
+        window->showMessage(message);
+    window->showMessage(texts::unsavedWorkLeft({}));
+    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    ASSERT_EQ(button(u"bannerAll"_s)->text(), u"2 more…"_s);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return button(u"bannerAll"_s)->text() == u"1 more…"_s; }));
+    EXPECT_TRUE(text(u"bannerHeadline"_s).contains(u"switched its servo off"_s));
+}
+
+TEST_F(Messages, ARepeatIsNewsAgain) {
+    auto* banner = find<Banner>(u"banner"_s);
+    banner->setNewsLife(std::chrono::milliseconds(1));
+    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    banner->setNewsLife(std::chrono::minutes(10));
+    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    banner->setNewsLife(std::chrono::milliseconds(2));
+    window->showMessage(texts::refused({ModuleIndex(1), 1}));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return button(u"bannerAll"_s)->text() == u"Read all…"_s; }));
+    EXPECT_EQ(text(u"bannerHeadline"_s), texts::holdExpired(ModuleIndex(0)).headline);
 }
 
 }  // namespace

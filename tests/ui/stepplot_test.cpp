@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepplot.h"
+#include "widgets/response/stepplot.h"
 #include "stepruns.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/scope/stepresponsewords.h"
+#include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
 namespace {

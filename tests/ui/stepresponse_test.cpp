@@ -8,8 +8,8 @@
 #include <QTableWidget>
 
 #include "stepruns.h"
-#include "widgets/scope/stepplot.h"
-#include "widgets/scope/stepresponsedock.h"
+#include "widgets/response/stepplot.h"
+#include "widgets/response/stepresponsedock.h"
 
 namespace nmc {
 namespace {

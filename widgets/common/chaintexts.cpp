@@ -76,7 +76,9 @@ Message groupFailed(const bus::GroupFinished& finished) {
     using bus::Outcome;
     if (const auto* change = std::get_if<bus::GroupChange>(&finished.what)) {
         const QString number = moduleNumber(change->module);
-        Message m{.key = ofModule(u"group"_s, change->module), .severity = Severity::Attention};
+        Message m{.key = ofModule(u"group"_s, change->module),
+                  .module = change->module,
+                  .severity = Severity::Attention};
         m.headline = finished.outcome == Outcome::NoAnswer
                          ? Texts::tr(
                                "Module %1 did not answer the change of its group, so its group is "

@@ -87,19 +87,20 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
             "Numbering starts at the far end, so look at the next module towards the PC after %1: its power "
             "first, then the plug between the two.")
             .arg(last);
-    m.actions = {scanAgain(), {action::kWorkWith, Texts::tr("Work with %1").arg(found)}};
+    m.actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(found)}};
     return m;
 }
 
 Message moduleMissing(ModuleIndex module, int answering) {
     return {.key = key::silent(module),
+            .module = module,
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
                             .arg(moduleNumber(module)),
             .body = Texts::tr(
                 "Its place is kept for it. Usually its power or the plug next to it; it is asked again all "
                 "the time. If it was taken out on purpose, work with the others: then it is forgotten."),
-            .actions = {scanAgain(), {action::kWorkWith, Texts::tr("Work with %1").arg(answering)}}};
+            .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
 }
 
 Message chainNotAccepted() {
@@ -163,23 +164,6 @@ Message openAlready() {
             .body = Texts::tr("Disconnect first; closing it may stop motors. Then look again.")};
 }
 
-Message onlyLooking() {
-    return {.key = u"onlyLooking"_s,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Not possible in a read-only connection; nothing was sent."),
-            .body = refusal(Refusal::ReadOnly),
-            .actions = {connectFully()}};
-}
-
-bool action::commands(const QString& action) {
-    return action == kRestartNetwork || action == kReaddress || action == kClearAndStayOff;
-}
-
-Message withoutCommands(Message message) {
-    message.actions.removeIf([](const Message::Action& a) { return action::commands(a.id); });
-    return message;
-}
-
 Message linkLost(const QString& port, int movingMotors) {
     return {.key = key::link(),
             .severity = Severity::Fault,
@@ -192,7 +176,7 @@ Message linkLost(const QString& port, int movingMotors) {
 }
 
 Message badLink(const bus::HealthChanged& health) {
-    Message m{.key = key::badLink()};
+    Message m{.key = key::badLink(), .module = health.module, .stands = true};
     if (health.health == bus::LinkHealth::Lost) {
         m.severity = Severity::Fault;
         m.headline = health.module
@@ -207,7 +191,7 @@ Message badLink(const bus::HealthChanged& health) {
                                .arg(health.of);
         m.body = Texts::tr(
             "Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.");
-        m.actions = {{action::kReconnect, Texts::tr("Reconnect")}};
+        m.actions = {{MessageAction::Reconnect, Texts::tr("Reconnect")}};
         return m;
     }
     m.severity = Severity::Attention;
@@ -228,6 +212,7 @@ Message badLink(const bus::HealthChanged& health) {
 Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
     const QString since = readout(std::round(secondsSinceAnswer * 10) / 10, 2);
     return {.key = key::silent(module),
+            .module = module,
             .severity = Severity::Fault,
             .headline =
                 wasMoving
@@ -259,11 +244,12 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
     QList<Message::Action> actions{restartNetwork()};
     if (!restarted.quiet) {
         body << Texts::tr("The others keep their positions and gains when it is only given its address.");
-        actions.prepend({action::kReaddress, Texts::tr("Give module %1 its address").arg(number)});
+        actions.prepend({MessageAction::Readdress, Texts::tr("Give module %1 its address").arg(number)});
     } else {
         actions.prepend(scanAgain());
     }
     return {.key = key::restarted(restarted.module),
+            .module = restarted.module,
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
             .body = body.join(u' '),
@@ -273,6 +259,7 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
 Message readdressed(const bus::Readdressed& readdressed) {
     return {
         .key = key::restarted(readdressed.module.index),
+        .module = readdressed.module.index,
         .severity = Severity::Normal,
         .headline = Texts::tr("Module %1 has its address again. It is off, at position 0 and without gains.")
                         .arg(moduleNumber(readdressed.module.index)),
@@ -293,6 +280,7 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
 
 Message refused(const bus::CommandRefused& refused) {
     return {.key = key::refused(refused.module),
+            .module = refused.module,
             .severity = Severity::Attention,
             .headline = Texts::tr("Module %1 did not understand the last command, so it was not carried out.")
                             .arg(moduleNumber(refused.module)),
@@ -302,6 +290,7 @@ Message refused(const bus::CommandRefused& refused) {
 Message garbled(ModuleIndex module) {
     return {
         .key = key::garbled(module),
+        .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
         .body = Texts::tr("The command may or may not have been carried out; position is being read again.")};

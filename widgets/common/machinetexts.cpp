@@ -216,8 +216,8 @@ Message unsavedWorkLeft(const QString& machine) {
             .severity = Severity::Attention,
             .headline = Texts::tr("Unsaved work on %1 is there.").arg(machineOrFile(machine)),
             .body = Texts::tr("An earlier session ended before it was saved. Restoring it sends nothing."),
-            .actions = {{action::kRestoreWork, Texts::tr("Restore")},
-                        {action::kDiscardWork, Texts::tr("Discard: the work is lost")}}};
+            .actions = {{MessageAction::RestoreWork, Texts::tr("Restore")},
+                        {MessageAction::DiscardWork, Texts::tr("Discard: the work is lost")}}};
 }
 
 Message unsavedWorkDamaged(const FileProblem& problem) {
@@ -225,13 +225,15 @@ Message unsavedWorkDamaged(const FileProblem& problem) {
             .severity = Severity::Attention,
             .headline = Texts::tr("Unsaved work of an earlier session cannot be read."),
             .body = fileProblem(machineFileName({}), problem),
-            .actions = {{action::kDiscardWork, Texts::tr("Discard: the work is lost")}}};
+            .actions = {{MessageAction::DiscardWork, Texts::tr("Discard: the work is lost")}}};
 }
 
 Message unsavedWorkNotKept(const FileError& error) {
-    return problemMessage(Texts::tr("Changes to the machine are not kept until you save them yourself."),
-                          Texts::tr("%1 cannot be written.").arg(QDir::toNativeSeparators(error.path)),
-                          error.detail);
+    Message m = problemMessage(Texts::tr("Changes to the machine are not kept until you save them yourself."),
+                               Texts::tr("%1 cannot be written.").arg(QDir::toNativeSeparators(error.path)),
+                               error.detail);
+    m.stands = true;
+    return m;
 }
 
 QString notSaved(const QString& machine) {

@@ -13,7 +13,7 @@ QString shown(const std::string& utf8) {
 }
 
 Message::Action copyCommand() {
-    return {action::kCopyCommand, Texts::tr("Copy command")};
+    return {MessageAction::CopyCommand, Texts::tr("Copy command")};
 }
 
 Message noPermission(const PortError& error) {
@@ -162,7 +162,7 @@ Message slowAdapter(int updatesPerSecond, int latencyMs) {
                 .arg(updatesPerSecond)
                 .arg(latencyMs),
         .body = Texts::tr("Set its latency timer to 1 ms."),
-        .actions = {{action::kHow, Texts::tr("How")}}};
+        .actions = {{MessageAction::How, Texts::tr("How")}}};
 }
 
 Message latencyCure(const QString& file) {
@@ -185,7 +185,7 @@ Message adapterBack(const QString& port, bool sameSerial) {
             .body = Texts::tr(
                 "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for "
                 "before is sent again."),
-            .actions = {{action::kConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
+            .actions = {{MessageAction::ConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
 }
 
 Message differentAdapter(const QString& port) {
@@ -193,7 +193,7 @@ Message differentAdapter(const QString& port) {
             .severity = Severity::Attention,
             .headline = Texts::tr("A different adapter is on %1.").arg(port),
             .body = Texts::tr("It is not the one that this panel was connected to before. Nothing was sent."),
-            .actions = {{action::kConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
+            .actions = {{MessageAction::ConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
 }
 
 }  // namespace nmc::texts

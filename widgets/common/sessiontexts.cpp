@@ -66,9 +66,10 @@ QString guardianCannotSee() {
 
 Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port, const QString& file,
                          const std::optional<std::vector<ModuleIndex>>& toldByGuardian) {
-    Message m{.key = key::endedWhileMoving(file),
-              .severity = Severity::Attention,
-              .actions = {lookFirst(), {action::kLookedAt, Texts::tr("I have looked: it stands still")}}};
+    Message m{
+        .key = key::endedWhileMoving(file),
+        .severity = Severity::Attention,
+        .actions = {lookFirst(), {MessageAction::LookedAt, Texts::tr("I have looked: it stands still")}}};
     const QString moving = listOfModules(modules);
     if (toldByGuardian) {
         const QString were = modules.size() == 1 ? Texts::tr("Motor %1 was moving, at %2.")
@@ -109,10 +110,10 @@ Message guardianStopped() {
 }
 
 Message guardianMissing(GuardianProblem problem) {
-    Message m{
-        .key = u"guardianMissing"_s,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Nobody stops the motors if this program is killed: it has no guardian.")};
+    Message m{.key = u"guardianMissing"_s,
+              .severity = Severity::Attention,
+              .headline = Texts::tr("Nobody stops the motors if this program is killed: it has no guardian."),
+              .stands = true};
     switch (problem) {
         case GuardianProblem::Missing:
             m.body = Texts::tr(
@@ -150,11 +151,12 @@ Message settingsNotSaved(const QString& file) {
         .headline = Texts::tr("Settings are not saved."),
         .body = Texts::tr("%1 cannot be written. Everything else works; only the layout of the window and "
                           "the last port will not be remembered.")
-                    .arg(file)};
+                    .arg(file),
+        .stands = true};
 }
 
 Message withRecord(Message message) {
-    message.actions.prepend({action::kShowRecord, Texts::tr("Show the last 2 s")});
+    message.actions.prepend({MessageAction::ShowRecord, Texts::tr("Show the last 2 s")});
     return message;
 }
 

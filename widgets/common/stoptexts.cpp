@@ -62,6 +62,7 @@ QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
 
 Message holdExpired(ModuleIndex module) {
     return {.key = ofModule(u"hold"_s, module),
+            .module = module,
             .severity = Severity::Attention,
             .headline =
                 Texts::tr("Module %1 was told to stop: the button was held, but the panel was too slow to "
@@ -73,7 +74,8 @@ Message holdExpired(ModuleIndex module) {
 Message motionSuspect(const bus::MotionSuspect& suspect) {
     const QString number = moduleNumber(suspect.module);
     const QString position = grouped(suspect.position);
-    Message m{.key = ofModule(u"suspect"_s, suspect.module), .severity = Severity::Fault};
+    Message m{
+        .key = ofModule(u"suspect"_s, suspect.module), .module = suspect.module, .severity = Severity::Fault};
     switch (suspect.reason) {
         case bus::MotionSuspect::Reason::WrongWay:
             m.headline = Texts::tr("Module %1 was told to switch off: it moved the wrong way, to %2 counts.")
@@ -116,13 +118,14 @@ Message foreignTraffic(const bus::ForeignTraffic& traffic) {
 
 Message foreignMotion(const bus::ForeignMotion& motion) {
     return {.key = ofModule(u"foreign"_s, motion.module),
+            .module = motion.module,
             .severity = Severity::Fault,
             .headline =
                 Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
             .body = Texts::tr(
                 "Another host on this line has started it, or a load drives it. The panel leaves it alone "
                 "unless you stop it; that host may start it again."),
-            .actions = {{action::kStopAll, Texts::tr("STOP ALL")}}};
+            .actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}}};
 }
 
 }  // namespace nmc::texts

@@ -8,25 +8,25 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 Message::Action retry() {
-    return {action::kRetry, Texts::tr("Retry")};
+    return {MessageAction::Retry, Texts::tr("Retry")};
 }
 Message::Action scanAgain() {
-    return {action::kScanAgain, Texts::tr("Scan again")};
+    return {MessageAction::ScanAgain, Texts::tr("Scan again")};
 }
 Message::Action useSimulator() {
-    return {action::kUseSimulator, Texts::tr("Use simulator")};
+    return {MessageAction::UseSimulator, Texts::tr("Use simulator")};
 }
 Message::Action restartNetwork() {
-    return {action::kRestartNetwork, Texts::tr("Restart the network…")};
+    return {MessageAction::RestartNetwork, Texts::tr("Restart the network…")};
 }
 Message::Action connectFully() {
-    return {action::kConnectFully, Texts::tr("Connect fully")};
+    return {MessageAction::ConnectFully, Texts::tr("Connect fully")};
 }
 Message::Action lookFirst() {
-    return {action::kLookFirst, Texts::tr("Look first (read-only)")};
+    return {MessageAction::LookFirst, Texts::tr("Look first (read-only)")};
 }
 Message::Action choosePort() {
-    return {action::kChoosePort, Texts::tr("Choose another port")};
+    return {MessageAction::ChoosePort, Texts::tr("Choose another port")};
 }
 
 QString rate(quint32 baud) {
@@ -46,7 +46,9 @@ QString movingSentence(int moving) {
 
 Message operationFailed(const bus::OperationFinished& finished) {
     const QString number = moduleNumber(finished.module);
-    Message m{.key = ofModule(u"operation"_s, finished.module), .severity = Severity::Attention};
+    Message m{.key = ofModule(u"operation"_s, finished.module),
+              .module = finished.module,
+              .severity = Severity::Attention};
     m.details = Texts::tr("Command byte %1").arg(finished.commandByte, 2, 16, QChar(u'0')).toUpper();
     switch (finished.outcome) {
         case bus::Outcome::Done:
@@ -115,6 +117,7 @@ QString tripAdvice(TripCause cause) {
 Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
     return {.key = key::tripped(module),
+            .module = module,
             .severity = Severity::Fault,
             .headline = limit.has_value()
                             ? Texts::tr("Module %1 switched its servo off because the motor was more than "
@@ -125,12 +128,13 @@ Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
                                         "from where it should be.")
                                   .arg(number),
             .body = tripAdvice(cause),
-            .actions = {{action::kClearAndStayOff, Texts::tr("Clear and stay off")}}};
+            .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
 }
 
 Message powerLost(ModuleIndex module) {
     return {
         .key = key::power(module),
+        .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("Module %1 has no motor power, so its servo is off.").arg(moduleNumber(module)),
         .body = Texts::tr("It stays off when power returns.")};
@@ -139,6 +143,7 @@ Message powerLost(ModuleIndex module) {
 Message currentLimited(ModuleIndex module) {
     return {
         .key = key::current(module),
+        .module = module,
         .severity = Severity::Attention,
         .headline =
             Texts::tr("Module %1 limits the current of its motor: overcurrent.").arg(moduleNumber(module)),
@@ -149,7 +154,7 @@ Message currentLimited(ModuleIndex module) {
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
     const QString number = moduleNumber(module);
-    Message message{.key = key::tripped(module), .severity = Severity::Fault};
+    Message message{.key = key::tripped(module), .module = module, .severity = Severity::Fault};
     switch (activity) {
         case Activity::PowerLost:
             message.key = key::power(module);
@@ -203,6 +208,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
 Message notPossible(ModuleIndex module, Refusal reason) {
     return {
         .key = ofModule(u"notPossible"_s, module),
+        .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("Not possible for module %1 now; nothing was sent.").arg(moduleNumber(module)),
         .body = refusal(reason)};
@@ -239,7 +245,7 @@ Message safety() {
                 "computer loses its power, a motor that runs keeps running, and no program can stop it. Stop "
                 "all, and Esc, work only while the link works. A guardian stops the motors when this "
                 "program is killed, crashes or hangs."),
-            .actions = {{action::kUnderstood, Texts::tr("Understood")}}};
+            .actions = {{MessageAction::Understood, Texts::tr("Understood")}}};
 }
 
 QString simulatorDid(const QString& line) {

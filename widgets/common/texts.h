@@ -5,7 +5,9 @@
 #include <QString>
 #include <QStringList>
 #include <QTime>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
@@ -17,6 +19,7 @@
 #include "model/module/modulestate.h"
 #include "model/procedure/procedure.h"
 #include "model/settings/axisscale.h"
+#include "widgets/common/message.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -25,48 +28,8 @@ struct PacketSession;
 struct RecordingFailure;
 struct RecordingProblem;
 
-/// Something to tell the user: one cause, whose repeats are counted under its key (interface.md, "Words").
-struct Message {
-    struct Action {
-        QString id;    ///< one of texts::action
-        QString text;  ///< a verb that finishes the sentence
-    };
-    QString key{};
-    Severity severity = Severity::Normal;
-    QString headline{};  ///< what it means for the motor or the job
-    QString body{};      ///< the likely cause, then what to do now
-    QList<Action> actions{};
-    QString command{};  ///< what "Copy command" copies
-    QString details{};  ///< the system's own words, raw bytes
-};
-
 /// THE table of sentences for events: window, log and command line all take them from here.
 namespace texts {
-
-namespace action {
-inline const QString kRetry = QStringLiteral("retry");
-inline const QString kReaddress = QStringLiteral("readdress");
-inline const QString kScanAgain = QStringLiteral("scanAgain");
-inline const QString kUseSimulator = QStringLiteral("useSimulator");
-inline const QString kChoosePort = QStringLiteral("choosePort");
-inline const QString kCopyCommand = QStringLiteral("copyCommand");  ///< the window does this one itself
-inline const QString kWorkWith = QStringLiteral("workWith");
-inline const QString kHow = QStringLiteral("how");
-inline const QString kClearAndStayOff = QStringLiteral("clearAndStayOff");
-inline const QString kRestartNetwork = QStringLiteral("restartNetwork");  ///< the window asks before it
-inline const QString kReconnect = QStringLiteral("reconnect");
-inline const QString kConnectOffered = QStringLiteral("connectOffered");  ///< an adapter that is back
-inline const QString kStopAll = QStringLiteral("stopAll");                ///< of the window's, too
-inline const QString kUnderstood = QStringLiteral("understood");
-inline const QString kLookedAt = QStringLiteral("lookedAt");  ///< at motors that a session left moving
-inline const QString kRestoreWork = QStringLiteral("restoreWork");
-inline const QString kShowRecord = QStringLiteral("showRecord");
-inline const QString kDiscardWork = QStringLiteral("discardWork");
-inline const QString kLookFirst = QStringLiteral("lookFirst");  ///< connects read-only
-inline const QString kConnectFully = QStringLiteral("connectFully");
-/// It tells modules something, so a read-only connection has no use for it.
-[[nodiscard]] bool commands(const QString& action);
-}  // namespace action
 
 // ---- the port and the link ----
 [[nodiscard]] Message portProblem(const PortError& error);
@@ -84,10 +47,6 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message disconnected(const QString& port);
 /// Something else was to be looked at.
 [[nodiscard]] Message openAlready();
-/// What was asked for takes a command, and the connection is read-only.
-[[nodiscard]] Message onlyLooking();
-/// The message without the buttons that would send something.
-[[nodiscard]] Message withoutCommands(Message message);
 [[nodiscard]] Message linkLost(const QString& port, int movingMotors);
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
@@ -121,11 +80,21 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: too much current.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
+/// A limit switch closed while the motor moved, and nobody had asked for that. `limit`: 1 or 2.
+[[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
+/// A limit stop that was armed has stopped the motor.
+[[nodiscard]] Message limitStopTripped(ModuleIndex module, const HomeWatch& watch);
 /// A PIC-STEP switched its motor off; `activity` says why.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
 /// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
 [[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
+
+// ---- what is the case ----
+/// All that is wrong with the modules of this connection: each message is there as long as its cause. Pure.
+/// `runs`: a procedure runs with that module, which itself tells the chip to stop at a limit.
+[[nodiscard]] std::vector<Message> standing(const LinkState& link, TimePoint now,
+                                            const std::function<bool(ModuleIndex)>& runs = {});
 
 // ---- procedures (homing, moves by N) ----
 /// Nothing where it ended as its user asked, or by a stop.

@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "widgets/chain/chainmenu.h"
@@ -31,8 +30,8 @@
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopepanel.h"
-#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -49,7 +48,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
       m_settings(settings),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
-      m_chainMenu(new ChainMenu(m_machine, m_link, this)) {
+      m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
@@ -115,6 +114,13 @@ void MainWindow::buildCentre() {
 }
 
 void MainWindow::connectParts() {
+    connect(&m_session, &Session::phaseChanged, this, &MainWindow::showPhase);
+    connect(&m_session, &Session::changed, this, &MainWindow::showModules);
+    connect(&m_session, &Session::aged, this, [this] {
+        if (const ModuleState* module = selectedState(); module != nullptr && m_session.viewOf(*module).age)
+            showSelected();
+    });
+    connect(&m_session, &Session::disconnectRequested, this, &MainWindow::disconnectRequested);
     connect(m_bar, &ConnectionBar::connectRequested, this,
             [this](const QString& port, quint32 baud, bool readOnly) {
                 m_settings.setValue(kLastPort, port);
@@ -172,52 +178,39 @@ void MainWindow::choosePort(const QString& port, quint32 baud) {
 }
 
 void MainWindow::showLink(const LinkState& state) {
-    const bool connecting = state.phase != m_link.phase && state.phase == LinkPhase::Connecting;
-    const bool opened = state.phase != m_link.phase && m_link.phase == LinkPhase::Disconnected;
-    const bool another = state.phase != m_link.phase || state.port != m_link.port ||
-                         state.simulated != m_link.simulated || state.readOnly != m_link.readOnly;
-    const std::optional<TimePoint> now = m_link.now;
-    m_link = asShown(state);
-    m_link.now = now;
-    if (state.phase == LinkPhase::Disconnected)
-        m_disconnectAfterStop = false;
-    if (opened)
+    m_session.setLink(state);
+}
+
+void MainWindow::showPhase(LinkPhase before) {
+    const LinkState& link = m_session.link();
+    if (before == LinkPhase::Disconnected && m_session.isOpen())
         m_panel->forgetModules();
-    if (connecting) {
+    if (before != link.phase && link.phase == LinkPhase::Connecting)
         m_panel->resetSpeeds();
-        m_procedures.clear();
-        m_link.now.reset();
-    }
-    if (another)
-        showSession();
-    if (another && state.phase == LinkPhase::Connected)
+    if (link.phase == LinkPhase::Connected)
         m_preparing.start(kPrepareInterval);
-    m_bar->showLink(m_link);
-    m_linkBar->showLink(m_link);
-    m_simulator->showLink(m_link);
-    m_monitor->showLink(m_link);
-    showModules();
+    showSession();
+    m_banner->review(link);
+    m_messages->review(link);
 }
 
 void MainWindow::showModules() {
-    m_live = liveModules();
-    m_chain->showLink(m_link, m_machine, m_procedures);
+    const LinkState& link = m_session.link();
+    m_bar->showLink(link);
+    m_linkBar->showLink(link);
+    m_simulator->showLink(link);
+    m_monitor->showLink(link);
+    m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
     showSelected();
 }
 
-std::vector<bool> MainWindow::liveModules() const {
-    std::vector<bool> live;
-    for (const ModuleState& module : m_link.modules)
-        live.push_back(isLive(m_link, module));
-    return live;
-}
-
 void MainWindow::showSession() {
-    const QString port = texts::portName(QString::fromStdString(m_link.port));
-    const bool open = m_link.phase != LinkPhase::Disconnected;
-    const bool simulated = open && m_link.simulated;
-    const bool readOnly = open && m_link.readOnly;
+    const LinkState& link = m_session.link();
+    const QString port = texts::portName(QString::fromStdString(link.port));
+    const bool open = m_session.isOpen();
+    const bool simulated = open && link.simulated;
+    const bool readOnly = open && link.readOnly;
     QString title = simulated ? tr("NMC Panel - Simulator")
                     : open    ? tr("NMC Panel - %1").arg(port)
                               : tr("NMC Panel");
@@ -232,19 +225,12 @@ void MainWindow::showSession() {
     m_readOnlyRibbon->setVisible(readOnly);
 }
 
-const ModuleState* MainWindow::selectedState() const {
-    const std::optional<ModuleIndex> selected = selectedModule();
-    if (!selected.has_value() || selected->value() >= m_link.modules.size())
-        return nullptr;
-    return &m_link.modules[selected->value()];
-}
-
 QString MainWindow::nothingText() const {
-    switch (m_link.phase) {
+    switch (m_session.link().phase) {
         case LinkPhase::Disconnected:
             return tr("Choose a port and connect.\nWithout hardware, choose the simulator.");
         case LinkPhase::Connecting:
-            return texts::link(m_link);
+            return texts::link(m_session.link());
         case LinkPhase::Connected:
         case LinkPhase::Lost:
             return tr("No module.");
@@ -252,32 +238,17 @@ QString MainWindow::nothingText() const {
     return {};
 }
 
-std::optional<double> MainWindow::ageOf(const ModuleState& module) const {
-    if (!module.latest.has_value())
-        return std::nullopt;
-    if (isLive(m_link, module))
-        return std::nullopt;
-    return m_link.now.has_value() ? toSeconds(*m_link.now - module.latestTime) : 0.0;
-}
-
 /// One at a time, so that nobody waits: a module that is chosen first finds its page then.
 void MainWindow::preparePage() {
-    for (const ModuleState& module : m_link.modules)
-        if (m_panel->prepare(viewOf(module)))
+    for (const ModuleState& module : m_session.link().modules)
+        if (m_panel->prepare(m_session.viewOf(module)))
             return;
     m_preparing.stop();
 }
 
-PanelView MainWindow::viewOf(const ModuleState& module) const {
-    const auto procedure = m_procedures.find(module.info.index);
-    return {module, m_machine.axis(module.info.index),
-            procedure != m_procedures.end() ? &procedure->second : nullptr,
-            m_link.phase == LinkPhase::Connected, ageOf(module)};
-}
-
 void MainWindow::showSelected() {
     if (const ModuleState* module = selectedState()) {
-        const PanelView view = viewOf(*module);
+        const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
         m_stepResponse->showModule(view);
     } else {
@@ -307,17 +278,11 @@ void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
 }
 
 void MainWindow::showMachine(const Machine& machine) {
-    m_machine = machine;
-    QStringList names;
-    for (const AxisSettings& axis : machine.axes)
-        names.append(QString::fromStdString(axis.name));
-    texts::setModuleNames(names);
-    showLink(m_link);
+    m_session.setMachine(machine);
 }
 
 void MainWindow::showProcedure(const ProcedureReport& report) {
-    m_procedures.insert_or_assign(report.module, report);
-    showModules();
+    m_session.setProcedure(report);
 }
 
 void MainWindow::showStepRun(const KeptRun& run) {
@@ -328,16 +293,19 @@ ScopeFiles& MainWindow::scopeFiles() {
     return m_scope->files();
 }
 
+Message MainWindow::ofThisConnection(Message message) const {
+    message.connection = m_session.isOpen() ? m_session.link().connection : 0;
+    return withoutImpossible(std::move(message), m_session.link());
+}
+
 void MainWindow::showMessage(const Message& news) {
-    const Message message = m_link.readOnly ? texts::withoutCommands(news) : news;
-    m_lastMessages.removeIf([&message](const Message& m) { return m.key == message.key; });
-    if (!message.command.isEmpty())
-        m_lastMessages.append(message);
+    const Message message = ofThisConnection(news);
     m_messages->showMessage(message);
     m_banner->showMessage(message);
 }
 
-void MainWindow::amendMessage(const Message& message) {
+void MainWindow::amendMessage(const Message& news) {
+    const Message message = ofThisConnection(news);
     m_messages->amendMessage(message);
     m_banner->amendMessage(message);
 }
@@ -347,27 +315,23 @@ void MainWindow::endMessage(const QString& key) {
     m_banner->endMessage(key);
 }
 
-void MainWindow::takeMessageAction(const QString& key, const QString& actionId) {
-    // It may stand since before this connection.
-    if (m_link.readOnly && texts::action::commands(actionId))
-        return showMessage(texts::onlyLooking());
-    if (actionId == texts::action::kCopyCommand) {
-        for (const Message& message : m_lastMessages)
-            if (message.key == key)
-                QGuiApplication::clipboard()->setText(message.command);
-    } else if (actionId == texts::action::kChoosePort) {
+void MainWindow::takeMessageAction(const Message& message, MessageAction action) {
+    if (!mayAct(message, action, m_session.link()))
+        return;  // its connection may have gone while the button was held down
+    if (action == MessageAction::CopyCommand) {
+        QGuiApplication::clipboard()->setText(message.command);
+    } else if (action == MessageAction::ChoosePort) {
         m_bar->openPorts();
-    } else if (actionId == texts::action::kRestartNetwork) {
-        askBeforeRestart();
-        return;  // the message stays until it is done
-    } else if (actionId == texts::action::kStopAll) {
+    } else if (action == MessageAction::RestartNetwork) {
+        return askBeforeRestart();  // the message stays until it is done
+    } else if (action == MessageAction::StopAll) {
         requestStop();
-        endMessage(key);
-    } else if (actionId == texts::action::kUnderstood) {
+        endMessage(message.key);
+    } else if (action == MessageAction::Understood) {
         m_settings.setValue(kSafetyRead, true);
-        endMessage(key);
+        endMessage(message.key);
     }
-    emit messageAction(key, actionId);
+    emit messageAction(message, action);
 }
 
 void MainWindow::connectReadOnly() {
@@ -380,23 +344,20 @@ void MainWindow::showSafetyOnce() {
 }
 
 void MainWindow::requestStop() {
-    if (m_link.phase == LinkPhase::Disconnected)
+    if (!m_session.isOpen())
         return;
     m_panel->endHold();
     emit stopAllRequested();
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const bool holding = std::any_of(m_link.modules.begin(), m_link.modules.end(),
-                                     [](const ModuleState& module) { return module.driveOn(); });
-    const Message result = texts::stopResult(finished, holding);
+    const Message result = texts::stopResult(finished, m_session.anyHolds());
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)
         endMessage(texts::key::stop());
     showMessage(texts::withRecord(result));
-    if (std::exchange(m_disconnectAfterStop, false) && all)
-        emit disconnectRequested();
+    m_session.stopFinished(all);
 }
 
 void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {

@@ -6,7 +6,6 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -19,6 +18,7 @@
 #include "model/settings/machine.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
+#include "widgets/mainwindow/session.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/scope/scoperecord.h"
 
@@ -144,9 +144,8 @@ signals:
     /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
     /// finishClose().
     void closeConfirmed();
-    /// A button of a message; "Copy command", "Choose another port" and "Understood" are done by the window
-    /// already.
-    void messageAction(const QString& key, const QString& actionId);
+    /// A button of a message that may act; what the window can do itself is done already.
+    void messageAction(const nmc::Message& message, nmc::MessageAction action);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -175,28 +174,20 @@ private:
     void showModules();
     void showSelected();
     void preparePage();
-    [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
     void addModuleEntries(std::vector<CommandPalette::Entry>& entries);
     void addOtherModules(std::vector<CommandPalette::Entry>& entries);
-    [[nodiscard]] std::vector<bool> liveModules() const;
+    void showPhase(LinkPhase before);
     void showScopeModules();
     void requestStop();
     void askBeforeDisconnect();
-    /// Of a question that stands until the port is closed, or is another: what it says now.
-    [[nodiscard]] std::function<QString()> whileOpen(QString (*text)(int movingMotors)) const;
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
-    void takeMessageAction(const QString& key, const QString& actionId);
-    [[nodiscard]] int movingMotors() const;
-    [[nodiscard]] bool leavingStopsMotors() const;
-    [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
-    [[nodiscard]] const ModuleState* selectedState() const;
+    [[nodiscard]] Message ofThisConnection(Message message) const;
+    void takeMessageAction(const Message& message, MessageAction action);
+    [[nodiscard]] const ModuleState* selectedState() const { return m_session.module(selectedModule()); }
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
-    LinkState m_link;          ///< as it may be shown
-    std::vector<bool> m_live;  ///< of its modules, as they are shown
-    Machine m_machine;
-    std::map<ModuleIndex, ProcedureReport> m_procedures;  ///< the last of each module
+    Session m_session;
     FocusKeeper* m_focus;
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
@@ -214,13 +205,11 @@ private:
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;
-    QList<Message> m_lastMessages;  ///< those with a command to copy
     QByteArray m_firstState;
     QTimer m_preparing;
     int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;
     bool m_workMayWait = false;  ///< unsaved, as the user has just agreed
-    bool m_disconnectAfterStop = false;
 };
 
 }  // namespace nmc

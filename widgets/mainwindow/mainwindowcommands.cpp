@@ -94,11 +94,11 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
 /// What other modules can be told stands on their pages, with values that nobody sees from here: it is shown,
 /// not done.
 void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
-    for (const ModuleState& module : m_link.modules) {
+    for (const ModuleState& module : m_session.link().modules) {
         const ModuleIndex index = module.info.index;
         if (index == selectedModule())
             continue;
-        const ModulePage* alike = m_panel->pageLike(viewOf(module));
+        const ModulePage* alike = m_panel->pageLike(m_session.viewOf(module));
         if (alike == nullptr)
             continue;
         for (const Command* command : alike->commands()) {

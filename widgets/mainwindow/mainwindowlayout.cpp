@@ -14,8 +14,8 @@
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopepanel.h"
-#include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -147,7 +147,7 @@ void MainWindow::restoreLayout() {
     resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
     restoreGeometry(m_settings.value(kGeometry).toByteArray());
     restoreState(m_settings.value(kState).toByteArray());
-    m_simulator->showLink(m_link);
+    m_simulator->showLink(m_session.link());
     const QString port = m_settings.value(kLastPort).toString();
     if (!port.isEmpty())
         m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());

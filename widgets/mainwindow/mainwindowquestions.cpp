@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window asks before motors are stopped or positions are lost, and what becomes of the answer.
 #include <QCloseEvent>
-#include <algorithm>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/machine/machinemenu.h"
@@ -13,25 +12,11 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-int MainWindow::movingMotors() const {
-    if (m_link.phase == LinkPhase::Disconnected)
-        return 0;
-    return static_cast<int>(std::count_if(m_link.modules.cbegin(), m_link.modules.cend(),
-                                          [](const ModuleState& m) { return m.moving(); }));
-}
-
-std::function<QString()> MainWindow::whileOpen(QString (*text)(int movingMotors)) const {
-    return [this, text, port = m_link.port] {
-        const bool same = m_link.phase != LinkPhase::Disconnected && m_link.port == port;
-        return same ? text(movingMotors()) : QString();
-    };
-}
-
 void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
                                    const std::function<void()>& go) {
     AskDialog::ask({.name = name,
                     .title = tr("Motors are moving"),
-                    .text = whileOpen(texts::closing),
+                    .text = m_session.whileOpen(texts::closing),
                     .stay = tr("St&ay"),
                     .stayName = u"stayButton"_s},
                    {{stopText, u"stopAndCloseButton"_s,
@@ -42,25 +27,20 @@ void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
                    this);
 }
 
-/// A connection that only looks leaves them as they are.
-bool MainWindow::leavingStopsMotors() const {
-    return !m_link.readOnly && movingMotors() > 0;
-}
-
 void MainWindow::askBeforeDisconnect() {
-    if (!leavingStopsMotors())
+    if (!m_session.leavingStopsMotors())
         emit disconnectRequested();
     else
         askBeforeStopping(u"disconnectDialog"_s, tr("&Stop and disconnect"),
-                          [this] { m_disconnectAfterStop = true; });
+                          [this] { m_session.disconnectWhenStopped(); });
 }
 
 void MainWindow::askBeforeRestart() {
-    if (whyNotTold(m_link))
+    if (whyNotTold(m_session.link()))
         return;
     AskDialog::ask({.name = u"restartDialog"_s,
                     .title = tr("Restart the network"),
-                    .text = whileOpen(texts::beforeRestart),
+                    .text = m_session.whileOpen(texts::beforeRestart),
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelRestartButton"_s,
                     .stayIsDefault = true},
@@ -70,7 +50,7 @@ void MainWindow::askBeforeRestart() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool moving = !m_mayClose && leavingStopsMotors();
+    const bool moving = !m_mayClose && m_session.leavingStopsMotors();
     const bool unsaved = !m_mayClose && !m_workMayWait && m_machineMenu->file().modified;
     if (!moving && !unsaved) {
         m_panel->endHold();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/module/modulescale.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/scope/scopepanel.h"
 
@@ -11,16 +10,11 @@ namespace nmc {
 
 /// Without a connection the scope still shows what was, and whose it was.
 void MainWindow::showScopeModules() {
-    if (m_link.modules.empty())
+    const LinkState& link = m_session.link();
+    if (link.modules.empty())
         return;
-    std::vector<ScopeModule> modules;
-    for (const ModuleState& module : m_link.modules) {
-        const AxisSettings& axis = m_machine.axis(module.info.index);
-        modules.push_back(
-            {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
-    }
-    m_scope->showModules(std::move(modules), selectedModule());
-    m_scope->showSession(QString::fromStdString(m_link.port), m_link.simulated);
+    m_scope->showModules(m_session.scopeModules(), selectedModule());
+    m_scope->showSession(QString::fromStdString(link.port), link.simulated);
 }
 
 const std::vector<ScopeModule>& MainWindow::scopeModules() const {
@@ -28,12 +22,8 @@ const std::vector<ScopeModule>& MainWindow::scopeModules() const {
 }
 
 void MainWindow::showHistory(const History& history, TimePoint now) {
-    m_link.now = now;
     m_scope->showHistory(history, now);
-    if (liveModules() != m_live)
-        showModules();
-    else if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())
-        showSelected();
+    m_session.setNow(now);
 }
 
 void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {

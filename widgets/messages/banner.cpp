@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,10 +12,18 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/words.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+bool asksForSomething(const Message& message) {
+    return std::any_of(message.actions.begin(), message.actions.end(),
+                       [](const Message::Action& action) { return action.id != MessageAction::ShowRecord; });
+}
+}  // namespace
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent),
@@ -71,34 +80,49 @@ QSize Banner::sizeHint() const {
 void Banner::showMessage(const Message& message) {
     endMessage(message.key);
     // What went well is not worth a banner, though it can be looked at from the list.
-    const bool toDo =
-        std::any_of(message.actions.begin(), message.actions.end(),
-                    [](const Message::Action& action) { return action.id != texts::action::kShowRecord; });
-    if (message.severity == Severity::Normal && !toDo)
+    if (message.severity == Severity::Normal && !asksForSomething(message))
         return;
-    m_active.append(message);
+    m_active.append({message, ++m_count});
+    if (!message.stands)
+        forgetWhenOld(m_count);
+    present();
+}
+
+void Banner::forgetWhenOld(unsigned number) {
+    QTimer::singleShot(m_newsLife, this, [this, number] {
+        const auto old = [number](const Shown& shown) {
+            return shown.number == number && !asksForSomething(shown.message);
+        };
+        if (m_active.removeIf(old) > 0)
+            present();
+    });
+}
+
+void Banner::review(const LinkState& link) {
+    for (Shown& shown : m_active)
+        shown.message = withoutImpossible(shown.message, link);
     present();
 }
 
 void Banner::amendMessage(const Message& message) {
-    for (Message& active : m_active)
-        if (active.key == message.key) {
-            active = message;
+    for (Shown& shown : m_active)
+        if (shown.message.key == message.key) {
+            shown.message = message;
             return present();
         }
 }
 
 void Banner::endMessage(const QString& key) {
-    const auto removed = m_active.removeIf([&key](const Message& m) { return m.key == key; });
+    const auto removed = m_active.removeIf([&key](const Shown& shown) { return shown.message.key == key; });
     if (removed > 0)
         present();
 }
 
 const Message* Banner::current() const {
     const Message* best = nullptr;
-    for (const Message& m : m_active)
-        if (best == nullptr || m.severity >= best->severity)
-            best = &m;
+    for (const Shown& shown : m_active)
+        if (best == nullptr || shown.message.severity >= best->severity)
+            best = &shown.message;
     return best;
 }
 
@@ -128,9 +152,9 @@ void Banner::present() {
                              message->body);
     for (const Message::Action& action : message->actions) {
         auto* button = new QPushButton(action.text, this);
-        look::name(button, u"bannerAction_"_s + action.id, action.text);
+        look::name(button, u"bannerAction_"_s + nmc::objectName(action.id), action.text);
         connect(button, &QPushButton::clicked, this,
-                [this, key = message->key, id = action.id] { emit actionTriggered(key, id); });
+                [this, about = *message, id = action.id] { emit actionTriggered(about, id); });
         m_actions->addWidget(button);
     }
     show();

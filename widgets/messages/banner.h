@@ -3,8 +3,9 @@
 
 #include <QFrame>
 #include <QList>
+#include <chrono>
 
-#include "widgets/common/texts.h"
+#include "widgets/common/message.h"
 
 class QBoxLayout;
 class QPushButton;
@@ -17,7 +18,8 @@ class GlyphLabel;
 
 /// The most important message that is not over, with its actions. Never modal. Its place is kept while there
 /// is none, and is the same for every message: nothing below it ever moves under the pointer. What does not
-/// fit, and the other messages, are one click away.
+/// fit, and the other messages, are one click away. An event about which nothing can be done leaves it when
+/// it is old news.
 class Banner : public QFrame {
     Q_OBJECT
 
@@ -28,13 +30,17 @@ public:
     /// Other words for what it has already.
     void amendMessage(const Message& message);
     void endMessage(const QString& key);
+    /// What may not be done in this connection is not offered any more.
+    void review(const LinkState& link);
+    /// How long an event is news; 10 min. For what is shown from now on.
+    void setNewsLife(std::chrono::milliseconds life) { m_newsLife = life; }
 
     /// That of its place, whatever it says.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    void actionTriggered(const QString& key, const QString& actionId);
+    void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
     /// The user wants to read all of the message that is shown, and the others.
     void allWanted(const QString& key);
 
@@ -45,7 +51,15 @@ private:
     void present();
     [[nodiscard]] const Message* current() const;
 
-    QList<Message> m_active;  ///< oldest first
+    struct Shown {
+        Message message;
+        unsigned number = 0;  ///< of all that were shown
+    };
+    void forgetWhenOld(unsigned number);
+
+    QList<Shown> m_active;  ///< oldest first
+    unsigned m_count = 0;
+    std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
     QString m_shown;
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;

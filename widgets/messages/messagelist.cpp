@@ -73,6 +73,12 @@ void MessageList::endMessage(const QString& key, const QDateTime& time) {
         row->end(time);
 }
 
+void MessageList::review(const LinkState& link) {
+    for (MessageRow* row : m_rows)
+        if (!row->over())
+            row->amend(withoutImpossible(row->message(), link));
+}
+
 void MessageList::reveal(const QString& key) {
     if (MessageRow* row = active(key))
         ensureWidgetVisible(row);

@@ -5,7 +5,7 @@
 #include <QList>
 #include <QScrollArea>
 
-#include "widgets/common/texts.h"
+#include "widgets/common/message.h"
 
 class QVBoxLayout;
 class QLabel;
@@ -27,6 +27,8 @@ public:
     /// Says that it is over. A message that comes again later starts a row of its own.
     void endMessage(const QString& key, const QDateTime& time = QDateTime::currentDateTime());
 
+    /// What may not be done in this connection is not offered any more.
+    void review(const LinkState& link);
     /// Scrolls to it, if it is not over.
     void reveal(const QString& key);
 
@@ -34,7 +36,7 @@ public:
     [[nodiscard]] const QList<MessageRow*>& rows() const { return m_rows; }
 
 signals:
-    void actionTriggered(const QString& key, const QString& actionId);
+    void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
 
 private:
     [[nodiscard]] MessageRow* active(const QString& key) const;

@@ -7,6 +7,7 @@
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/words.h"
 
 namespace nmc {
 
@@ -93,13 +94,13 @@ void MessageRow::present() {
     }
     for (const Message::Action& action : m_message.actions) {
         // What was kept of it can be looked at for ever; nothing else is to be done any more.
-        if (m_over.isValid() && action.id != texts::action::kShowRecord)
+        if (m_over.isValid() && action.id != MessageAction::ShowRecord)
             continue;
         auto* button = new QPushButton(action.text, this);
         button->setFlat(true);
-        look::name(button, u"listAction_"_s + action.id, action.text);
+        look::name(button, u"listAction_"_s + nmc::objectName(action.id), action.text);
         connect(button, &QPushButton::clicked, this,
-                [this, id = action.id] { emit actionTriggered(m_message.key, id); });
+                [this, id = action.id] { emit actionTriggered(m_message, id); });
         m_actions->addWidget(button);
     }
     m_actions->addStretch(1);

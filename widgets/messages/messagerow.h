@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QFrame>
 
-#include "widgets/common/texts.h"
+#include "widgets/common/message.h"
 
 class QLabel;
 class QHBoxLayout;
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool over() const { return m_over.isValid(); }
 
 signals:
-    void actionTriggered(const QString& key, const QString& actionId);
+    void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
 
 private:
     void present();

@@ -35,6 +35,7 @@ BusStore::BusStore(BusWorker& worker, QObject* parent) : QObject(parent), m_work
 void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud, bool readOnly) {
     forgetChain();
     m_link.phase = LinkPhase::Connecting;
+    ++m_link.connection;
     m_link.port = port.toStdString();
     m_link.simulated = simulated;
     m_link.readOnly = readOnly;
@@ -210,7 +211,6 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     module = {};
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
-    module.silent = true;  // until it answers, which is told behind this
 }
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {
@@ -230,15 +230,9 @@ void BusStore::take(const bus::Sample& sample) {
     ModuleState& module = m_link.modules[sample.module.value()];
     Record& record = m_records[sample.module.value()];
     ++record.samples;
-    const bool wasOff = module.switchedItselfOff;
-    const bool wasLimited = module.currentWasLimited();
     module.apply(sample);
     if (const auto kept = record.feed.take(sample))
         m_history.append(sample.module, *kept);
-    if (module.switchedItselfOff && !wasOff)
-        emit happened(ServoWentOff{sample.module, module.activity(), module.latest->position.value_or(0)});
-    if (module.currentWasLimited() != wasLimited)
-        emit happened(CurrentLimited{sample.module, !wasLimited});
 }
 
 void BusStore::doubtMotions(const std::vector<ModuleIndex>& modules) {

@@ -14,28 +14,14 @@
 
 namespace nmc {
 
-/// A module's servo switched itself off: position error, or motor power went away.
-struct ServoWentOff {
-    ModuleIndex module;
-    Activity activity;  ///< Tripped or PowerLost
-    std::int32_t position = 0;
-};
-
-/// A servo began to limit the current of its motor, or has been told to forget that it did.
-struct CurrentLimited {
-    ModuleIndex module;
-    bool limited = true;
-};
-
-/// What the user should hear of; samples and progress are state, not news.
+/// What the user should hear of, and the state does not tell; samples and progress are state, not news.
 using StoreEvent =
     std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
                  bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, PortClosed, ServoWentOff,
-                 CurrentLimited, SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped,
-                 GuardianMissing>;
+                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, PortClosed, SimulatorAnswered,
+                 PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.

@@ -16,6 +16,8 @@ enum class LinkPhase : std::uint8_t { Disconnected, Connecting, Connected, Lost 
 /// The whole connection as a value: what the tool bar, the chain list and the status bar show.
 struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
+    /// Which connection of this program, counted from 1; the last one while there is none. 0: none yet.
+    std::uint32_t connection = 0;
     std::string port;  ///< as the user chose it
     bool simulated = false;
     /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).

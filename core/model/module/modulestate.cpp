@@ -51,6 +51,8 @@ void ModuleState::watchDrift(const bus::Sample& sample, bool wasOn) {
 void ModuleState::apply(const bus::Sample& sample) {
     // Told so, or seen twice: a single answer may be that of another module, which another host has asked.
     const bool wasOn = servoOn() && (m_looksWhileOn > 1 || motion != MotionMode::None);
+    const bool wasMoving = moving();
+    const HomeWatch watchBefore = homing;
     if (!latest)
         latest.emplace();
     merge(*latest, sample.report);
@@ -64,6 +66,7 @@ void ModuleState::apply(const bus::Sample& sample) {
         switchedItselfOff = stepper.offByItself();
         powerLostWhileOn = switchedItselfOff && stepper.activity() == Activity::PowerLost;
     }
+    watchLimits(wasMoving, watchBefore);
     if (!isServo() || !sample.report.aux)
         return;
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
@@ -98,9 +101,24 @@ void ModuleState::wentOff() {
 }
 
 TripWatch::Look ModuleState::tripLook() const {
+    const auto [limit1, limit2] = closedLimits();
+    return {latestTime, *latest->position, limit1, limit2};
+}
+
+/// Those of a PIC-STEP that are told to be ignored are as good as open.
+LimitWatch::Limits ModuleState::closedLimits() const {
+    if (isStepper())
+        return {stepper.limitActs(false), stepper.limitActs(true)};
     const servo::StatusByte status = latest->servoStatus();
-    return {latestTime, *latest->position, status.limit1() && (!io || io->limit1IsInput),
-            status.limit2() && (!io || io->limit2IsInput)};
+    return {status.limit1() && (!io || io->limit1IsInput), status.limit2() && (!io || io->limit2IsInput)};
+}
+
+void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before) {
+    if (!isServo() && !isStepper())
+        return;
+    const bool watched = before.state() == HomeWatch::State::Armed;
+    limits.apply(closedLimits(), wasMoving || moving(),
+                 {watched && before.onLimit1(), watched && before.onLimit2()});
 }
 
 /// `velocity`: counts per tick. Before the command has changed anything here.
@@ -173,6 +191,7 @@ void ModuleState::restarted() {
     gains.reset();
     io.reset();
     homing = {};
+    limits = {};
     home = {};
     m_goal.reset();
     m_looksWhileOff = 0;

@@ -10,6 +10,7 @@
 #include "model/module/activity.h"
 #include "model/module/homefact.h"
 #include "model/module/homewatch.h"
+#include "model/module/limitwatch.h"
 #include "model/module/measuredspeed.h"
 #include "model/module/stepstate.h"
 #include "model/module/tripwatch.h"
@@ -51,6 +52,7 @@ struct ModuleState {
     std::optional<servo::IoControl> io;
     /// What Set Homing Mode last told it.
     HomeWatch homing;
+    LimitWatch limits;
     /// Where home is, which is not what the chip's register says.
     HomeFact home;
     MeasuredSpeed speed;
@@ -99,6 +101,8 @@ private:
     void apply(const servo::StopMotor& stop, TimePoint time);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     void watchHome(const bus::Sample& sample);
+    void watchLimits(bool wasMoving, const HomeWatch& before);
+    [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();
     void noteCommand(TimePoint time, int direction, double velocity);
     [[nodiscard]] TripWatch::Look tripLook() const;

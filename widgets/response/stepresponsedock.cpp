@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepresponsedock.h"
+#include "widgets/response/stepresponsedock.h"
 
 #include <QAction>
 

@@ -8,7 +8,7 @@
 
 #include "model/response/steprunfile.h"
 #include "widgets/panels/panelview.h"
-#include "widgets/scope/stepruntable.h"
+#include "widgets/response/stepruntable.h"
 
 class QLabel;
 class QPushButton;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepplot.h"
+#include "widgets/response/stepplot.h"
 
 #include <QEvent>
 #include <QPainter>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepresponsewords.h"
+#include "widgets/response/stepresponsewords.h"
 
 #include <QCoreApplication>
 #include <QLocale>

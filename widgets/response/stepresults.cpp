@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepresults.h"
+#include "widgets/response/stepresults.h"
 
 #include <QHeaderView>
 
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
-#include "widgets/scope/stepresponsewords.h"
+#include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
 

@@ -3,7 +3,7 @@
 
 #include <QDockWidget>
 
-#include "widgets/scope/stepresponsepage.h"
+#include "widgets/response/stepresponsepage.h"
 
 namespace nmc {
 

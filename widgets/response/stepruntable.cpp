@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepruntable.h"
+#include "widgets/response/stepruntable.h"
 
 #include <QDateTime>
 #include <QHeaderView>
@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 
 #include "widgets/common/look.h"
-#include "widgets/scope/stepresponsewords.h"
+#include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepform.h"
+#include "widgets/response/stepform.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -12,7 +12,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
-#include "widgets/scope/stepresponsewords.h"
+#include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
 

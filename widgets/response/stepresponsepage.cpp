@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scope/stepresponsepage.h"
+#include "widgets/response/stepresponsepage.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -13,9 +13,9 @@
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
-#include "widgets/scope/stepform.h"
-#include "widgets/scope/stepplot.h"
-#include "widgets/scope/stepresults.h"
+#include "widgets/response/stepform.h"
+#include "widgets/response/stepplot.h"
+#include "widgets/response/stepresults.h"
 
 namespace nmc {
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/messagecontroller.h"
+
+#include <algorithm>
+
+#include "link/clock.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+MessageController::MessageController(MainWindow& window, const BusStore& store,
+                                     const ProcedureController& procedures, FlightController& flight,
+                                     RecordingController& recordings, QObject* parent)
+    : QObject(parent),
+      m_window(window),
+      m_store(store),
+      m_procedures(procedures),
+      m_flight(flight),
+      m_recordings(recordings) {}
+
+void MessageController::look() {
+    const LinkState& link = m_store.link();
+    const std::vector<Message> all = texts::standing(
+        link, monotonicNow(), [this](ModuleIndex module) { return m_procedures.running(module); });
+    std::erase_if(m_standing, [&](const auto& told) {
+        const auto& [key, standing] = told;
+        const bool stands =
+            standing.connection == link.connection && std::ranges::find(all, key, &Message::key) != all.end();
+        // Of a chain that is not there any more nothing is known: a motor that may move on, may still.
+        if (stands || (link.modules.empty() && key == texts::key::silent(standing.module)))
+            return false;
+        end(key);
+        return true;
+    });
+    for (const Message& message : all)
+        if (m_standing.try_emplace(message.key, Standing{*message.module, link.connection}).second)
+            tell(message);
+}
+
+void MessageController::tell(const Message& message) {
+    emit aboutToTell();
+    if (message.offers(MessageAction::ShowRecord)) {
+        m_flight.note(message.key, message.headline, message.module, monotonicNow());
+        m_recordings.note(message.headline);
+    }
+    m_window.showMessage(message);
+}
+
+void MessageController::tellOf(const Message& message) {
+    tell(message);
+    m_events[message.key] = message.module;
+}
+
+void MessageController::tellOfChain(const Message& message) {
+    tell(message);
+    m_events[message.key] = std::nullopt;
+}
+
+void MessageController::noteStop(const Message& message, bus::StopCause cause,
+                                 const std::vector<ModuleIndex>& modules) {
+    for (const ModuleIndex module : modules)
+        m_toldToStop[{cause, module}] = message.key;
+    m_stopMessages[message.key] = message;
+}
+
+void MessageController::stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
+    const auto told = m_toldToStop.find({confirmed.cause, confirmed.module});
+    if (told == m_toldToStop.end())
+        return;
+    Message& message = m_stopMessages[told->second];
+    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    m_window.amendMessage(message);
+    m_toldToStop.erase(told);
+}
+
+void MessageController::obeyed(ModuleIndex module) {
+    endEvents(module);
+}
+
+void MessageController::chainFound() {
+    m_toldToStop.clear();
+    endEvents(std::nullopt);
+}
+
+void MessageController::connectionEnded() {
+    endEvents(std::nullopt);
+}
+
+/// Those of a module that obeys again; or all.
+void MessageController::endEvents(std::optional<ModuleIndex> obeyed) {
+    std::erase_if(m_events, [&](const auto& event) {
+        const bool over = !obeyed || event.second == obeyed;
+        if (over)
+            end(event.first);
+        return over;
+    });
+}
+
+}  // namespace nmc

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of a state, for as long as the state says so.
+#include <gmock/gmock.h>
+
+#include "tests/model/servofixture.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace testing_support;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::uint8_t kLimit1 = 0x20;
+constexpr std::uint8_t kOk = kMoveDone | kPower;
+
+class StandingTexts : public testing::Test {
+protected:
+    StandingTexts() {
+        link.phase = LinkPhase::Connected;
+        link.modules = {holdingServo()};
+    }
+    ModuleState& servo() { return link.modules.front(); }
+    void says(double seconds, int status, int aux = kServoOn) {
+        servo().apply(sampleOf(seconds, static_cast<std::uint8_t>(status), static_cast<std::uint8_t>(aux)));
+    }
+    void run(int bits = 0) {
+        servo().apply(executedAt(1.0, velocityMode(65'536, 100)));
+        says(1.1, kPower | bits);
+    }
+    [[nodiscard]] std::vector<std::string> keys(bool procedureRuns = false) const {
+        std::vector<std::string> all;
+        for (const Message& message :
+             texts::standing(link, atSeconds(10), [procedureRuns](ModuleIndex) { return procedureRuns; }))
+            all.push_back(message.key.toStdString());
+        return all;
+    }
+
+    LinkState link;
+};
+
+TEST_F(StandingTexts, NothingIsToldOfAChainThatIsWell) {
+    EXPECT_THAT(keys(), IsEmpty());
+    run();
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
+TEST_F(StandingTexts, ATripEndsWithItsAcknowledgement) {
+    says(2.0, kOk | kPosError, 0);
+    EXPECT_THAT(keys(), ElementsAre("tripped.1"));
+    servo().apply(executedAt(2.1, stopWith(servo::StopManner::MotorOff)));
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
+TEST_F(StandingTexts, MissingPowerIsNoTrip) {
+    says(2.0, kMoveDone | kPosError, 0);
+    EXPECT_THAT(keys(), ElementsAre("power.1"));
+}
+
+TEST_F(StandingTexts, ARestartIsToldInPlaceOfAllThatWasTheCase) {
+    says(2.0, kOk | kPosError, 0);
+    servo().restarted();
+    servo().silent = true;
+    EXPECT_THAT(keys(), ElementsAre("restarted.1"));
+}
+
+TEST_F(StandingTexts, SilenceIsToldUnlessItIsThatOfTheWholeLink) {
+    link.modules.push_back(servoModule());
+    link.modules.back().info.index = ModuleIndex(1);
+    servo().silent = true;
+    EXPECT_THAT(keys(), ElementsAre("silent.1"));
+    link.modules.back().silent = true;
+    link.modules.back().latest.emplace();
+    EXPECT_THAT(keys(), ElementsAre("silent.1", "silent.2"));
+    link.phase = LinkPhase::Lost;
+    EXPECT_THAT(keys(), IsEmpty()) << "one cause, one text";
+    link.phase = LinkPhase::Connecting;
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
+TEST_F(StandingTexts, ALimitThatClosesOnTheWayIsToldUntilItOpens) {
+    run();
+    says(1.2, kPower | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limit1.1"));
+    servo().apply(executedAt(1.3, stopWith(servo::StopManner::Abruptly)));
+    says(1.4, kOk | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limit1.1")) << "it stands on the switch";
+    says(1.5, kOk);
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
+TEST_F(StandingTexts, ALimitThatIsClosedAlreadyOrByHandIsNotToldOf) {
+    says(0.9, kOk | kLimit1);
+    EXPECT_THAT(keys(), IsEmpty()) << "the motor stands";
+    run();
+    says(1.2, kPower | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limit1.1")) << "open in between, at 1.1 s";
+    servo() = holdingServo();
+    says(0.9, kOk | kLimit1);
+    servo().apply(executedAt(1.0, velocityMode(65'536, 100)));
+    says(1.1, kPower | kLimit1);
+    EXPECT_THAT(keys(), IsEmpty()) << "it may be on its way off the switch";
+}
+
+TEST_F(StandingTexts, ALimitStopThatTripsIsToldUntilItIsArmedAnewOrDisarmed) {
+    servo::SetHoming stop;
+    stop.onLimit1Change = stop.stopAbruptly = true;
+    servo().apply(executedAt(0.5, stop));
+    says(0.6, kOk | kHoming);
+    run(kHoming);
+    says(1.2, kPower | kHoming);
+    EXPECT_THAT(keys(), IsEmpty());
+    says(1.3, kOk | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "and not of the limit, which was watched";
+    EXPECT_THAT(keys(true), IsEmpty()) << "a search for home stops so, too";
+    says(1.4, kOk);
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "nothing stops it the next time";
+    servo().apply(executedAt(1.5, servo::SetHoming{}));
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
+TEST_F(StandingTexts, ALimitOtherThanTheWatchedOneIsToldOf) {
+    servo::SetHoming stop;
+    stop.onLimit2Change = stop.stopAbruptly = true;
+    servo().apply(executedAt(0.5, stop));
+    run(kHoming);
+    says(1.2, kPower | kHoming);
+    says(1.3, kPower | kHoming | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limit1.1"));
+}
+
+TEST_F(StandingTexts, AServoIsSaidToGoOnAndAStepperToBeHeld) {
+    EXPECT_TRUE(texts::limitClosed(servo(), 1).headline.contains(u"does not stop it"_s));
+    servo().info.identity.type = ModuleType::Step;
+    servo().info.identity.version = 1;
+    const Message step = texts::limitClosed(servo(), 1);
+    EXPECT_FALSE(step.headline.contains(u"does not stop it"_s));
+    EXPECT_TRUE(step.body.contains(u"no farther that way"_s));
+}
+
+}  // namespace
+}  // namespace nmc

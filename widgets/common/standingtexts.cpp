@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the table of texts has to say of a state, as long as that lasts.
+#include <algorithm>
+
+#include "widgets/common/textparts.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+Message limitClosed(const ModuleState& module, int limit) {
+    const ModuleIndex index = module.info.index;
+    Message m{.key = ofModule(u"limit%1"_s.arg(limit), index), .module = index};
+    m.severity = Severity::Attention;
+    const QString number = moduleNumber(index);
+    if (module.isStepper()) {
+        m.headline =
+            Texts::tr("Limit %1 of module %2 closed while its motor was moving.").arg(limit).arg(number);
+        m.body = Texts::tr(
+            "The module lets its motor go no farther that way while the switch is closed. Move it the other "
+            "way.");
+    } else {
+        m.headline =
+            Texts::tr("Limit %1 of module %2 closed while its motor was moving, and does not stop it.")
+                .arg(limit)
+                .arg(number);
+        m.body = Texts::tr(
+            "A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. "
+            "Stop "
+            "it, then move it the other way; the page Homing arms a limit stop.");
+        m.actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}};
+    }
+    return m;
+}
+
+Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
+    const QString number = moduleNumber(module);
+    return {
+        .key = ofModule(u"limitStop"_s, module),
+        .module = module,
+        .severity = Severity::Attention,
+        .headline = watch.switchesOff()
+                        ? Texts::tr("The limit stop of module %1 switched its motor off.").arg(number)
+                        : Texts::tr("The limit stop of module %1 stopped its motor.").arg(number),
+        .body = Texts::tr(
+            "It acts once, and is not armed any more. Move the motor off the switch, then arm it again on "
+            "the page Homing, or disarm it there.")};
+}
+
+namespace {
+
+/// A servo tells by a bit why it is off, a stepper by what is the case.
+Message wentOff(const ModuleState& module) {
+    const ModuleIndex index = module.info.index;
+    if (module.isStepper())
+        return amplifierWentOff(index, module.stepper.activity());
+    if (module.powerLostWhileOn)
+        return powerLost(index);
+    return tripped(index, module.gains ? std::optional<int>(module.gains->el) : std::nullopt,
+                   module.tripCause);
+}
+
+/// It cannot be spoken to; what it said before stands behind that.
+std::optional<Message> unheard(const LinkState& link, const ModuleState& module, TimePoint now) {
+    const auto answers = [](const ModuleState& other) { return !other.silent; };
+    const auto answering = std::count_if(link.modules.begin(), link.modules.end(), answers);
+    const ModuleIndex index = module.info.index;
+    if (module.hasRestarted)
+        return withRecord(
+            restarted({index, link.phase == LinkPhase::Lost}, static_cast<int>(link.modules.size())));
+    if (isMissing(module))
+        return moduleMissing(index, static_cast<int>(answering));
+    // One text for one cause: of a link that is lost, that is told.
+    if (module.silent && (link.phase == LinkPhase::Connected || answering > 0))
+        return withRecord(moduleSilent(index, toSeconds(now - module.latestTime), module.moving()));
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Message> standing(const LinkState& link, TimePoint now,
+                              const std::function<bool(ModuleIndex)>& runs) {
+    std::vector<Message> all;
+    for (const ModuleState& module : link.modules) {
+        const ModuleIndex index = module.info.index;
+        if (auto message = unheard(link, module, now))
+            all.push_back(*message);
+        if (module.hasRestarted)
+            continue;  // whatever was the case is over
+        if (module.switchedItselfOff)
+            all.push_back(withRecord(wentOff(module)));
+        if (module.currentWasLimited())
+            all.push_back(withRecord(currentLimited(index)));
+        for (const int limit : {1, 2})
+            if (module.limits.ranInto(static_cast<std::size_t>(limit - 1)))
+                all.push_back(withRecord(limitClosed(module, limit)));
+        const HomeWatch& watch = module.homing;
+        if (watch.state() == HomeWatch::State::Tripped && watch.stops() &&
+            (watch.onLimit1() || watch.onLimit2()) && !(runs && runs(index)))
+            all.push_back(withRecord(limitStopTripped(index, watch)));
+    }
+    for (Message& message : all)
+        message.stands = true;
+    return all;
+}
+
+}  // namespace nmc::texts

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/session.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <utility>
+
+#include "model/module/modulescale.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+void Session::setLink(const LinkState& state) {
+    const LinkState before = std::exchange(m_link, asShown(state));
+    m_link.now = before.now;
+    const bool another = state.phase != before.phase || state.connection != before.connection ||
+                         state.port != before.port || state.simulated != before.simulated ||
+                         state.readOnly != before.readOnly;
+    if (state.phase != before.phase && state.phase == LinkPhase::Connecting) {
+        m_procedures.clear();
+        m_link.now.reset();
+    }
+    m_disconnectWhenStopped = m_disconnectWhenStopped && isOpen();
+    m_live = liveModules();
+    if (another)
+        emit phaseChanged(before.phase);
+    emit changed();
+}
+
+void Session::setMachine(const Machine& machine) {
+    m_machine = machine;
+    QStringList names;
+    for (const AxisSettings& axis : machine.axes)
+        names.append(QString::fromStdString(axis.name));
+    texts::setModuleNames(names);
+    emit changed();
+}
+
+void Session::setProcedure(const ProcedureReport& report) {
+    m_procedures.insert_or_assign(report.module, report);
+    emit changed();
+}
+
+void Session::setNow(TimePoint now) {
+    m_link.now = now;
+    std::vector<bool> live = liveModules();
+    if (std::exchange(m_live, live) != live)
+        emit changed();
+    else if (std::find(live.begin(), live.end(), false) != live.end())
+        emit aged();
+}
+
+const ModuleState* Session::module(std::optional<ModuleIndex> index) const {
+    return index && index->value() < m_link.modules.size() ? &m_link.modules[index->value()] : nullptr;
+}
+
+std::vector<bool> Session::liveModules() const {
+    std::vector<bool> live;
+    for (const ModuleState& module : m_link.modules)
+        live.push_back(isLive(m_link, module));
+    return live;
+}
+
+std::optional<double> Session::ageOf(const ModuleState& module) const {
+    if (!module.latest || isLive(m_link, module))
+        return std::nullopt;
+    return m_link.now ? toSeconds(*m_link.now - module.latestTime) : 0.0;
+}
+
+PanelView Session::viewOf(const ModuleState& module) const {
+    const auto procedure = m_procedures.find(module.info.index);
+    return {module, m_machine.axis(module.info.index),
+            procedure != m_procedures.end() ? &procedure->second : nullptr,
+            m_link.phase == LinkPhase::Connected, ageOf(module)};
+}
+
+std::vector<ScopeModule> Session::scopeModules() const {
+    std::vector<ScopeModule> modules;
+    for (const ModuleState& module : m_link.modules) {
+        const AxisSettings& axis = m_machine.axis(module.info.index);
+        modules.push_back(
+            {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
+    }
+    return modules;
+}
+
+bool Session::anyHolds() const {
+    return std::any_of(m_link.modules.begin(), m_link.modules.end(),
+                       [](const ModuleState& module) { return module.driveOn(); });
+}
+
+int Session::movingMotors() const {
+    if (!isOpen())
+        return 0;
+    return static_cast<int>(std::count_if(m_link.modules.begin(), m_link.modules.end(),
+                                          [](const ModuleState& module) { return module.moving(); }));
+}
+
+std::function<QString()> Session::whileOpen(QString (*text)(int movingMotors)) const {
+    return [this, text, connection = m_link.connection] {
+        return isOpen() && m_link.connection == connection ? text(movingMotors()) : QString();
+    };
+}
+
+void Session::stopFinished(bool allStopped) {
+    if (std::exchange(m_disconnectWhenStopped, false) && allStopped)
+        emit disconnectRequested();
+}
+
+}  // namespace nmc
