@@ -64,14 +64,15 @@ GuardianPlace guardianPlace(const QSettings& settings) {
 }  // namespace
 
 Composition::Composition(QSettings& settings, PortController::Places places, const QString& dataFolder,
-                         QObject* parent)
+                         const FileWriter::Disk& disk, QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_guardian(guardianPlace(settings)),
       m_window(settings),
       m_ports(std::move(places)),
-      m_machine(settings, m_window, m_store, dataFolder),
-      m_motionMarker(markerFolder(dataFolder, settings)) {
+      m_machine(settings, m_window, m_store, dataFolder, disk),
+      m_recordings(m_window, m_store, disk),
+      m_motionMarker(markerFolder(dataFolder, settings), disk) {
     m_worker.addGuard(m_guardian);
     wireWindow();
     wireStore();

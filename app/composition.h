@@ -33,9 +33,11 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings.
+    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings. `disk`: for
+    /// tests, one that behaves otherwise.
     explicit Composition(QSettings& settings, PortController::Places places = {},
-                         const QString& dataFolder = {}, QObject* parent = nullptr);
+                         const QString& dataFolder = {}, const FileWriter::Disk& disk = writeFile,
+                         QObject* parent = nullptr);
 
     /// What opens a port, in the bus thread.
     using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;
@@ -145,7 +147,7 @@ private:
     MachineController m_machine;
     StandingMessages m_standing;
     FlightController m_flight{m_window, m_store};
-    RecordingController m_recordings{m_window, m_store};
+    RecordingController m_recordings;
     MotionMarker m_motionMarker;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;

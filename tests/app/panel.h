@@ -21,10 +21,10 @@ class IntentPanel {
 public:
     /// `settings`: a file; empty for a fresh one. `data`: where what moves is kept; empty: beside it.
     explicit IntentPanel(const QString& settings = {}, PortController::Places places = {},
-                         const QString& data = {})
+                         const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
                      QSettings::IniFormat),
-          m_composition(m_settings, std::move(places), data) {
+          m_composition(m_settings, std::move(places), data, disk) {
         QObject::connect(&m_composition.store(), &BusStore::happened, &m_composition.store(),
                          [this](const StoreEvent& event) {
                              m_chainsFound += std::holds_alternative<bus::ChainFound>(event) ? 1 : 0;

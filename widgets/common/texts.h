@@ -212,6 +212,8 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// Another session has left work; `machine` is its name or its file's, may be empty.
 [[nodiscard]] Message unsavedWorkLeft(const QString& machine);
 [[nodiscard]] Message unsavedWorkDamaged(const FileProblem& problem);
+/// Why the window does not close yet.
+[[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] Message unsavedWorkNotKept(const FileError& error);
 /// The question before unsaved work gives way to something else.
 [[nodiscard]] QString notSaved(const QString& machine);
