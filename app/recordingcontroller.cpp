@@ -23,7 +23,7 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
     ScopeFiles& files = window.scopeFiles();
     connect(&files, &ScopeFiles::recordRequested, this, &RecordingController::start);
     connect(&files, &ScopeFiles::recordingEndRequested, this, &RecordingController::end);
-    connect(&files, &ScopeFiles::saveRequested, this, &RecordingController::save);
+    connect(&window, &MainWindow::saveRequested, this, &RecordingController::save);
     connect(&files, &ScopeFiles::openRequested, &m_loader, &RecordingLoader::start);
     connect(&files, &ScopeFiles::openingCancelled, this, [this, &files] {
         m_loader.cancel();

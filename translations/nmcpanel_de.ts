@@ -1603,14 +1603,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Übertragungen vor dieser wurden nicht aufgezeichnet.</translation>
     </message>
     <message>
-        <source>%1 exchanges saved to %2.</source>
-        <translation>%1 Übertragungen in %2 gespeichert.</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2. Choose another folder, or make room.</source>
-        <translation>%1 konnte nicht geschrieben werden: %2. Einen anderen Ordner wählen oder Platz schaffen.</translation>
-    </message>
-    <message>
         <source>looking for modules</source>
         <translation>suche Module</translation>
     </message>
@@ -2657,10 +2649,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.</source>
         <translation>Der Motor schwang um mehr als den ganzen Sprung und kam nicht zur Ruhe; er wurde daher abgeschaltet und ist frei drehbar. Kp und Ki senken oder Kd erhöhen.</translation>
-    </message>
-    <message>
-        <source>The step responses were saved to %1.</source>
-        <translation>Die Sprungantworten wurden in %1 gespeichert.</translation>
     </message>
     <message>
         <source>its folder is not there.</source>

@@ -136,7 +136,6 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.
 [[nodiscard]] QString directionFound(const DirectionFound& found);
-[[nodiscard]] QString stepRunsSaved(const QString& path);
 
 // ---- what the scope keeps ----
 /// The message with "Show the last 2 s" before its other buttons.
@@ -192,8 +191,6 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// What stands above the lines of a saved text.
 [[nodiscard]] QString packetTextHead(const PacketSession& session, quint64 dropped);
 [[nodiscard]] QString packetGap();
-[[nodiscard]] QString packetsSaved(const QString& path, quint64 exchanges);
-[[nodiscard]] QString fileNotWritten(const QString& path, const QString& reason);
 
 // ---- the machine file ----
 /// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."
@@ -227,7 +224,7 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// Why nothing can be sent while motors move.
 [[nodiscard]] QString notSentWhileMoving(int movingMotors);
 
-// ---- recordings, and what the scope exports ----
+// ---- recordings, and what is exported ----
 [[nodiscard]] Message recordingEnded(const QString& path, double seconds);
 /// `seconds`: how long it went on.
 [[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);

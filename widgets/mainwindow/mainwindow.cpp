@@ -31,6 +31,7 @@
 #include "widgets/messages/messagelist.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/stepresponsedock.h"
 #include "widgets/simulator/simulatordock.h"
@@ -147,6 +148,8 @@ void MainWindow::connectParts() {
             [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
+    connect(&m_scope->files(), &ScopeFiles::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_monitor, &MonitorDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);
         m_messages->reveal(key);

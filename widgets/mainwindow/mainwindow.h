@@ -16,6 +16,7 @@
 #include "model/procedure/procedure.h"
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
+#include "widgets/common/filedialog.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/panels/panelview.h"
@@ -139,6 +140,8 @@ signals:
     void scopeFrameWanted();
     /// The port list is about to be opened.
     void portsRequested();
+    /// Packets, step responses, or what the scope shows; the user has agreed that the file is replaced.
+    void saveRequested(const QString& path, const nmc::FileContent& content);
     void moduleSelected(nmc::ModuleIndex module);
     /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
     /// finishClose().
