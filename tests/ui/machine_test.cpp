@@ -112,6 +112,18 @@ TEST_F(MachineWindow, AMachineWithoutAFileAsksForOneWhenItIsSaved) {
 
 // ---- the table ----
 
+TEST_F(MachineWindow, ARowOfOneValueNamesItsQuantity) {
+    const auto one = [](MachinePart part, const char* key) {
+        return Difference{{ModuleIndex(0), part}, {{key, Quantity::Plain, 40.0, 42.0}}};
+    };
+    menu().showDifferences(u"/home/anna/mill.json"_s,
+                           {one(MachinePart::Gains, "Kp"), one(MachinePart::Motion, "velocity"),
+                            one(MachinePart::AccelerationTime, "acceleration_time")});
+    EXPECT_EQ(table()->topLevelItem(0)->text(0), u"Module 1: Gains, Kp"_s);
+    EXPECT_EQ(table()->topLevelItem(1)->text(0), u"Module 1: Motion, Velocity"_s);
+    EXPECT_EQ(table()->topLevelItem(2)->text(0), u"Module 1: Acceleration time"_s);
+}
+
 TEST_F(MachineWindow, TheTableShowsFileAndPresentAndWhatApplyingDoes) {
     showSome();
     ASSERT_EQ(table()->topLevelItemCount(), 4);
@@ -251,18 +263,6 @@ TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
     EXPECT_FALSE(window->isVisible());
 }
 
-TEST_F(MachineWindow, NewAndOpenAskFirstAndNameTheLoss) {
-    const QSignalSpy begun(&menu(), &MachineMenu::newRequested);
-    menu().showFile({{}, {}, true, {}});
-    trigger(u"newMachineAction"_s);
-    EXPECT_EQ(begun.count(), 0);
-    EXPECT_THAT(button(u"goOnUnsavedButton"_s)->text().toStdString(), testing::HasSubstr("lost"));
-    click(u"goOnUnsavedButton"_s);
-    EXPECT_EQ(begun.count(), 1);
-}
-
-TEST_F(MachineWindow, EscInTheQuestionStaysAndStops) {
-    showServo();
 TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
     const MachineFile saving{u"/home/anna/mill.json"_s, {}, true, {}, true};
     menu().showFile(saving);
@@ -287,6 +287,18 @@ TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
     EXPECT_FALSE(window->isVisible());
 }
 
+TEST_F(MachineWindow, NewAndOpenAskFirstAndNameTheLoss) {
+    const QSignalSpy begun(&menu(), &MachineMenu::newRequested);
+    menu().showFile({{}, {}, true, {}});
+    trigger(u"newMachineAction"_s);
+    EXPECT_EQ(begun.count(), 0);
+    EXPECT_THAT(button(u"goOnUnsavedButton"_s)->text().toStdString(), testing::HasSubstr("lost"));
+    click(u"goOnUnsavedButton"_s);
+    EXPECT_EQ(begun.count(), 1);
+}
+
+TEST_F(MachineWindow, EscInTheQuestionStaysAndStops) {
+    showServo();
     const QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
     menu().showFile({{}, {}, true, {}});
     window->close();
