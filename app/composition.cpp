@@ -23,15 +23,16 @@ namespace {
 constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
 
-bool isSimulator(const QString& port) {
-    return port == kSimulatorPort || port.startsWith(kSimulatorPort + QLatin1Char('='));
+/// The chain behind '=', or the default one.
+auto simulatedChain(const QString& port) {
+    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
+    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain));
 }
 
-/// The chain behind '=', or the default one.
-std::vector<ModuleIdentity> simulatedChain(const QString& port) {
-    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
-    // The command line has checked what a user typed; the window offers only the default.
-    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
+/// What is typed like it and names no chain is no port at all.
+bool isSimulator(const QString& port) {
+    return port == kSimulatorPort ||
+           (port.startsWith(kSimulatorPort + QLatin1Char('=')) && simulatedChain(port).has_value());
 }
 
 QString markerFolder(const QString& data, const QSettings& settings) {
@@ -209,7 +210,7 @@ void Composition::openNow(const ConnectTarget& target) {
         config.adapterLatency = Duration::zero();
         sim::ChainOptions options;
         options.enableFaults = m_enableFaults;
-        factory = [modules = simulatedChain(port), options] {
+        factory = [modules = simulatedChain(port).value(), options] {
             return std::make_unique<SimulatorTransport>(modules, options);
         };
     } else {

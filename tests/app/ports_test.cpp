@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
 
 #include "tests/app/panel.h"
 
@@ -126,6 +127,40 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
+}
+
+TEST(TypedPort, ThatIsNoneSaysWhatToDo) {
+    IntentPanel panel;
+    panel.start();
+    QTemporaryDir directory;
+    QFile file(directory.filePath(QStringLiteral("mill.json")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    panel.askFor(QStringLiteral("/dev/ttyNone"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no /dev/ttyNone.")); }));
+    panel.askFor(QStringLiteral("simulator=servo,nothing"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no simulator=")); }));
+    panel.askFor(file.fileName());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("is not a serial port.")); }))
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(panel.press(QStringLiteral("is not a serial port."), QStringLiteral("Choose another port")));
+}
+
+TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    const auto label = [&](const char* name) {
+        return panel.window().findChild<QLabel*>(QLatin1String(name));
+    };
+    sim.quit();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("Module 1 was moving.")); }));
+    EXPECT_TRUE(label("positionLabel")->font().strikeOut());
+    EXPECT_NE(label("positionLabel")->text(), QStringLiteral("–"));
+    for (int i = 0; i < 2; ++i) {
+        const QString before = label("positionUnit")->text();
+        EXPECT_TRUE(panel.waitFor([&] { return label("positionUnit")->text() != before; }));
+    }
+    EXPECT_TRUE(label("positionUnit")->text().endsWith(QStringLiteral("s old")));
 }
 
 TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
