@@ -80,6 +80,8 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
     m_frameTimer.setInterval(kFrameIntervalMs);
     connect(&m_frameTimer, &QTimer::timeout, this, &Composition::showFrame);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
+        if (!m_worker.isOpen())
+            return m_window.showTime(monotonicNow());
     connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
         const LinkFigures figures = m_store.pullFigures(monotonicNow());
         m_window.showFigures(figures);

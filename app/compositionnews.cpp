@@ -153,7 +153,7 @@ void Composition::told(const bus::LinkLost&) {
     // One text for one cause: the modules' own silences are part of it.
     for (const ModuleState& module : m_store.link().modules)
         m_window.endMessage(texts::key::silent(module.info.index));
-    tellIncident(texts::linkLost(m_target->port, m_store.movingMotors()));
+    tellIncident(texts::linkLost(m_target->port, m_store.movingModules()));
 }
 
 void Composition::told(const bus::EchoNoticed&) {
@@ -232,7 +232,9 @@ void Composition::told(const PortClosed& closed) {
     m_flight.keepAll();
     m_recordings.end();
     m_frameTimer.stop();
-    m_figuresTimer.stop();
+    // What was said last goes on growing old.
+    if (!m_store.link().unplugged)
+        m_figuresTimer.stop();
     m_window.showFigures({});
     endAll(m_standing.connectionEnded());
     m_scanWhenIdle = false;

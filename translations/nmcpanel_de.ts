@@ -703,14 +703,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt; zuletzt bewegte sich kein Motor.</translation>
     </message>
     <message>
-        <source>Motor state unknown: 1 motor was moving.</source>
-        <translation>Motorzustand unbekannt: 1 Motor war in Bewegung.</translation>
-    </message>
-    <message>
-        <source>Motor state unknown: %1 motors were moving.</source>
-        <translation>Motorzustand unbekannt: %1 Motoren waren in Bewegung.</translation>
-    </message>
-    <message>
         <source>Your user account may not use %1.</source>
         <translation>Ihr Benutzerkonto darf %1 nicht verwenden.</translation>
     </message>
@@ -3203,18 +3195,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Auf eine Blockade prüfen oder EL auf der Seite Reglerwerte erhöhen.</translation>
     </message>
     <message>
-        <source>%1 is being saved. The window closes as soon as the disk has it.</source>
-        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
-    </message>
-    <message>
-        <source>Motor state unknown: %1 was moving.</source>
-        <translation>Motorzustand unbekannt: %1 war in Bewegung.</translation>
-    </message>
-    <message>
-        <source>Motor state unknown: %1 were moving.</source>
-        <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
-    </message>
-    <message>
         <source>It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.</source>
         <translation>Er ist von seiner Sollposition davongelaufen: Motor oder Encoder ist wahrscheinlich vertauscht. Vor dem erneuten Einschalten die Richtungsprüfung auf der Seite Achse machen.</translation>
     </message>
@@ -3233,6 +3213,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.</source>
         <translation>Er bewegte sich wie verlangt und kam nicht nach: Geschwindigkeit oder Beschleunigung senken oder OL und EL auf der Seite Reglerwerte erhöhen.</translation>
+    </message>
+    <message>
+        <source>%1 is being saved. The window closes as soon as the disk has it.</source>
+        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 was moving.</source>
+        <translation>Motorzustand unbekannt: %1 war in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 were moving.</source>
+        <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
 </context>
 <context>

@@ -196,7 +196,7 @@ TEST(PortGone, WithAMotorMovingIsNotOverBecauseSomebodyTriedAgain) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    const QString gone = QStringLiteral("1 motor was moving");
+    const QString gone = QStringLiteral("Module 1 was moving");
     sim.quit();
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(gone) != nullptr; }));
     for (int i = 0; i < 2; ++i) {

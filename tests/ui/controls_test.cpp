@@ -49,7 +49,7 @@ protected:
 
 TEST_F(Controls, EachHasAnObjectNameAndAnAccessibleName) {
     showSimulatedServo();
-    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
     ASSERT_GT(controls().size(), 30);
     for (const QWidget* widget : controls()) {
         EXPECT_FALSE(widget->objectName().isEmpty()) << widget->metaObject()->className();

@@ -88,7 +88,7 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 [[nodiscard]] Message onlyLooking();
 /// The message without the buttons that would send something.
 [[nodiscard]] Message withoutCommands(Message message);
-[[nodiscard]] Message linkLost(const QString& port, int movingMotors);
+[[nodiscard]] Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving);
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
@@ -209,11 +209,11 @@ inline const QString kConnectFully = QStringLiteral("connectFully");
 /// Another session has left work; `machine` is its name or its file's, may be empty.
 [[nodiscard]] Message unsavedWorkLeft(const QString& machine);
 [[nodiscard]] Message unsavedWorkDamaged(const FileProblem& problem);
-/// Why the window does not close yet.
-[[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] Message unsavedWorkNotKept(const FileError& error);
 /// The question before unsaved work gives way to something else.
 [[nodiscard]] QString notSaved(const QString& machine);
+/// Why the window does not close yet.
+[[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] QString machinePart(MachinePart part);
 [[nodiscard]] QString machineField(const QString& key);
 /// What stands in the file, or what there is now; `unknown` for what is neither.

@@ -175,7 +175,10 @@ void MainWindow::showLink(const LinkState& state) {
     const bool another = state.phase != m_link.phase || state.port != m_link.port ||
                          state.simulated != m_link.simulated || state.readOnly != m_link.readOnly;
     const std::optional<TimePoint> now = m_link.now;
-    m_link = asShown(state);
+    LinkState last = state;
+    if (last.unplugged)
+        last.modules = std::move(m_link.modules);
+    m_link = asShown(std::move(last));
     m_link.now = now;
     if (state.phase == LinkPhase::Disconnected)
         m_disconnectAfterStop = false;

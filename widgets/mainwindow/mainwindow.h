@@ -65,6 +65,8 @@ public:
     void showFigures(const LinkFigures& figures);
     /// What the modules have said so far, at most 60 times a second, and after scopeFrameWanted().
     void showHistory(const History& history, TimePoint now);
+    /// How old what was said last is by now; showHistory() tells as well, while a port is open.
+    void showTime(TimePoint now);
     /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     /// How the scope reads the modules that are there, or were last.

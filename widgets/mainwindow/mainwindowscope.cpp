@@ -28,8 +28,13 @@ const std::vector<ScopeModule>& MainWindow::scopeModules() const {
 }
 
 void MainWindow::showHistory(const History& history, TimePoint now) {
-    m_link.now = now;
     m_scope->showHistory(history, now);
+    if (m_link.phase != LinkPhase::Disconnected)
+        showTime(now);
+}
+
+void MainWindow::showTime(TimePoint now) {
+    m_link.now = now;
     if (liveModules() != m_live)
         showModules();
     else if (const ModuleState* module = selectedState(); module != nullptr && ageOf(*module).has_value())

@@ -16,7 +16,8 @@ enum class LinkPhase : std::uint8_t { Disconnected, Connecting, Connected, Lost 
 /// The whole connection as a value: what the tool bar, the chain list and the status bar show.
 struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
-    std::string port;  ///< as the user chose it
+    bool unplugged = false;  ///< that ended it: what was shown last is the last that is known
+    std::string port;        ///< as the user chose it
     bool simulated = false;
     /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).
     bool readOnly = false;
