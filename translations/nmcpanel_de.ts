@@ -3588,16 +3588,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, Adresse %2, %3, %4, Position %5 %6</translation>
     </message>
     <message>
-        <source>%1 at address %2 on the wire. %3</source>
-        <translation>%1 mit Adresse %2 an der Leitung. %3</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, at address %3 on the wire</source>
+        <translation>%1, %2, mit Adresse %3 an der Leitung</translation>
     </message>
 </context>
 <context>
@@ -5217,14 +5217,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Speichern und schließen</translation>
     </message>
     <message>
-        <source>%1 (being saved)</source>
-        <translation>%1 (wird gespeichert)</translation>
-    </message>
-    <message>
-        <source>Saving</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>&amp;Close: the next start offers them again</source>
         <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
     </message>
@@ -5243,6 +5235,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>S&amp;tay</source>
         <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>%1 (being saved)</source>
+        <translation>%1 (wird gespeichert)</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
