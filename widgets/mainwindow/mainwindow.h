@@ -140,10 +140,10 @@ signals:
     void packetRecordingWanted(bool wanted);
     /// The scope is to show something else, whether anything came in or not: showHistory() soon.
     void scopeFrameWanted();
-    /// The port list is about to be opened.
-    void portsRequested();
     /// Packets, step responses, or what the scope shows; the user has agreed that the file is replaced.
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// The port list is about to be opened.
+    void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
     /// The user chose to stop and close; stopAllRequested() went before. The owner answers with
     /// finishClose().
@@ -155,6 +155,7 @@ signals:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
