@@ -5,7 +5,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QWindow>
 
 #include "app/knownchain.h"
 #include "link/clock.h"
@@ -80,9 +79,9 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
     m_frameTimer.setInterval(kFrameIntervalMs);
     connect(&m_frameTimer, &QTimer::timeout, this, &Composition::showFrame);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
+    connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
         if (!m_worker.isOpen())
             return m_window.showTime(monotonicNow());
-    connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
         const LinkFigures figures = m_store.pullFigures(monotonicNow());
         m_window.showFigures(figures);
         if (m_store.link().phase == LinkPhase::Connected)
@@ -118,13 +117,6 @@ void Composition::stopAndQuit() {
     m_openNext.reset();
     m_procedures.stopAll();
     m_worker.close();
-}
-
-bool Composition::eventFilter(QObject* watched, QEvent* event) {
-    // Everything is painted before the expose event is done with; the end comes after that.
-    if (watched == m_window.windowHandle() && event->type() == QEvent::Expose)
-        QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
-    return QObject::eventFilter(watched, event);
 }
 
 void Composition::quit() {

@@ -53,10 +53,6 @@ public:
     [[nodiscard]] MainWindow& window() { return m_window; }
     [[nodiscard]] const BusStore& store() const { return m_store; }
 
-protected:
-    /// Waits for the first paint, for the start-up benchmark.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void quit();
     void wireWindow();
