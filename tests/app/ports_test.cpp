@@ -75,7 +75,7 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
@@ -120,11 +120,11 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
-    emit panel.window().connectRequested(port, 115'200);
+    panel.askFor(port);
     EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
-    emit panel.window().messageAction(texts::key::port(), texts::action::kConnectOffered);
+    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect to it")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
 }
@@ -175,7 +175,7 @@ TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("adapter waits 16 ms")) == 1; }));
-    emit panel.window().messageAction(QStringLiteral("slowAdapter"), texts::action::kHow);
+    ASSERT_TRUE(panel.press(QStringLiteral("adapter waits 16 ms"), QStringLiteral("How")));
     EXPECT_EQ(panel.count(QStringLiteral("Set the latency timer")), 1);
 }
 
