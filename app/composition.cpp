@@ -308,11 +308,12 @@ void Composition::showFrame() {
     m_window.showHistory(history, now);
 }
 
-/// Statuses come faster than anybody reads numbers; a phase is news at once.
+/// Statuses come faster than anybody reads numbers; what a module does, and what it is asked for, is news at
+/// once: controls follow it.
 void Composition::showLinkSoon() {
     constexpr int kReadable = 40;  // ms
     const bool due = !m_linkShown.isValid() || m_linkShown.elapsed() >= kReadable;
-    if (due || m_store.link().phase != m_shownPhase)
+    if (due || m_shown != Shown(m_store.link()))
         showLink();
     else if (!m_linkTimer.isActive())
         m_linkTimer.start(kReadable - static_cast<int>(m_linkShown.elapsed()));
@@ -321,8 +322,13 @@ void Composition::showLinkSoon() {
 void Composition::showLink() {
     m_linkTimer.stop();
     m_linkShown.start();
-    m_shownPhase = m_store.link().phase;
+    m_shown = Shown(m_store.link());
     m_window.showLink(m_store.link());
+}
+
+Composition::Shown::Shown(const LinkState& link) : phase(link.phase) {
+    for (const ModuleState& module : link.modules)
+        modules.push_back({module.activity(), module.awaited, module.gains});
 }
 
 void Composition::showFrameSoon() {

@@ -9,6 +9,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 #include "app/commandline.h"
 #include "app/flightcontroller.h"
@@ -54,6 +56,15 @@ public:
     [[nodiscard]] const BusStore& store() const { return m_store; }
 
 private:
+    /// What the window's controls follow.
+    struct Shown {
+        explicit Shown(const LinkState& link);
+        LinkPhase phase;
+        std::vector<std::tuple<Activity, std::optional<bus::OperationId>, std::optional<servo::SetGain>>>
+            modules;
+        bool operator==(const Shown&) const = default;
+    };
+
     void quit();
     void wireWindow();
     void wireChain();
@@ -148,7 +159,7 @@ private:
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;
-    LinkPhase m_shownPhase = LinkPhase::Disconnected;
+    std::optional<Shown> m_shown;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     Transports m_transports;

@@ -379,6 +379,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Chain</source>
         <translation>Kette</translation>
     </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;finden…</translation>
+    </message>
 </context>
 <context>
     <name>Scope</name>
@@ -3616,6 +3624,45 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl finden</translation>
+    </message>
+    <message>
+        <source>Words of the command</source>
+        <translation>Wörter des Befehls</translation>
+    </message>
+    <message>
+        <source>Type what to do, for example: go home</source>
+        <translation>Eingeben, was zu tun ist, zum Beispiel: Referenz</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>What it does, or why it can&apos;t be done</source>
+        <translation>Was er tut, oder warum er nicht möglich ist</translation>
+    </message>
+    <message>
+        <source>No command has these words.</source>
+        <translation>Kein Befehl enthält diese Wörter.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ConnectionBar</name>
     <message>
         <source>&amp;Connect</source>
@@ -3934,10 +3981,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>, Hilfsbyte %1</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
         <translation>Löscht overcurrent, pos_error, pos_wrap und servo_overrun. Startet nichts.</translation>
     </message>
@@ -4090,10 +4133,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Something turns the motor. Wait until it stands still.</source>
         <translation>Etwas dreht den Motor. Warten, bis er stillsteht.</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Wartet auf die Antwort des Moduls.</translation>
     </message>
     <message>
         <source>The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.</source>
@@ -4266,10 +4305,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Reglerwerte sind aus dem Modul nicht lesbar. Bis zum Anwenden sind sie unbekannt.</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>Sends all gains at once. The servo is on: they act immediately.</source>
         <translation>Sendet alle Reglerwerte auf einmal. Der Servo ist ein: sie wirken sofort.</translation>
     </message>
@@ -4306,10 +4341,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die letzte Änderung eines Reglerwerts rückgängig machen</translation>
     </message>
     <message>
-        <source>Takes back the last edit in these fields (Ctrl+Z). Sends nothing.</source>
-        <translation>Nimmt die letzte Änderung in diesen Feldern zurück (Strg+Z). Sendet nichts.</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>Wiederherstellen</translation>
     </message>
@@ -4318,20 +4349,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Änderung eines Reglerwerts wiederherstellen</translation>
     </message>
     <message>
-        <source>Makes the edit again that was undone (Ctrl+Shift+Z). Sends nothing.</source>
-        <translation>Macht die Änderung noch einmal, die rückgängig gemacht wurde (Strg+Umschalt+Z). Sendet nichts.</translation>
-    </message>
-    <message>
         <source>All zero</source>
         <translation>Alle null</translation>
     </message>
     <message>
         <source>Fill in zero for all gains</source>
         <translation>Für alle Reglerwerte null eintragen</translation>
-    </message>
-    <message>
-        <source>Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more (Ctrl+0).</source>
-        <translation>Füllt die Felder mit 0, dem Beginn der Abstimmung. Sendet nichts; nach dem Anwenden hält der Motor nicht mehr (Strg+0).</translation>
     </message>
     <message>
         <source>SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.</source>
@@ -4364,6 +4387,30 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Opens the place where a small step shows how the motor follows (F9).</source>
         <translation>Öffnet den Ort, an dem ein kleiner Sprung zeigt, wie der Motor folgt (F9).</translation>
+    </message>
+    <message>
+        <source>Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more.</source>
+        <translation>Füllt die Felder mit 0, dem Beginn der Abstimmung. Sendet nichts; nach dem Anwenden hält der Motor nicht mehr.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>Takes back the last edit in these fields. Sends nothing.</source>
+        <translation>Nimmt die letzte Änderung in diesen Feldern zurück. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>Makes the edit again that was undone. Sends nothing.</source>
+        <translation>Macht die Änderung noch einmal, die rückgängig gemacht wurde. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation>Es wurde nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -4533,10 +4580,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>A search for home is under way.</source>
         <translation>Eine Referenzsuche läuft.</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Moves the motor: it searches for home as set above.</source>
@@ -4849,10 +4892,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ausgang, High</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>high</source>
         <translation>High</translation>
     </message>
@@ -4892,28 +4931,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Tippbetrieb</translation>
     </message>
     <message>
-        <source>Hold to move</source>
-        <translation>Tippen</translation>
-    </message>
-    <message>
-        <source>moves only while a button, or Space on it, is held</source>
-        <translation>bewegt nur, solange eine Taste, oder die Leertaste auf ihr, gedrückt ist</translation>
-    </message>
-    <message>
         <source>Velocity while held</source>
         <translation>Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>The velocity while held</source>
         <translation>Die Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns while a button is held. Low again after every connect; the cap is set on the page Axis.</source>
-        <translation>Wie schnell sich der Motor dreht, solange eine Taste gedrückt ist. Nach jedem Verbinden wieder niedrig; der Höchstwert wird auf der Seite Achse eingestellt.</translation>
-    </message>
-    <message>
-        <source>Velocit&amp;y</source>
-        <translation>Gesch&amp;windigkeit</translation>
     </message>
     <message>
         <source>◂ Hold</source>
@@ -4938,6 +4961,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Moves in reverse while it is held, then stops.</source>
         <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while a button, or Space on it, is held. Low again after every connect; the cap is set on the page Axis.</source>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist. Nach jedem Verbinden wieder niedrig; der Höchstwert wird auf der Seite Achse eingestellt.</translation>
+    </message>
+    <message>
+        <source>Jog at velocit&amp;y</source>
+        <translation>Tippgesch&amp;windigkeit</translation>
     </message>
 </context>
 <context>
@@ -5033,10 +5064,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Choose a limit first.</source>
         <translation>Zuerst einen Endschalter wählen.</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>The motor stops when limit 1 changes.</source>
@@ -5264,10 +5291,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Simulierte Sitzung</translation>
     </message>
     <message>
-        <source>Panel of the selected module</source>
-        <translation>Bedienfeld des gewählten Moduls</translation>
-    </message>
-    <message>
         <source>Modules</source>
         <translation>Module</translation>
     </message>
@@ -5344,6 +5367,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1 (read-only)</source>
         <translation>%1 (nur lesend)</translation>
+    </message>
+    <message>
+        <source>It is not possible now.</source>
+        <translation>Das ist jetzt nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Enter does it.</source>
+        <translation>Eingabe führt ihn aus.</translation>
+    </message>
+    <message>
+        <source>No module</source>
+        <translation>Kein Modul</translation>
+    </message>
+    <message>
+        <source>Its module is gone.</source>
+        <translation>Das Modul gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Enter shows it on the page of its module; nothing is sent.</source>
+        <translation>Eingabe zeigt ihn auf der Seite seines Moduls; es wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -5568,6 +5611,24 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::ModuleContext</name>
+    <message>
+        <source>Waiting for the module&apos;s answer.</source>
+        <translation>Die Antwort des Moduls steht noch aus.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ModulePage</name>
+    <message>
+        <source>Motions of the selected module</source>
+        <translation>Bewegungen des gewählten Moduls</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ModulePanel</name>
     <message>
         <source>Selected module</source>
@@ -5581,24 +5642,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Go to</source>
-        <translation>Position anfahren</translation>
-    </message>
-    <message>
-        <source>from standstill, with a trapezoidal profile</source>
-        <translation>aus dem Stillstand, mit Trapezprofil</translation>
-    </message>
-    <message>
         <source>Goal position</source>
         <translation>Zielposition</translation>
     </message>
     <message>
         <source>The goal position</source>
         <translation>Die Zielposition</translation>
-    </message>
-    <message>
-        <source>&amp;Position</source>
-        <translation>&amp;Position</translation>
     </message>
     <message>
         <source>&amp;Go</source>
@@ -5625,14 +5674,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>Dauerlauf</translation>
-    </message>
-    <message>
-        <source>Vel&amp;ocity</source>
-        <translation>Ges&amp;chwindigkeit</translation>
-    </message>
-    <message>
         <source>Velocity of running</source>
         <translation>Geschwindigkeit des Dauerlaufs</translation>
     </message>
@@ -5653,10 +5694,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>Starts the move to the position, and holds there.</source>
         <translation>Startet die Fahrt zur Position und hält dort.</translation>
     </message>
@@ -5675,10 +5712,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>How fast the motor turns.</source>
         <translation>Wie schnell sich der Motor dreht.</translation>
-    </message>
-    <message>
-        <source>Where to go. Enter starts the move.</source>
-        <translation>Wohin gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
         <source>Position or distance</source>
@@ -5729,10 +5762,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Die geladene Fahrt starten</translation>
     </message>
     <message>
-        <source>until it is stopped; the velocity may change on the way</source>
-        <translation>bis zum Stopp; die Geschwindigkeit darf sich unterwegs ändern</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5753,16 +5782,32 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Das Ziel liegt außerhalb des Positionsbereichs.</translation>
     </message>
     <message>
-        <source>Loads the move and does not start it: Start does, or the start of the module&apos;s group (Ctrl+D).</source>
-        <translation>Lädt die Fahrt und startet sie nicht: das tut „Starten“ oder der Start der Gruppe des Moduls (Strg+D).</translation>
+        <source>Where to go from standstill, with a trapezoidal profile. Enter starts the move.</source>
+        <translation>Wohin aus dem Stillstand mit Trapezprofil gefahren wird. Eingabe startet die Fahrt.</translation>
     </message>
     <message>
-        <source>Starts the move that was loaded (Ctrl+G).</source>
-        <translation>Startet die geladene Fahrt (Strg+G).</translation>
+        <source>Go to &amp;position</source>
+        <translation>&amp;Position anfahren</translation>
     </message>
     <message>
-        <source>Goes to home (Ctrl+Shift+G).</source>
-        <translation>Fährt zur Referenz (Strg+Umschalt+G).</translation>
+        <source>Run at vel&amp;ocity</source>
+        <translation>Laufges&amp;chwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns until it is stopped. Enter runs, and changes the velocity on the way.</source>
+        <translation>Wie schnell sich der Motor bis zum Stopp dreht. Eingabe startet den Lauf und ändert unterwegs die Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Loads the move and does not start it: Start does, or the start of the module&apos;s group.</source>
+        <translation>Lädt die Fahrt und startet sie nicht: das tut „Starten“ oder der Start der Gruppe des Moduls.</translation>
+    </message>
+    <message>
+        <source>Starts the move that was loaded.</source>
+        <translation>Startet die geladene Fahrt.</translation>
+    </message>
+    <message>
+        <source>Goes to home.</source>
+        <translation>Fährt zur Referenz.</translation>
     </message>
 </context>
 <context>
@@ -6016,10 +6061,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Der Servo ist bereits ein.</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>Switches the amplifier on and holds the motor where it is.</source>
         <translation>Schaltet den Verstärker ein und hält den Motor an seiner Position.</translation>
     </message>
@@ -6064,8 +6105,96 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Stoppt sofort und schaltet den Verstärker aus: der Motor ist frei drehbar, eine Last kann absinken.</translation>
     </message>
     <message>
-        <source>Jumps without a profile to the position it has at this moment, then holds there (Ctrl+U).</source>
-        <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort (Ctrl+U).</translation>
+        <source>What runs with this module</source>
+        <translation>Was mit diesem Modul läuft</translation>
+    </message>
+    <message>
+        <source>Measured velocity</source>
+        <translation>Gemessene Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast it turns, measured from its positions over a fifth of a second.</source>
+        <translation>Wie schnell er sich dreht, gemessen an den Positionen einer Fünftelsekunde.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Motorstrom</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>A/D-Eingang</translation>
+    </message>
+    <message>
+        <source>Limit input 1.</source>
+        <translation>Endschaltereingang 1.</translation>
+    </message>
+    <message>
+        <source>Limit input 1: high blocks forward.</source>
+        <translation>Endschaltereingang 1: high sperrt vorwärts.</translation>
+    </message>
+    <message>
+        <source>Limit input 2.</source>
+        <translation>Endschaltereingang 2.</translation>
+    </message>
+    <message>
+        <source>Limit input 2: high blocks reverse.</source>
+        <translation>Endschaltereingang 2: high sperrt rückwärts.</translation>
+    </message>
+    <message>
+        <source>Motor power, as the module senses it.</source>
+        <translation>Motorspannung, wie das Modul sie erkennt.</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Endschalter-Stopp</translation>
+    </message>
+    <message>
+        <source>Limit %1 –</source>
+        <translation>Grenze %1 –</translation>
+    </message>
+    <message>
+        <source>Limit %1 high</source>
+        <translation>Grenze %1 high</translation>
+    </message>
+    <message>
+        <source>Limit %1 low</source>
+        <translation>Grenze %1 low</translation>
+    </message>
+    <message>
+        <source>Power –</source>
+        <translation>Spannung –</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>No power</source>
+        <translation>Keine Spannung</translation>
+    </message>
+    <message>
+        <source>Current was limited: %1</source>
+        <translation>Strom wurde begrenzt: %1</translation>
+    </message>
+    <message>
+        <source>Current %1</source>
+        <translation>Strom %1</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>● Limit stop armed</source>
+        <translation>● Endschalter-Stopp scharf</translation>
+    </message>
+    <message>
+        <source>▲ Limit stop tripped</source>
+        <translation>▲ Endschalter-Stopp ausgelöst</translation>
+    </message>
+    <message>
+        <source>Jumps without a profile to the position it has at this moment, then holds there.</source>
+        <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort.</translation>
     </message>
 </context>
 <context>
@@ -6117,10 +6246,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>= %1 %</source>
         <translation>= %1 %</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Drives the motor in reverse until it is switched off.</source>
@@ -6562,24 +6687,12 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Schrittfahrt</translation>
     </message>
     <message>
-        <source>one click is one move of this distance, at the velocity of Go to</source>
-        <translation>ein Klick ist eine Fahrt um diese Strecke, mit der Geschwindigkeit von „Position anfahren“</translation>
-    </message>
-    <message>
         <source>Distance of a step</source>
         <translation>Strecke eines Schritts</translation>
     </message>
     <message>
         <source>The distance of a step</source>
         <translation>Die Strecke eines Schritts</translation>
-    </message>
-    <message>
-        <source>How far one click moves the motor.</source>
-        <translation>Wie weit ein Klick den Motor bewegt.</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
     </message>
     <message>
         <source>◂| Step</source>
@@ -6646,10 +6759,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>Steps are being made already.</source>
         <translation>Es werden bereits Schritte gefahren.</translation>
     </message>
@@ -6672,6 +6781,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>How far one click moves the motor, at the velocity of Go to.</source>
+        <translation>Wie weit ein Klick den Motor bewegt, mit der Geschwindigkeit von „Position anfahren“.</translation>
     </message>
 </context>
 <context>
@@ -6807,10 +6920,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>, inputs %1</source>
         <translation>, Eingänge %1</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Keeps the present position as home. The motor does not move.</source>
@@ -7030,10 +7139,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>sperrt rückwärts</translation>
     </message>
     <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
-    </message>
-    <message>
         <source>high</source>
         <translation>High</translation>
     </message>
@@ -7198,10 +7303,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Gets there in %1 s from standstill.</source>
         <translation>Ist aus dem Stillstand in %1 s dort.</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Stop, wait: %1</source>
@@ -7372,10 +7473,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>With this the limit switches do not stop the motor.</source>
         <translation>Damit stoppen die Endschalter den Motor nicht.</translation>
-    </message>
-    <message>
-        <source>Waiting for the module&apos;s answer.</source>
-        <translation>Die Antwort des Moduls steht noch aus.</translation>
     </message>
     <message>
         <source>Sends all parameters at once. The amplifier is on: currents and limits act immediately.</source>

@@ -24,12 +24,12 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     }
     void show(const char* page) {
-        auto* widget = panel.window().findChild<QWidget*>(QLatin1String(page));
-        ASSERT_NE(widget, nullptr) << page;
-        panel.window().findChild<QTabWidget*>(u"servoPages"_s)->setCurrentWidget(widget);
+        testing_support::turnTo(*panel.window().findChild<QWidget*>(QLatin1String(page)));
     }
     QString text(const char* label) {
-        return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
+        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
+        testing_support::turnTo(*found);
+        return found->text();
     }
     void click(const char* name) {
         const auto ready = [&] {

@@ -34,6 +34,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        panel.window().resize(1'500, 1'100);  // all of the panel is in sight
         testing_support::turnTo(*panel.window().findChild<QWidget*>(u"homingBox"_s));
         ASSERT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }))
             << button("homeButton")->toolTip().toStdString();
@@ -45,7 +46,9 @@ protected:
         return found;
     }
     QString text(const char* label) {
-        return panel.window().findChild<QLabel*>(QLatin1String(label))->text();
+        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
+        testing_support::turnTo(*found);
+        return found->text();
     }
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
@@ -236,10 +239,9 @@ TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
-    if (button(name)->isVisible())
-        QTest::mouseClick(button(name), Qt::LeftButton);
-    else
-        click(name);  // on another page
+    ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
+        << button(name)->toolTip().toStdString();
+    QTest::mouseClick(button(name), Qt::LeftButton);
     ASSERT_TRUE(waitForResult(u"Cancelled"_s));
     EXPECT_TRUE(panel.waitFor([&] {
         return !panel.module().latest->servoStatus().homeInProgress() && !testing_support::moves(sim);

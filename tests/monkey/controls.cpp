@@ -37,7 +37,7 @@ const QStringList& starters() {
                                    u"stepStartLoadedButton"_s, u"stepHomeButton"_s, u"stepResponseButton"_s,
                                    u"startDirectionCheckButton"_s, u"groupStartButton"_s,
                                    // which may hold any of them
-                                   u"moduleMenu"_s, u"commandPalette"_s};
+                                   u"moduleMenu"_s, u"commandList"_s};
     return names;
 }
 
@@ -196,7 +196,8 @@ bool startsMotor(const QKeySequence& keys) {
 bool startsByEnter(const QWidget* widget) {
     return widget != nullptr &&
            (widget->objectName() == u"goalField"_s || widget->objectName() == u"stepGoalField"_s ||
-            widget->objectName() == u"runVelocityField"_s || startsMotor(widget));
+            widget->objectName() == u"runVelocityField"_s || widget->objectName() == u"commandWords"_s ||
+            startsMotor(widget));
 }
 
 bool inFileDialog(const QWidget* widget) {

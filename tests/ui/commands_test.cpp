@@ -79,7 +79,8 @@ TEST_F(Commands, OfAnotherModuleAreShownAndNotDone) {
     ASSERT_EQ(chosen(), u"Run forward until stopped / Module 2"_s);
     strike(Qt::Key_Return);
     EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
-    EXPECT_EQ(QToolTip::text(), button(u"runForwardButton"_s)->toolTip());
+    EXPECT_TRUE(
+        QTest::qWaitFor([this] { return QToolTip::text() == button(u"runForwardButton"_s)->toolTip(); }));
     EXPECT_FALSE(button(u"runForwardButton"_s)->hasFocus()) << "Space would be a command";
     EXPECT_EQ(intents.size(), 0);
 }

@@ -102,7 +102,7 @@ class Mnemonics : public Spoken, public Controls {
 protected:
     Mnemonics() {
         showSimulatedServo();
-        if (GetParam().first == std::string_view("servoPanel"))
+        if (GetParam().panel == std::string_view("servoPanel"))
             return;
         ModuleState stepper = Servo{}.state();
         stepper.info.identity = {ModuleType::Step, 1};

@@ -75,7 +75,7 @@ TEST_P(ItemModels, TheChainKeepsThem) {
     const Demands demands(&model, kWarns);
     int most = 0;
     for (int i = 0; i < kChanges; ++i) {
-        model.showLink(anyLink(), anyMachine());
+        model.showLink(anyLink(), anyMachine(), {});
         most = std::max(most, model.rowCount());
     }
     EXPECT_GT(most, 3);

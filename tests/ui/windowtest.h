@@ -11,7 +11,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <memory>
-#include <type_traits>
 
 #include "tests/support/turnto.h"
 #include "widgets/common/numberfield.h"
@@ -55,9 +54,8 @@ protected:
     T* find(const QString& objectName) {
         T* widget = window->findChild<T*>(objectName);
         EXPECT_NE(widget, nullptr) << objectName.toStdString();
-        if constexpr (std::is_base_of_v<QWidget, T>)
-            if (widget != nullptr)
-                testing_support::turnTo(*widget);
+        if (widget != nullptr)
+            testing_support::turnTo(*widget);
         return widget;
     }
     NumberField* field(const QString& objectName) { return find<NumberField>(objectName); }

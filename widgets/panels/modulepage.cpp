@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolTip>
 #include <QVBoxLayout>
 
@@ -20,6 +21,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kNarrowestPages = 17;  ///< lines of text
+constexpr int kWindowChanges = 250;  ///< ms
 
 QScrollArea* newScroll(QWidget* content, const QString& name, const QString& accessibleName) {
     auto* scroll = new QScrollArea;
@@ -111,9 +113,12 @@ void ModulePage::showCommand(const QString& name) {
         if (command->button()->objectName() != name)
             continue;
         reveal(*command->box());
-        // Not the focus: the next press of Space would be a command.
+        // Not the focus: the next press of Space would be a command. And not before the window is active
+        // again, which takes tool tips away.
         QPushButton* button = command->button();
-        QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
+        QTimer::singleShot(kWindowChanges, button, [button] {
+            QToolTip::showText(button->mapToGlobal(button->rect().center()), button->toolTip(), button);
+        });
     }
 }
 
