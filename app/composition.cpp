@@ -5,7 +5,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QWindow>
 
 #include "app/knownchain.h"
 #include "link/clock.h"
@@ -23,15 +22,16 @@ namespace {
 constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
 
-bool isSimulator(const QString& port) {
-    return port == kSimulatorPort || port.startsWith(kSimulatorPort + QLatin1Char('='));
+/// The chain behind '=', or the default one.
+auto simulatedChain(const QString& port) {
+    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
+    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain));
 }
 
-/// The chain behind '=', or the default one.
-std::vector<ModuleIdentity> simulatedChain(const QString& port) {
-    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
-    // The command line has checked what a user typed; the window offers only the default.
-    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain)).value();
+/// What is typed like it and names no chain is no port at all.
+bool isSimulator(const QString& port) {
+    return port == kSimulatorPort ||
+           (port.startsWith(kSimulatorPort + QLatin1Char('=')) && simulatedChain(port).has_value());
 }
 
 QString markerFolder(const QString& data, const QSettings& settings) {
@@ -64,14 +64,15 @@ GuardianPlace guardianPlace(const QSettings& settings) {
 }  // namespace
 
 Composition::Composition(QSettings& settings, PortController::Places places, const QString& dataFolder,
-                         QObject* parent)
+                         const FileWriter::Disk& disk, QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_guardian(guardianPlace(settings)),
       m_window(settings),
       m_ports(std::move(places)),
-      m_machine(settings, m_window, m_store, dataFolder),
-      m_motionMarker(markerFolder(dataFolder, settings)) {
+      m_machine(settings, m_window, m_store, dataFolder, disk),
+      m_recordings(m_window, m_store, disk),
+      m_motionMarker(markerFolder(dataFolder, settings), disk) {
     m_worker.addGuard(m_guardian);
     wireWindow();
     wireStore();
@@ -79,6 +80,8 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
     connect(&m_frameTimer, &QTimer::timeout, this, &Composition::showFrame);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
     connect(&m_figuresTimer, &QTimer::timeout, this, [this] {
+        if (!m_worker.isOpen())
+            return m_window.showTime(monotonicNow());
         const LinkFigures figures = m_store.pullFigures(monotonicNow());
         m_window.showFigures(figures);
         if (m_store.link().phase == LinkPhase::Connected)
@@ -114,13 +117,6 @@ void Composition::stopAndQuit() {
     m_openNext.reset();
     m_procedures.stopAll();
     m_worker.close();
-}
-
-bool Composition::eventFilter(QObject* watched, QEvent* event) {
-    // Everything is painted before the expose event is done with; the end comes after that.
-    if (watched == m_window.windowHandle() && event->type() == QEvent::Expose)
-        QTimer::singleShot(0, this, [] { QCoreApplication::exit(0); });
-    return QObject::eventFilter(watched, event);
 }
 
 void Composition::quit() {
@@ -212,7 +208,7 @@ void Composition::openNow(const ConnectTarget& target) {
         config.adapterLatency = Duration::zero();
         sim::ChainOptions options;
         options.enableFaults = m_enableFaults;
-        factory = [modules = simulatedChain(port), options] {
+        factory = [modules = simulatedChain(port).value(), options] {
             return std::make_unique<SimulatorTransport>(modules, options);
         };
     } else {

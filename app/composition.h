@@ -35,9 +35,11 @@ class Composition : public QObject {
     Q_OBJECT
 
 public:
-    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings.
+    /// `dataFolder`: where unsaved work is kept, and what moves; empty: beside the settings. `disk`: for
+    /// tests, one that behaves otherwise.
     explicit Composition(QSettings& settings, PortController::Places places = {},
-                         const QString& dataFolder = {}, QObject* parent = nullptr);
+                         const QString& dataFolder = {}, const FileWriter::Disk& disk = writeFile,
+                         QObject* parent = nullptr);
 
     /// What opens a port, in the bus thread.
     using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;
@@ -52,10 +54,6 @@ public:
     [[nodiscard]] BusWorker& worker() { return m_worker; }
     [[nodiscard]] MainWindow& window() { return m_window; }
     [[nodiscard]] const BusStore& store() const { return m_store; }
-
-protected:
-    /// Waits for the first paint, for the start-up benchmark.
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     /// What the window's controls follow.
@@ -143,7 +141,7 @@ private:
     PortController m_ports;
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
-    RecordingController m_recordings{m_window, m_store};
+    RecordingController m_recordings;
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     SleepInhibitor m_sleep;

@@ -89,7 +89,7 @@ void Composition::told(const bus::CommandRefused& refused) {
 
 void Composition::told(const bus::LinkLost&) {
     m_troublePort = m_target->port;
-    m_messages.tell(texts::withRecord(texts::linkLost(m_target->port, m_store.movingMotors())));
+    m_messages.tell(texts::withRecord(texts::linkLost(m_target->port, m_store.movingModules())));
 }
 
 void Composition::told(const bus::EchoNoticed&) {
@@ -164,7 +164,9 @@ void Composition::told(const PortClosed& closed) {
     m_flight.keepAll();
     m_recordings.end();
     m_frameTimer.stop();
-    m_figuresTimer.stop();
+    // What was said last goes on growing old.
+    if (!m_store.link().unplugged)
+        m_figuresTimer.stop();
     m_window.showFigures({});
     m_messages.connectionEnded();
     m_scanWhenIdle = false;

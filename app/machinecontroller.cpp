@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "link/files/machineio.h"
 #include "model/machinefile/machinegroups.h"
@@ -27,12 +28,14 @@ QString folderOr(const QString& folder, const QSettings& settings) {
 }  // namespace
 
 MachineController::MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
-                                     const QString& unsavedFolder, QObject* parent)
+                                     const QString& unsavedFolder, const FileWriter::Disk& disk,
+                                     QObject* parent)
     : QObject(parent),
       m_settings(settings),
       m_window(window),
       m_store(store),
-      m_unsaved(folderOr(unsavedFolder, settings)) {
+      m_unsaved(folderOr(unsavedFolder, settings), disk),
+      m_files(disk) {
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(kKeepAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &MachineController::keepUnsaved);
@@ -111,6 +114,7 @@ void MachineController::beginNew() {
     m_saved = Machine{};
     m_unknown = {};
     m_path.clear();
+    m_saving.clear();
     changed();
 }
 
@@ -189,15 +193,15 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     m_machine = std::move(machine);
     m_unknown = from.content.unknown;
     m_path = whole ? from.path : QString();
+    m_saving.clear();
     m_saved = whole && !from.restored ? std::optional(from.content.machine) : std::nullopt;
     if (!from.restored)
         remember(from.path);
     changed();
     if (!from.restored)
         return;
+    m_restored = true;
     keepUnsaved();
-    if (!m_keepFailed)
-        m_unsaved.dropLeft();
 }
 
 void MachineController::save(const QString& path) {
@@ -211,14 +215,32 @@ void MachineController::save(const QString& path) {
         m_window.showMessage(texts::machineNotSaved(path, written.error()));
         return;
     }
-    if (const auto saved = writeFile(path, text); !saved) {
-        m_window.showMessage(texts::machineNotSaved(saved.error()));
-        return;
-    }
-    m_window.endMessage(texts::key::machineFile());
-    m_machine = std::move(written->machine);
-    m_unknown = std::move(written->unknown);
-    m_saved = m_machine;
+    m_saving = path;
+    showFile();
+    m_files.write(
+        path, [text] { return text; },
+        [this, path, asked = m_machine, written = std::move(*written)](const FileWriter::Result& result) {
+            saved(path, asked, written, result);
+        });
+}
+
+void MachineController::saved(const QString& path, const Machine& asked, const ParsedMachine& written,
+                              const FileWriter::Result& result) {
+    // Otherwise another machine has taken its place, or another file.
+    const bool wanted = m_saving == path;
+    if (wanted)
+        m_saving.clear();
+    if (!result)
+        m_window.showMessage(texts::machineNotSaved(result.error()));
+    else
+        m_window.endMessage(texts::key::machineFile());
+    if (!result || !wanted)
+        return showFile();
+    // What was edited meanwhile is not in the file.
+    if (m_machine == asked)
+        m_machine = written.machine;
+    m_unknown = written.unknown;
+    m_saved = written.machine;
     m_path = path;
     remember(path);
     changed();
@@ -239,12 +261,21 @@ void MachineController::keepUnsaved() {
     m_keepTimer.stop();
     if (!modified()) {
         m_unsaved.forget();
+        dropRestored();
         return;
     }
-    const auto kept = m_unsaved.keep(m_path, writeMachine(m_machine, m_unknown));
-    if (!kept && !m_keepFailed)
-        m_window.showMessage(texts::unsavedWorkNotKept(kept.error()));
-    m_keepFailed = !kept;
+    m_unsaved.keep(m_path, writeMachine(m_machine, m_unknown), [this](const FileWriter::Result& kept) {
+        if (kept)
+            dropRestored();
+        else if (!m_keepFailed)
+            m_window.showMessage(texts::unsavedWorkNotKept(kept.error()));
+        m_keepFailed = !kept;
+    });
+}
+
+void MachineController::dropRestored() {
+    if (std::exchange(m_restored, false))
+        m_unsaved.dropLeft();
 }
 
 void MachineController::changed() {
@@ -256,7 +287,7 @@ void MachineController::changed() {
 
 void MachineController::showFile() {
     m_window.machineMenu().showFile({m_path, QString::fromStdString(m_machine.name), modified(),
-                                     m_settings.value(kRecent).toStringList()});
+                                     m_settings.value(kRecent).toStringList(), !m_saving.isEmpty()});
 }
 
 void MachineController::remember(const QString& path) {

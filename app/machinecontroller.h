@@ -16,14 +16,15 @@ namespace nmc {
 
 /// The machine that the user has told the panel about, and its file. Opening a file shows what it would
 /// change; only what the user then chooses is taken, and sent. Unsaved work is kept every few seconds, and
-/// offered again at the next start. GUI thread.
+/// offered again at the next start. Nothing that is written holds up the panel. GUI thread.
 class MachineController : public QObject {
     Q_OBJECT
 
 public:
     /// `unsavedFolder`: where unsaved work is kept; empty: beside the settings.
     MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
-                      const QString& unsavedFolder, QObject* parent = nullptr);
+                      const QString& unsavedFolder, const FileWriter::Disk& disk = writeFile,
+                      QObject* parent = nullptr);
     ~MachineController() override;
 
     [[nodiscard]] const Machine& machine() const { return m_machine; }
@@ -62,11 +63,15 @@ private:
     void wire();
     void beginNew();
     void save(const QString& path);
+    /// `asked`: the machine when that was asked for; `written`: what the file holds if it worked.
+    void saved(const QString& path, const Machine& asked, const ParsedMachine& written,
+               const FileWriter::Result& result);
     void showPending();
     void apply(const std::vector<PartId>& chosen);
     void take(const Pending& from, Machine machine, bool whole);
     void followLink();
     void keepUnsaved();
+    void dropRestored();
     void changed();
     void showFile();
     void remember(const QString& path);
@@ -79,13 +84,16 @@ private:
     MainWindow& m_window;
     const BusStore& m_store;
     UnsavedWork m_unsaved;
+    FileWriter m_files;
     Machine m_machine;
     std::optional<Machine> m_saved{Machine{}};  ///< as the file has it; empty: no file has it
     UnknownKeys m_unknown;
     QString m_path;
+    QString m_saving;  ///< to that file; empty: nothing is being saved
     std::optional<Pending> m_pending;
     QTimer m_keepTimer;
     bool m_keepFailed = false;  ///< and was told
+    bool m_restored = false;    ///< what an earlier session has left, which goes when this one has kept it
 };
 
 }  // namespace nmc

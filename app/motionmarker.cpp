@@ -69,9 +69,17 @@ bool isSamePort(const QString& a, const QString& b) {
     return a == b || (!target.isEmpty() && target == QFileInfo(b).canonicalFilePath());
 }
 
+FileWriter::Disk makingFolders(FileWriter::Disk disk) {
+    return [disk = std::move(disk)](const QString& path, std::string_view content) {
+        QDir().mkpath(QFileInfo(path).path());
+        return disk(path, content);
+    };
+}
+
 }  // namespace
 
-MotionMarker::MotionMarker(QString folder) : m_folder(std::move(folder)) {
+MotionMarker::MotionMarker(QString folder, FileWriter::Disk disk)
+    : m_folder(std::move(folder)), m_files(makingFolders(std::move(disk))) {
     for (const QString& name : QDir(m_folder).entryList(QDir::Files, QDir::Name))
         if (kName.match(name).hasMatch() && !isOfALiveProcess(name))
             if (auto left = read(QDir(m_folder).filePath(name)))
@@ -196,7 +204,8 @@ void MotionMarker::write(const std::set<ModuleIndex>& moving) {
     const QJsonObject json{{QStringLiteral("port"), m_own.port},
                            {QStringLiteral("baud"), static_cast<qint64>(m_own.baud)},
                            {QStringLiteral("modules"), numbers}};
-    m_files.write(m_own.file, QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    m_files.write(m_own.file,
+                  [json] { return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); });
 }
 
 }  // namespace nmc

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "link/files/filekeeper.h"
+#include "link/files/filewriter.h"
 #include "model/module/linkstate.h"
 
 namespace nmc {
@@ -29,7 +29,7 @@ public:
     };
 
     /// `folder` need not be there; it is made when something moves.
-    explicit MotionMarker(QString folder);
+    explicit MotionMarker(QString folder, FileWriter::Disk disk = writeFile);
 
     [[nodiscard]] const std::vector<Left>& left() const { return m_left; }
     /// Of the connection that this process had last; none: it had nothing moving then.
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] QStringList forgetOver();
 
     QString m_folder;
-    FileKeeper m_files;
+    FileWriter m_files;
     std::vector<Left> m_left;
     Left m_own;
     bool m_owns = true;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "link/clock.h"
-#include "link/files/backgroundjob.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scopefiles.h"
 
@@ -18,12 +17,13 @@ constexpr int kClockMs = 500;
 
 }  // namespace
 
-RecordingController::RecordingController(MainWindow& window, const BusStore& store, QObject* parent)
-    : QObject(parent), m_window(window), m_store(store) {
+RecordingController::RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk,
+                                         QObject* parent)
+    : QObject(parent), m_window(window), m_store(store), m_files(std::move(disk)) {
     ScopeFiles& files = window.scopeFiles();
     connect(&files, &ScopeFiles::recordRequested, this, &RecordingController::start);
     connect(&files, &ScopeFiles::recordingEndRequested, this, &RecordingController::end);
-    connect(&files, &ScopeFiles::saveRequested, this, &RecordingController::save);
+    connect(&window, &MainWindow::saveRequested, this, &RecordingController::save);
     connect(&files, &ScopeFiles::openRequested, &m_loader, &RecordingLoader::start);
     connect(&files, &ScopeFiles::openingCancelled, this, [this, &files] {
         m_loader.cancel();
@@ -166,16 +166,9 @@ void RecordingController::loaded(std::shared_ptr<LoadedRecording> recording) {
         recordOf(QFileInfo(recording->path).fileName(), recording->header, std::move(recording->history))));
 }
 
-void RecordingController::save(const QString& path, const FileContent& content) {
-    using Result = tl::expected<void, FileError>;
-    const auto result = std::make_shared<Result>();
-    auto* job = new BackgroundJob(this);
-    connect(job, &BackgroundJob::ended, this, [this, job, path, result] {
-        job->deleteLater();
-        m_window.showMessage(*result ? texts::exported(path) : texts::notExported(result->error()));
-    });
-    job->start([path, content, result](const BackgroundJob::Cancelled& /*cancelled*/) {
-        *result = writeFile(path, content());
+void RecordingController::save(const QString& path, const FileWriter::Content& content) {
+    m_files.write(path, content, [this, path](const FileWriter::Result& result) {
+        m_window.showMessage(result ? texts::exported(path) : texts::notExported(result.error()));
     });
 }
 

@@ -6,20 +6,21 @@
 #include <vector>
 
 #include "link/connection/busstore.h"
+#include "link/files/filewriter.h"
 #include "link/files/recordingloader.h"
 #include "link/files/recordingwriter.h"
 #include "widgets/mainwindow/mainwindow.h"
-#include "widgets/scope/scopeexport.h"
 
 namespace nmc {
 
-/// Writes what the modules say to a file from now on, opens such files in the scope, and saves what the scope
-/// exports. No disk holds up the panel. GUI thread.
+/// Writes what the modules say to a file from now on, opens such files in the scope, and saves what the
+/// window exports. No disk holds up the panel. GUI thread.
 class RecordingController : public QObject {
     Q_OBJECT
 
 public:
-    RecordingController(MainWindow& window, const BusStore& store, QObject* parent = nullptr);
+    RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk = writeFile,
+                        QObject* parent = nullptr);
 
     /// Something has happened that a reader of the recording should know of.
     void note(const QString& text);
@@ -35,13 +36,14 @@ private:
     void showRecording();
     void failed(const RecordingFailure& failure);
     void loaded(std::shared_ptr<LoadedRecording> recording);
-    void save(const QString& path, const FileContent& content);
+    void save(const QString& path, const FileWriter::Content& content);
     void write(std::string text);
 
     MainWindow& m_window;
     const BusStore& m_store;
     RecordingWriter m_writer;
     RecordingLoader m_loader;
+    FileWriter m_files;
     QTimer m_clock;  ///< of what is shown of a recording
     TimePoint m_zero;
     std::optional<TimePoint> m_historyZero;  ///< of the history that is being recorded

@@ -711,14 +711,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt; zuletzt bewegte sich kein Motor.</translation>
     </message>
     <message>
-        <source>Motor state unknown: 1 motor was moving.</source>
-        <translation>Motorzustand unbekannt: 1 Motor war in Bewegung.</translation>
-    </message>
-    <message>
-        <source>Motor state unknown: %1 motors were moving.</source>
-        <translation>Motorzustand unbekannt: %1 Motoren waren in Bewegung.</translation>
-    </message>
-    <message>
         <source>Your user account may not use %1.</source>
         <translation>Ihr Benutzerkonto darf %1 nicht verwenden.</translation>
     </message>
@@ -1609,14 +1601,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Exchanges before this one were not recorded.</source>
         <translation>Übertragungen vor dieser wurden nicht aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>%1 exchanges saved to %2.</source>
-        <translation>%1 Übertragungen in %2 gespeichert.</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2. Choose another folder, or make room.</source>
-        <translation>%1 konnte nicht geschrieben werden: %2. Einen anderen Ordner wählen oder Platz schaffen.</translation>
     </message>
     <message>
         <source>looking for modules</source>
@@ -2667,10 +2651,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor schwang um mehr als den ganzen Sprung und kam nicht zur Ruhe; er wurde daher abgeschaltet und ist frei drehbar. Kp und Ki senken oder Kd erhöhen.</translation>
     </message>
     <message>
-        <source>The step responses were saved to %1.</source>
-        <translation>Die Sprungantworten wurden in %1 gespeichert.</translation>
-    </message>
-    <message>
         <source>its folder is not there.</source>
         <translation>den Ordner gibt es nicht.</translation>
     </message>
@@ -3266,6 +3246,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>It acts once, and is not armed any more. Move the motor off the switch, then arm it again on the page Homing, or disarm it there.</source>
         <translation>Er wirkt einmal und ist nicht mehr scharf. Den Motor vom Schalter wegfahren, dann auf der Seite Referenzsuche wieder scharf schalten oder dort entschärfen.</translation>
     </message>
+    <message>
+        <source>%1 is being saved. The window closes as soon as the disk has it.</source>
+        <translation>%1 wird gespeichert. Das Fenster schließt sich, sobald es auf dem Datenträger ist.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 was moving.</source>
+        <translation>Motorzustand unbekannt: %1 war in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Motor state unknown: %1 were moving.</source>
+        <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3628,16 +3620,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, Adresse %2, %3, %4, Position %5 %6</translation>
     </message>
     <message>
-        <source>%1 at address %2 on the wire. %3</source>
-        <translation>%1 mit Adresse %2 an der Leitung. %3</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, at address %3 on the wire</source>
+        <translation>%1, %2, mit Adresse %3 an der Leitung</translation>
     </message>
 </context>
 <context>
@@ -5294,6 +5286,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>S&amp;tay</source>
         <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>%1 (being saved)</source>
+        <translation>%1 (wird gespeichert)</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ protected:
             if (row->message().headline.contains(words))
                 for (QAbstractButton* button : row->findChildren<QAbstractButton*>())
                     if (button->text().remove(QLatin1Char('&')) == QLatin1String("Show the last 2 s")) {
-                        button->click();
+                        QTest::mouseClick(button, Qt::LeftButton);
                         return true;
                     }
         return false;
@@ -59,7 +59,8 @@ TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
     const QString before = title();
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(title(), before);
-    panel.window().findChild<QAbstractButton*>(QStringLiteral("scopeLiveButton"))->click();
+    QTest::mouseClick(panel.window().findChild<QAbstractButton*>(QStringLiteral("scopeLiveButton")),
+                      Qt::LeftButton);
     EXPECT_FALSE(scope().showsRecord());
 }
 
@@ -67,7 +68,7 @@ TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
     begin();
     (void)sim.control(QStringLiteral("set 1 power 0"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("motor power")) > 0; }));
-    emit panel.window().disconnectRequested();
+    panel.disconnect();
     ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
     ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
     EXPECT_TRUE(scope().showsRecord());
@@ -77,7 +78,7 @@ TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
 TEST_F(Flight, TheHistoryIsStillThereAfterThePortIsClosed) {
     begin();
     const auto kept = panel.composition().store().history().module(ModuleIndex(0))->count();
-    emit panel.window().disconnectRequested();
+    panel.disconnect();
     ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
     EXPECT_GE(panel.composition().store().history().module(ModuleIndex(0))->count(), kept);
 }

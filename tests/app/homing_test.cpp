@@ -53,7 +53,7 @@ protected:
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
             << name << ": " << button(name)->toolTip().toStdString();
-        button(name)->click();
+        QTest::mouseClick(button(name), Qt::LeftButton);
     }
     void type(const char* field, const QString& words) {
         auto* edit = panel.window().findChild<QLineEdit*>(QLatin1String(field));
@@ -267,7 +267,7 @@ TEST_F(HomingPage, ClosingThePortEndsIt) {
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
-    emit panel.window().disconnectRequested();
+    panel.disconnect();
     ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
     EXPECT_FALSE(testing_support::moves(sim));
     EXPECT_EQ(sim.violations(), "");

@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLabel>
@@ -86,7 +87,7 @@ protected:
         auto* widget = panel.window().findChild<QAbstractButton*>(QLatin1String(button));
         ASSERT_NE(widget, nullptr) << button;
         ASSERT_TRUE(widget->isEnabled()) << button << ": " << widget->toolTip().toStdString();
-        widget->click();
+        QTest::mouseClick(widget, Qt::LeftButton);
     }
     static void tickOnly(IntentPanel& panel, const QStringList& rows) {
         for (int i = 0; i < table(panel)->topLevelItemCount(); ++i) {
@@ -99,6 +100,26 @@ protected:
         panel.start();
         panel.connectTo(sim.terminal());
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    }
+    static void open(IntentPanel& panel, const QString& path) {
+        QTest::keyClick(&panel.window(), Qt::Key_O, Qt::ControlModifier);
+        choose(panel, "openMachineDialog", path);
+    }
+    static void save(IntentPanel& panel) {
+        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
+        EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
+    }
+    static void saveAs(IntentPanel& panel, const QString& path) {
+        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+        choose(panel, "saveMachineDialog", path);
+        EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
+    }
+    static void choose(IntentPanel& panel, const char* name, const QString& path) {
+        auto* dialog = panel.window().findChild<QFileDialog*>(QLatin1String(name));
+        ASSERT_NE(dialog, nullptr) << name;
+        emit dialog->fileSelected(path);
+        dialog->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     static void rename(IntentPanel& panel, const char* name) {
         AxisSettings axis;
@@ -115,7 +136,7 @@ TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
     IntentPanel panel;
     connectTo(panel, sim);
     const std::string before = told(sim);
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     ASSERT_NE(table(panel), nullptr);
     QStringList rows;
     for (int i = 0; i < table(panel)->topLevelItemCount(); ++i)
@@ -139,7 +160,7 @@ TEST_F(MachineFiles, ApplySendsExactlyWhatIsTickedAndMovesNothing) {
     IntentPanel panel;
     connectTo(panel, sim);
     const std::string before = told(sim);
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     tickOnly(panel, {QStringLiteral("Module 1: Name"), QStringLiteral("Module 2: Gains")});
     click(panel, "applyDifferencesButton");
     ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
@@ -162,7 +183,7 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;
     connectTo(panel, sim);
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     click(panel, "applyDifferencesButton");
     ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
     ASSERT_TRUE(panel.waitFor([&] { return executed(sim, 1, "io_control") == 1; }));
@@ -175,7 +196,7 @@ TEST_F(MachineFiles, ApplyingAllOfItMakesItTheOpenFile) {
         const auto& modules = panel.composition().store().link().modules;
         return modules[1].gains && modules[0].io;
     }));
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     EXPECT_EQ(panel.headlines().first(),
               QStringLiteral("\"mill.json\" is open. It says what is there already."));
     EXPECT_EQ(sim.violations(), "");
@@ -187,7 +208,7 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     panel.startMoving(sim);
     // Its gains are the file's already; the limit pins are not.
     ASSERT_EQ(kGains.kp, panel.module().gains->kp);
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     click(panel, "tickAllButton");
     ASSERT_TRUE(panel.waitFor([&] {
         return !panel.window()
@@ -212,7 +233,7 @@ TEST_F(MachineFiles, AFileForOtherHardwareSaysSoAndIsNotOverwritten) {
     IntentPanel panel;
     connectTo(panel, sim);
     const std::string content = readFile(file, kMaxMachineFile).value();
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     ASSERT_EQ(table(panel)->topLevelItem(2)->text(0), QStringLiteral("Module 1: Type and version"));
     EXPECT_EQ(table(panel)->topLevelItem(2)->text(1), QStringLiteral("PIC-SERVO v4"));
     EXPECT_EQ(table(panel)->topLevelItem(2)->text(2), QStringLiteral("PIC-SERVO v3"));
@@ -233,7 +254,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
     EXPECT_TRUE(panel.window().isWindowModified());
     const QString path = directory.filePath(QStringLiteral("lathe.json"));
-    emit menu(panel).saveAsRequested(path);
+    saveAs(panel, path);
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - lathe[*]")));
     const Machine saved = machineIn(path);
@@ -247,7 +268,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
 
     IntentPanel another;
     another.start();
-    emit menu(another).openRequested(path);
+    open(another, path);
     click(another, "applyDifferencesButton");
     EXPECT_FALSE(another.window().isWindowModified());
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Spindle\""));
@@ -260,10 +281,10 @@ TEST_F(MachineFiles, UnknownKeysAreStillThereAfterSaving) {
     const QString path = write("keys.json", text);
     IntentPanel panel;
     panel.start();
-    emit menu(panel).openRequested(path);
+    open(panel, path);
     click(panel, "applyDifferencesButton");
     rename(panel, "Z");
-    emit menu(panel).saveRequested();
+    save(panel);
     EXPECT_THAT(readFile(path, kMaxMachineFile).value(), testing::HasSubstr("\"serial\": \"A-17\""));
     EXPECT_EQ(machineIn(path).axes[0].name, "Z");
 }
@@ -276,12 +297,12 @@ TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("40000")), '\n');
     IntentPanel panel;
     panel.start();
-    emit menu(panel).openRequested(path);
+    open(panel, path);
     EXPECT_EQ(panel.headlines().first(),
               QStringLiteral("\"bad.json\" line %1: Kp is 40000; the module takes 0 to 32767.").arg(line));
     EXPECT_EQ(table(panel), nullptr);
     EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"));
-    emit menu(panel).openRequested(directory.filePath(QStringLiteral("none.json")));
+    open(panel, directory.filePath(QStringLiteral("none.json")));
     EXPECT_EQ(panel.headlines().first(), QStringLiteral("\"none.json\" was not opened."));
 }
 
@@ -289,13 +310,13 @@ TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
     IntentPanel panel;
     panel.start();
     rename(panel, "Z");
-    emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("none/mill.json")));
+    saveAs(panel, directory.filePath(QStringLiteral("none/mill.json")));
     EXPECT_EQ(panel.count(QStringLiteral("was not saved")), 1);
     EXPECT_TRUE(panel.window().isWindowModified());
     EXPECT_TRUE(menu(panel).file().path.isEmpty());
-    emit menu(panel).saveAsRequested(directory.path());
+    saveAs(panel, directory.path());
     EXPECT_TRUE(panel.window().isWindowModified());
-    emit menu(panel).saveAsRequested(file);
+    saveAs(panel, file);
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_EQ(machineIn(file).axes[0].name, "Z");
 }
@@ -306,8 +327,8 @@ TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
         IntentPanel panel(settings);
         panel.start();
         for (int i = 1; i <= 9; ++i)
-            emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("m%1.json").arg(i)));
-        emit menu(panel).saveAsRequested(directory.filePath(QStringLiteral("m5.json")));
+            saveAs(panel, directory.filePath(QStringLiteral("m%1.json").arg(i)));
+        saveAs(panel, directory.filePath(QStringLiteral("m5.json")));
     }
     IntentPanel panel(settings);
     panel.start();
@@ -324,7 +345,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     {
         IntentPanel panel(settings);
         panel.start();
-        emit menu(panel).openRequested(file);
+        open(panel, file);
         click(panel, "applyDifferencesButton");
         rename(panel, "Unsaved");
     }
@@ -334,11 +355,11 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
         panel.start();
         EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved work on \"mill\" is there."));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel")) << "not before it is asked for";
-        emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::RestoreWork);
+        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Restore")));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
         EXPECT_TRUE(panel.window().isWindowModified());
         EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
-        emit menu(panel).saveRequested();
+        save(panel);
         EXPECT_EQ(machineIn(file).axes[0].name, "Unsaved");
         EXPECT_EQ(machineIn(file).axes[1], twoServos().axes[1]);
     }
@@ -356,7 +377,7 @@ TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
         if (starts == 1)
             rename(panel, "Z");
         else
-            emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::DiscardWork);
+            EXPECT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Discard")));
     }
     IntentPanel panel(settings);
     panel.start();
@@ -373,8 +394,8 @@ TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
     EXPECT_FALSE(QFile::exists(kept));
     ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(kept); }));
     EXPECT_THAT(readFile(kept, kMaxMachineFile).value(), testing::HasSubstr("\"name\": \"Z\""));
-    emit menu(panel).saveAsRequested(file);
-    EXPECT_FALSE(QFile::exists(kept)) << "nothing is unsaved";
+    saveAs(panel, file);
+    EXPECT_TRUE(panel.waitFor([&] { return !QFile::exists(kept); })) << "nothing is unsaved";
 }
 
 TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothing) {
@@ -382,7 +403,7 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     {
         IntentPanel panel(settings);
         panel.start();
-        emit menu(panel).openRequested(file);
+        open(panel, file);
         click(panel, "applyDifferencesButton");
         rename(panel, "Unsaved");
     }
@@ -390,7 +411,7 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     IntentPanel panel(settings);
     connectTo(panel, sim);
     const std::string before = told(sim);
-    emit panel.window().messageAction({.key = texts::key::unsavedWork()}, MessageAction::RestoreWork);
+    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved work"), QStringLiteral("Restore")));
     ASSERT_NE(table(panel), nullptr);
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
@@ -403,7 +424,7 @@ TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;
     panel.start();
-    emit menu(panel).openRequested(file);
+    open(panel, file);
     const auto gains = [&] { return table(panel)->topLevelItem(3)->text(3); };
     ASSERT_EQ(table(panel)->topLevelItem(3)->text(0), QStringLiteral("Module 1: Gains"));
     EXPECT_EQ(gains(), QStringLiteral("Waits in the fields, not sent."));

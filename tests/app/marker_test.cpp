@@ -184,7 +184,7 @@ TEST(MotionMark, IsAskedForBeforeTheCommandAndGoneWhenTheMotorStands) {
     IntentPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     EXPECT_EQ(panel.markers().size(), 1);
-    panel.ask(intent::StopAbruptly{});
+    panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.markers().isEmpty(); }));
     // Whatever is seen of the motor: the thread that writes needs no event of this one.
     panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
@@ -202,7 +202,7 @@ TEST(PortGone, WithAMotorMovingIsNotOverBecauseSomebodyTriedAgain) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    const QString gone = QStringLiteral("1 motor was moving");
+    const QString gone = QStringLiteral("Module 1 was moving");
     sim.quit();
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(gone) != nullptr; }));
     for (int i = 0; i < 2; ++i) {

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -16,15 +17,16 @@
 
 namespace nmc::testing_support {
 
-/// The whole program without main(), driven by what its window emits instead of by mouse and key.
+/// The whole program without main(). What a test is about is done by mouse and key; what only leads to it may
+/// be asked for in short (ask(), startMoving()).
 class IntentPanel {
 public:
     /// `settings`: a file; empty for a fresh one. `data`: where what moves is kept; empty: beside it.
     explicit IntentPanel(const QString& settings = {}, PortController::Places places = {},
-                         const QString& data = {})
+                         const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : m_settings(settings.isEmpty() ? m_directory.filePath(QStringLiteral("panel.ini")) : settings,
                      QSettings::IniFormat),
-          m_composition(m_settings, std::move(places), data) {
+          m_composition(m_settings, std::move(places), data, disk) {
         QObject::connect(&m_composition.store(), &BusStore::happened, &m_composition.store(),
                          [this](const StoreEvent& event) {
                              m_chainsFound += std::holds_alternative<bus::ChainFound>(event) ? 1 : 0;
@@ -34,8 +36,31 @@ public:
     void start() { m_composition.show({}); }
     /// Connects, and waits until the modules are there.
     void connectTo(const QString& port) {
-        emit window().connectRequested(port, 115'200);
+        ASSERT_NO_FATAL_FAILURE(askFor(port));
         ASSERT_TRUE(waitFor([&] { return connected(); }));
+    }
+    /// Types the port and strikes Enter; at 115 200 Bd, unless another rate was chosen.
+    void askFor(const QString& port) {
+        if (m_composition.worker().isOpen())
+            disconnect();
+        auto* field = window().findChild<QLineEdit*>(QStringLiteral("portField"));
+        ASSERT_TRUE(waitFor([&] { return field->isEnabled(); }));
+        field->selectAll();
+        QTest::keyClicks(field, port);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    /// And stops what moves, if that is asked.
+    void disconnect() {
+        click("disconnectButton");
+        if (auto* stop = window().findChild<QAbstractButton*>(QStringLiteral("stopAndCloseButton")))
+            QTest::mouseClick(stop, Qt::LeftButton);
+    }
+    void click(const char* name) {
+        auto* button = window().findChild<QAbstractButton*>(QLatin1String(name));
+        ASSERT_NE(button, nullptr) << name;
+        turnTo(*button);
+        ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name << button->toolTip().toStdString();
+        QTest::mouseClick(button, Qt::LeftButton);
     }
     /// How often a look has found one: the phase in between may be over before it is seen.
     [[nodiscard]] int chainsFound() const { return m_chainsFound; }
@@ -62,6 +87,7 @@ public:
         const TimePoint until = module().latestTime + fromSeconds(seconds);
         return waitFor([&] { return module().latestTime >= until; });
     }
+    /// As if the control of the first module that asks for it had been used.
     void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
 
     /// Headlines of the message list, newest first.

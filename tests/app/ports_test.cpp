@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
 
 #include "tests/app/panel.h"
 
@@ -74,7 +75,7 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 
-    emit panel.window().messageAction({.key = texts::key::port()}, MessageAction::ConnectOffered);
+    ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
@@ -119,13 +120,47 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     NmcsimProcess sim(QStringLiteral("servo"), {QStringLiteral("--link"), port});
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
-    emit panel.window().connectRequested(port, 115'200);
+    panel.askFor(port);
     EXPECT_EQ(panel.count(kDifferent), 2) << "asked again, said again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
-    emit panel.window().messageAction({.key = texts::key::port()}, MessageAction::ConnectOffered);
+    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect to it")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
+}
+
+TEST(TypedPort, ThatIsNoneSaysWhatToDo) {
+    IntentPanel panel;
+    panel.start();
+    QTemporaryDir directory;
+    QFile file(directory.filePath(QStringLiteral("mill.json")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    panel.askFor(QStringLiteral("/dev/ttyNone"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no /dev/ttyNone.")); }));
+    panel.askFor(QStringLiteral("simulator=servo,nothing"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("There is no simulator=")); }));
+    panel.askFor(file.fileName());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("is not a serial port.")); }))
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(panel.press(QStringLiteral("is not a serial port."), QStringLiteral("Choose another port")));
+}
+
+TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    IntentPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    const auto label = [&](const char* name) {
+        return panel.window().findChild<QLabel*>(QLatin1String(name));
+    };
+    sim.quit();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(QStringLiteral("Module 1 was moving.")); }));
+    EXPECT_TRUE(label("positionLabel")->font().strikeOut());
+    EXPECT_NE(label("positionLabel")->text(), QStringLiteral("–"));
+    for (int i = 0; i < 2; ++i) {
+        const QString before = label("positionUnit")->text();
+        EXPECT_TRUE(panel.waitFor([&] { return label("positionUnit")->text() != before; }));
+    }
+    EXPECT_TRUE(label("positionUnit")->text().endsWith(QStringLiteral("s old")));
 }
 
 TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
@@ -140,7 +175,7 @@ TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("adapter waits 16 ms")) == 1; }));
-    emit panel.window().messageAction({.key = QStringLiteral("slowAdapter")}, MessageAction::How);
+    ASSERT_TRUE(panel.press(QStringLiteral("adapter waits 16 ms"), QStringLiteral("How")));
     EXPECT_EQ(panel.count(QStringLiteral("Set the latency timer")), 1);
 }
 

@@ -151,7 +151,7 @@ TEST_F(RecordingProgram, AFullDiskEndsTheRecordingAndNotTheMotion) {
 TEST_F(RecordingProgram, ClosingThePortEndsTheRecording) {
     record(path("move.csv"));
     ASSERT_TRUE(panel.answersFor(0.3));
-    emit panel.window().disconnectRequested();
+    panel.disconnect();
     ASSERT_TRUE(told("\"move.csv\" is recorded"));
     const Read read = readBack(path("move.csv"));
     EXPECT_FALSE(read.problem.has_value());

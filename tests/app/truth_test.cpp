@@ -42,10 +42,10 @@ TEST_F(Truth, AMotorThatWasStoppedWhileItWasSilentIsNotAtSpeedWhenItIsBack) {
 }
 
 TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {
-    panel.ask(intent::StopAbruptly{});
+    panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     (void)sim.control(QStringLiteral("set 1 load 0.02"));
-    panel.ask(intent::MotorOff{});
+    panel.click("motorOffButton");
     ASSERT_TRUE(saysSoon("Off, but turning")) << label("stateLabel").toStdString();
     EXPECT_FALSE(label("stateMeaning").contains(QLatin1String("Nothing is wrong")));
     (void)sim.control(QStringLiteral("set 1 load 0"));
@@ -53,7 +53,7 @@ TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {
 }
 
 TEST_F(Truth, OvercurrentIsSaid) {
-    panel.ask(intent::StopAbruptly{});
+    panel.click("stopAbruptlyButton");
     ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     // A limit that any reading is above: odd, so over when A/D > CL.
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 1, 8'000, 1, std::uint8_t{0}}});
@@ -61,7 +61,7 @@ TEST_F(Truth, OvercurrentIsSaid) {
     ASSERT_TRUE(saysSoon("Overcurrent")) << label("stateLabel").toStdString();
     EXPECT_EQ(panel.count(QStringLiteral("overcurrent")), 1);
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-    panel.ask(intent::ClearStickyBits{});
+    panel.click("clearStickyButton");
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
 }
 

@@ -9,7 +9,9 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTest>
 #include <memory>
+#include <optional>
 
 #include "asnobody.h"
 #include "link/files/unsavedwork.h"
@@ -72,31 +74,35 @@ TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
     {
         UnsavedWork work(folder);
         EXPECT_FALSE(work.left().has_value());
-        EXPECT_FALSE(QDir(folder).exists()) << "nothing is written before there is something";
-        ASSERT_TRUE(work.keep(QStringLiteral("/home/anna/my mill\n.json"), "first").has_value());
-        ASSERT_TRUE(work.keep(QStringLiteral("/home/anna/my mill\n.json"), "second\nline").has_value());
+        EXPECT_TRUE(QDir(folder).entryList({QStringLiteral("unsaved-?")}).isEmpty())
+            << "there is nothing yet";
+        work.keep(QStringLiteral("/home/anna/my mill\n.json"), "first", {});
+        work.keep(QStringLiteral("/home/anna/my mill\n.json"), "second\nline", {});
     }
     {
         UnsavedWork work(folder);
         ASSERT_TRUE(work.left().has_value());
         EXPECT_EQ(work.left()->file, QStringLiteral("/home/anna/my mill\n.json"));
         EXPECT_EQ(work.left()->content, "second\nline");
-        ASSERT_TRUE(work.keep({}, "another").has_value()) << "its own work goes elsewhere";
+        work.keep({}, "another", {});  // its own work goes elsewhere
         work.forget();
     }
-    UnsavedWork work(folder);
-    ASSERT_TRUE(work.left().has_value());
-    work.dropLeft();
+    {
+        UnsavedWork work(folder);
+        ASSERT_TRUE(work.left().has_value());
+        work.dropLeft();
+        EXPECT_FALSE(work.left().has_value());
+    }
     EXPECT_FALSE(UnsavedWork(folder).left().has_value());
 }
 
 TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
     const QString folder = path("unsaved");
     auto running = std::make_unique<UnsavedWork>(folder);
-    ASSERT_TRUE(running->keep({}, "of the first").has_value());
+    running->keep({}, "of the first", {});
     UnsavedWork second(folder);
     EXPECT_FALSE(second.left().has_value());
-    ASSERT_TRUE(second.keep({}, "of the second").has_value());
+    second.keep({}, "of the second", {});
     running.reset();
     UnsavedWork third(folder);
     ASSERT_TRUE(third.left().has_value());
@@ -106,7 +112,10 @@ TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
 TEST_F(MachineIo, UnsavedWorkThatCannotBeKeptSaysSo) {
     ASSERT_TRUE(writeFile(path("file"), "x").has_value());
     UnsavedWork work(path("file/unsaved"));
-    EXPECT_FALSE(work.keep({}, "x").has_value());
+    std::optional<FileWriter::Result> kept;
+    work.keep({}, "x", [&](const FileWriter::Result& result) { kept = result; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return kept.has_value(); }));
+    EXPECT_FALSE(kept->has_value());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QTabWidget>
 
+#include "tests/model/stepfixture.h"
 #include "widgets/chain/chainmodel.h"
 #include "windowtest.h"
 
@@ -111,6 +112,46 @@ TEST_F(Axis, TheAnalogValueIsReadInItsOwnScale) {
     window->showLink(connectedTo({module}));
     EXPECT_EQ(text(u"analogValue"_s), u"1.5 A (125 of 255)"_s);  // -1 + 125 x 0.02
 }
+
+// ---- the same page of either chip ----
+
+class AxisOfEach : public Axis, public testing::WithParamInterface<ModuleType> {
+protected:
+    AxisOfEach() {
+        ModuleState module = Servo{}.state();
+        if (GetParam() == ModuleType::Step)
+            module = testing_support::Stepper::holding().module;
+        window->showLink(connectedTo({module}));
+    }
+    static QString named(const QString& name) {
+        return GetParam() == ModuleType::Step ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+    }
+    QLineEdit* edit(const QString& name) { return find<QLineEdit>(named(name)); }
+};
+
+TEST_P(AxisOfEach, ASymbolMayHaveSpaces) {
+    choose(named(u"axisUnitBox"_s), u"a unit of your own"_s);
+    QTest::keyClicks(edit(u"axisSymbolField"_s), u"ml per s"_s);
+    EXPECT_EQ(edit(u"axisSymbolField"_s)->text(), u"ml per s"_s);
+    EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s");
+    QTest::keyClick(edit(u"axisSymbolField"_s), Qt::Key_Space);
+    EXPECT_EQ(machine.axes.at(0).unit.ownSymbol, "ml per s") << "a space at its end is none of it";
+}
+
+TEST_P(AxisOfEach, NamingItKeepsTheAnalogScaleToTheLastDigit) {
+    machine.axes.resize(1);
+    machine.axes[0].analog = {5.0 / 255, 1.0 / 3, "V"};
+    window->showMachine(machine);
+    QTest::keyClicks(edit(u"axisNameField"_s), u"Z axis"_s);
+    EXPECT_EQ(machine.axes.at(0).name, "Z axis");
+    EXPECT_EQ(machine.axes.at(0).analog.perCount, 5.0 / 255);
+    EXPECT_EQ(machine.axes.at(0).analog.atZero, 1.0 / 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, ModuleType::Step),
+                         [](const auto& chip) {
+                             return chip.param == ModuleType::Servo ? "Servo" : "Stepper";
+                         });
 
 }  // namespace
 }  // namespace nmc

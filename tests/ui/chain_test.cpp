@@ -100,5 +100,17 @@ TEST_F(ChainList, WithoutAChainTheMiddleSaysWhatToDo) {
     EXPECT_FALSE(find(u"emptyPanel"_s)->isVisible());
 }
 
+TEST_F(ChainList, SaysInTheToolTipWhatItHasNoRoomFor) {
+    machine.axes.resize(1);
+    machine.axes[0].name = "A name that is longer than the list is wide";
+    window->showMachine(machine);
+    showServo({.version = 2});
+    const QString tip = at(0, Qt::ToolTipRole).toString();
+    for (const int role : {int(ChainModel::Title), int(ChainModel::TypeText), int(ChainModel::ActivityText)})
+        EXPECT_TRUE(tip.contains(at(0, role).toString())) << tip.toStdString();
+    EXPECT_EQ(at(1, Qt::ToolTipRole), at(1, ChainModel::TypeText)) << "the port";
+    texts::setModuleNames({});
+}
+
 }  // namespace
 }  // namespace nmc

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLineEdit>
 
 #include "widgets/common/texts.h"
 #include "windowtest.h"
@@ -31,6 +33,37 @@ TEST_F(Connection, ConnectsToTheChosenPortAndRate) {
     ASSERT_EQ(connects.size(), 1);
     EXPECT_EQ(connects.at(0).at(0).toString(), u"/dev/pts/7"_s);
     EXPECT_EQ(connects.at(0).at(1).toUInt(), 57600U);
+}
+
+TEST_F(Connection, APortCanBeTypedWhilePortsComeAndGo) {
+    QSignalSpy connects(window.get(), &MainWindow::connectRequested);
+    window->showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
+    auto* field = find<QLineEdit>(u"portField"_s);
+    field->selectAll();
+    QTest::keyClicks(field, u"/dev/serial/by-id/"_s);
+    window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
+    QTest::keyClicks(field, u"usb-A1 "_s);
+    EXPECT_EQ(field->text(), u"/dev/serial/by-id/usb-A1 "_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_EQ(connects.size(), 1);
+    EXPECT_EQ(connects.at(0).at(0).toString(), u"/dev/serial/by-id/usb-A1"_s);
+    // One that is listed is called by its name again.
+    field->selectAll();
+    QTest::keyClicks(field, u"Simulator"_s);
+    click(u"connectButton"_s);
+    ASSERT_EQ(connects.size(), 2);
+    EXPECT_EQ(connects.at(1).at(0).toString(), kSimulatorPort);
+}
+
+TEST_F(Connection, WithoutAPortTheListOpensInstead) {
+    QSignalSpy connects(window.get(), &MainWindow::connectRequested);
+    auto* field = find<QLineEdit>(u"portField"_s);
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(connects.size(), 0);
+    EXPECT_TRUE(ports()->view()->isVisible());
+    ports()->hidePopup();
 }
 
 TEST_F(Connection, AChosenSimulatorChainSaysWhatItIs) {

@@ -165,5 +165,30 @@ TEST_F(Head, OfAStepperShowsItsInputs) {
     EXPECT_EQ(text(u"stepHeadLimit2"_s), u"Limit 2 low"_s);
 }
 
+TEST_F(Head, AndTheListKeepTheLastPositionStruckOutWhenTheAdapterIsUnplugged) {
+    const ModuleState module = Servo{.position = 1234}.state();
+    window->showLink(connectedTo({module}));
+    LinkState gone;
+    gone.port = "/dev/ttyUSB0";
+    gone.unplugged = true;
+    window->showLink(gone);
+    EXPECT_EQ(text(u"positionLabel"_s), u"1\u202f234"_s);
+    EXPECT_TRUE(find<QLabel>(u"positionLabel"_s)->font().strikeOut());
+    const QAbstractItemModel* list = find<QListView>(u"chainList"_s)->model();
+    EXPECT_EQ(list->index(0, 0).data(ChainModel::Position).toString(), u"1\u202f234"_s);
+    EXPECT_TRUE(list->index(0, 0).data(ChainModel::PositionIsOld).toBool());
+    EXPECT_FALSE(button(u"stopSmoothlyButton"_s)->isEnabled());
+    window->showTime(module.latestTime + std::chrono::milliseconds(1300));
+    EXPECT_EQ(text(u"positionUnit"_s), u"counts, 1.3 s old"_s);
+    window->showTime(module.latestTime + std::chrono::milliseconds(2300));
+    EXPECT_EQ(text(u"positionUnit"_s), u"counts, 2.3 s old"_s);
+    // The next connection knows nothing of it.
+    LinkState next;
+    next.port = "/dev/ttyUSB0";
+    next.phase = LinkPhase::Connecting;
+    window->showLink(next);
+    EXPECT_EQ(window->selectedModule(), std::nullopt);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -294,12 +294,14 @@ TEST(StepHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     EXPECT_EQ(box.findChild<QAbstractButton*>(u"stepOnIndexBox"_s), nullptr);
     EXPECT_EQ(box.findChild<QWidget*>(u"limitStopBox"_s), nullptr);
     auto* velocity = box.findChild<NumberField*>(u"stepHomingVelocityField"_s);
-    velocity->setText(u"49"_s);
-    emit velocity->textEdited(velocity->text());
+    const auto type = [velocity](const QString& words) {
+        velocity->selectAll();
+        QTest::keyClicks(velocity, words);
+    };
+    type(u"49"_s);
     EXPECT_FALSE(home->isEnabled()) << "speed 1 of mode 2x is 50 steps/s, which would be faster";
-    velocity->setText(u"50"_s);
-    emit velocity->textEdited(velocity->text());
-    home->click();
+    type(u"50"_s);
+    QTest::mouseClick(home, Qt::LeftButton);
     ASSERT_EQ(intents.size(), 1);
     const auto recipe = std::get<intent::Home>(intents.at(0).at(0).value<Intent>()).recipe;
     EXPECT_TRUE(recipe.onHomeSwitch);

@@ -68,6 +68,21 @@ TEST_F(LookOfWindow, QuietTextFollowsThePaletteOfTheMoment) {
     }
 }
 
+TEST_F(LookOfWindow, WhatStandsInAnEmptyFieldIsReadable) {
+    showServo({.gains = false});
+    const NumberField* kp = field(u"kpField"_s);
+    ASSERT_EQ(kp->placeholderText(), u"unknown"_s);
+    for (const QPalette& palette : {QApplication::palette(), darkPalette()}) {
+        window->setPalette(palette);
+        QApplication::processEvents();
+        for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
+            EXPECT_GE(look::contrast(kp->palette().color(group, QPalette::PlaceholderText),
+                                     kp->palette().color(group, QPalette::Base)),
+                      4.5)
+                << group;
+    }
+}
+
 TEST_F(LookOfWindow, EveryIconIsThere) {
     for (const QAbstractButton* control : window->findChildren<QAbstractButton*>()) {
         if (control->icon().isNull() || control->objectName().isEmpty())

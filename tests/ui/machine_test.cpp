@@ -56,6 +56,19 @@ TEST_F(MachineWindow, TheTitleNamesTheMachineAndMarksWhatIsNotSaved) {
     EXPECT_EQ(window->windowTitle(), u"NMC Panel"_s);
 }
 
+TEST_F(MachineWindow, WhileTheDiskIsWaitedForTheTitleSaysSoAndNothingElseIsAskedOfIt) {
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {u"/home/anna/old.json"_s}, true});
+    EXPECT_EQ(window->windowTitle(), u"NMC Panel - mill[*] (being saved)"_s);
+    const QSignalSpy saved(&menu(), &MachineMenu::saveRequested);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(saved.count(), 0);
+    EXPECT_FALSE(find<QMenu>(u"recentMachinesMenu"_s)->isEnabled());
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {u"/home/anna/old.json"_s}});
+    EXPECT_TRUE(find<QMenu>(u"recentMachinesMenu"_s)->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(saved.count(), 1);
+}
+
 TEST_F(MachineWindow, TheStandardKeysOpenSaveAndBeginAnew) {
     const std::pair<QString, QKeySequence> keys[] = {
         {u"newMachineAction"_s, Qt::CTRL | Qt::Key_N},
@@ -98,6 +111,18 @@ TEST_F(MachineWindow, AMachineWithoutAFileAsksForOneWhenItIsSaved) {
 }
 
 // ---- the table ----
+
+TEST_F(MachineWindow, ARowOfOneValueNamesItsQuantity) {
+    const auto one = [](MachinePart part, const char* key) {
+        return Difference{{ModuleIndex(0), part}, {{key, Quantity::Plain, 40.0, 42.0}}};
+    };
+    menu().showDifferences(u"/home/anna/mill.json"_s,
+                           {one(MachinePart::Gains, "Kp"), one(MachinePart::Motion, "velocity"),
+                            one(MachinePart::AccelerationTime, "acceleration_time")});
+    EXPECT_EQ(table()->topLevelItem(0)->text(0), u"Module 1: Gains, Kp"_s);
+    EXPECT_EQ(table()->topLevelItem(1)->text(0), u"Module 1: Motion, Velocity"_s);
+    EXPECT_EQ(table()->topLevelItem(2)->text(0), u"Module 1: Acceleration time"_s);
+}
 
 TEST_F(MachineWindow, TheTableShowsFileAndPresentAndWhatApplyingDoes) {
     showSome();
@@ -235,6 +260,30 @@ TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
     });
     window->close();
     click(u"saveFirstButton"_s);
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
+    const MachineFile saving{u"/home/anna/mill.json"_s, {}, true, {}, true};
+    menu().showFile(saving);
+    window->close();
+    EXPECT_EQ(text(u"closeText"_s),
+              u"\"mill\" is being saved. The window closes as soon as the disk has it."_s);
+    click(u"staySavingButton"_s);
+    menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
+    EXPECT_TRUE(window->isVisible()) << "that was said to stay";
+    menu().showFile(saving);
+    window->close();
+    menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
+    EXPECT_TRUE(window->isVisible()) << "it did not work";
+    menu().showFile(saving);
+    window->close();
+    menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
+    EXPECT_FALSE(window->isVisible());
+    window->show();
+    menu().showFile(saving);
+    window->close();
+    click(u"closeUnsavedButton"_s);
     EXPECT_FALSE(window->isVisible());
 }
 

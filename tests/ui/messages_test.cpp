@@ -100,7 +100,7 @@ TEST_F(Messages, GoodNewsDoesNotRaiseABanner) {
 }
 
 TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
-    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
     click(u"bannerAction_retry"_s);
     ASSERT_EQ(actions.size(), 1);
     EXPECT_EQ(actions.at(0).at(0).value<Message>().key, texts::key::port());
@@ -113,7 +113,7 @@ TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
 TEST_F(Messages, AnActionMayEndItsOwnMessage) {
     QObject::connect(window.get(), &MainWindow::messageAction, window.get(),
                      [this](const Message& message) { window->endMessage(message.key); });
-    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
     QTest::mouseClick(list()->rows().at(0)->findChild<QAbstractButton*>(u"listAction_retry"_s),
                       Qt::LeftButton);
     EXPECT_TRUE(list()->rows().at(0)->over());
@@ -122,7 +122,7 @@ TEST_F(Messages, AnActionMayEndItsOwnMessage) {
 
 TEST_F(Messages, CopyCommandCopies) {
     window->showMessage(
-        texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}, 0}));
+        texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}}));
     click(u"bannerAction_copyCommand"_s);
     EXPECT_EQ(QGuiApplication::clipboard()->text(), u"sudo usermod -aG dialout anna"_s);
 }
@@ -135,7 +135,7 @@ TEST_F(Messages, HidingTheBannerKeepsTheRow) {
 }
 
 TEST_F(Messages, TextFromOutsideIsNotMarkup) {
-    window->showMessage(texts::portProblem({PortProblem::InUse, "<b>x</b>", {}, {}, {}, 0}));
+    window->showMessage(texts::portProblem({PortProblem::InUse, "<b>x</b>", {}, {}, {}}));
     EXPECT_EQ(find<QLabel>(u"bannerHeadline"_s)->textFormat(), Qt::PlainText);
 }
 

@@ -182,7 +182,8 @@ TEST_P(Places, OfTheActionsOfAMessageAreWithinTheWindow) {
     for (const Message& message :
          {texts::safety(), texts::tripped(ModuleIndex(0), 4000), texts::unaddressed(),
           texts::chainNotAccepted(), texts::fewerThanExpected(2, 3), texts::moduleMissing(ModuleIndex(1), 2),
-          texts::linkLost(u"/dev/ttyUSB0"_s, 2), texts::adapterBack(u"/dev/ttyUSB0"_s, true)}) {
+          texts::linkLost(u"/dev/ttyUSB0"_s, {ModuleIndex(0), ModuleIndex(1)}),
+          texts::adapterBack(u"/dev/ttyUSB0"_s, true)}) {
         window->showMessage(message);
         EXPECT_EQ(text(u"bannerHeadline"_s), message.headline);
         expectBannerWhole();

@@ -112,7 +112,7 @@ TEST_F(Scope, PauseHoldsThePictureStill) {
     for (int i = 0; i <= 1000; ++i)
         history.add(i / 100.0, i % 50);
     show(history, 10);
-    find<QAbstractButton>(u"scopePauseButton"_s)->click();
+    click(u"scopePauseButton"_s);
     show(history, 10);
     const QImage before = plot()->grab().toImage();
     for (int i = 1001; i <= 2000; ++i)

@@ -88,7 +88,7 @@ protected:
         return {};
     }
     void toPage(const QString& bench, int page) { find<QTabWidget>(bench)->setCurrentIndex(page); }
-    void press(const QString& objectName) { button(objectName)->click(); }
+    void press(const QString& objectName) { click(objectName); }
     /// On the mark itself: a check box as wide as its row is not one all over.
     void tick(const QString& objectName) {
         QAbstractButton* box = button(objectName);

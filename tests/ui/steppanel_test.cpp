@@ -26,7 +26,7 @@ protected:
         const T* wanted = std::get_if<T>(&intent);
         return wanted == nullptr ? std::nullopt : std::optional(*wanted);
     }
-    void choose(const QString& mode) { button(mode)->click(); }
+    void choose(const QString& mode) { click(mode); }
     void bringUp(int page) { find<QTabWidget>(u"stepPages"_s)->setCurrentIndex(page); }
     QString plain(const QString& label) { return text(label).replace(QChar(0x202F), u' '); }
 
@@ -300,17 +300,15 @@ TEST_F(StepPanelTest, EachControlIsReachedByTab) {
     show(Stepper::holding());
     for (int page = 0; page < find<QTabWidget>(u"stepPages"_s)->count(); ++page) {
         bringUp(page);
-        QSet<const QWidget*> reached;
-        for (const QWidget* w = window->nextInFocusChain(); w != window.get(); w = w->nextInFocusChain())
-            reached.insert(w);
+        const QSet<const QWidget*> reached = reachedByTab();
         for (const QWidget* control : find(u"stepPanel"_s)->findChildren<QWidget*>()) {
             const bool operates = qobject_cast<const QAbstractButton*>(control) != nullptr ||
                                   qobject_cast<const QLineEdit*>(control) != nullptr ||
                                   qobject_cast<const QComboBox*>(control) != nullptr;
             if (!operates || !control->isVisible() || control->parentWidget()->inherits("QTabBar"))
                 continue;
-            EXPECT_TRUE(reached.contains(control)) << control->objectName().toStdString();
-            EXPECT_NE(control->focusPolicy() & Qt::TabFocus, 0) << control->objectName().toStdString();
+            EXPECT_TRUE(reached.contains(control) || !control->isEnabled())
+                << control->objectName().toStdString();
             EXPECT_FALSE(control->accessibleName().isEmpty()) << control->objectName().toStdString();
             EXPECT_FALSE(control->toolTip().isEmpty()) << control->objectName().toStdString();
         }

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QTimer>
 #include <functional>
 
@@ -90,6 +91,15 @@ TEST_P(StopBeside, EscStopsFromIt) {
     EXPECT_EQ(stops.size(), 1);
     pressStop();
     EXPECT_EQ(stops.size(), 2);
+}
+
+TEST_P(StopBeside, EscClosesWhatIsAWindowOfItsOwnAsWell) {
+    const QPointer<QWidget> window = other;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == window->windowHandle(); }));
+    pressEsc();
+    EXPECT_EQ(stops.size(), 1);
+    const bool dock = qobject_cast<QDockWidget*>(other) != nullptr;
+    EXPECT_EQ(window != nullptr && window->isVisible(), dock) << "docks belong to the main window";
 }
 
 void atRest(StopEverywhere& test) {

@@ -16,8 +16,7 @@ QStringList verbs(const Message& message) {
 // The table of interface.md, row by row.
 
 TEST(Texts, NoPermission) {
-    const Message m =
-        texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}, 0});
+    const Message m = texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}});
     EXPECT_EQ(m.headline, u"Your user account may not use /dev/ttyUSB0."_s);
     EXPECT_EQ(
         m.body,
@@ -26,16 +25,20 @@ TEST(Texts, NoPermission) {
 }
 
 TEST(Texts, InUse) {
-    const Message m = texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}, 0});
+    const Message m = texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}});
     EXPECT_EQ(m.headline, u"/dev/ttyUSB0 is used by another program."_s);
     EXPECT_EQ(m.body, u"Close it and try again."_s);
     EXPECT_TRUE(verbs(m).contains(u"Retry"_s));
 }
 
 TEST(Texts, Gone) {
-    const Message m = texts::portProblem({PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}, 2});
+    texts::setModuleNames({{}, {}, u"Z axis"_s});
+    const PortError gone{PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}, {ModuleIndex(0), ModuleIndex(2)}};
+    const Message m = texts::portProblem(gone);
+    texts::setModuleNames({});
     EXPECT_EQ(m.headline,
-              u"The adapter at /dev/ttyUSB0 was unplugged. Motor state unknown: 2 motors were moving."_s);
+              u"The adapter at /dev/ttyUSB0 was unplugged. Motor state unknown: Module 1 and Module 3 "
+              "\"Z axis\" were moving."_s);
     EXPECT_EQ(m.body, u"Use the hardware stop if needed, then plug it in again."_s);
     EXPECT_EQ(m.severity, Severity::Fault);
 }
@@ -202,9 +205,9 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
 
 TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {
     for (const Message& m :
-         {texts::linkLost(u"/dev/ttyUSB0"_s, 0), texts::linkLost(u"/dev/ttyUSB0"_s, 1),
+         {texts::linkLost(u"/dev/ttyUSB0"_s, {}), texts::linkLost(u"/dev/ttyUSB0"_s, {ModuleIndex(0)}),
           texts::moduleSilent(ModuleIndex(0), 1.2, true), texts::moduleSilent(ModuleIndex(0), 1.2, false),
-          texts::portProblem({PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}, 0}),
+          texts::portProblem({PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}}),
           texts::operationFailed({bus::OperationId(1), bus::Outcome::NoAnswer, ModuleIndex(0), 0})})
         EXPECT_TRUE(m.headline.contains(u"unknown"_s)) << m.headline.toStdString();
 }
@@ -214,7 +217,7 @@ TEST(Texts, NoForbiddenWords) {
     QStringList all;
     const auto add = [&all](const Message& m) { all << m.headline + u' ' + m.body; };
     for (int p = 0; p <= static_cast<int>(PortProblem::Other); ++p)
-        add(texts::portProblem({static_cast<PortProblem>(p), "/dev/ttyUSB0", {}, {}, {}, 0}));
+        add(texts::portProblem({static_cast<PortProblem>(p), "/dev/ttyUSB0", {}, {}, {}}));
     for (int f = 0; f <= static_cast<int>(bus::ConnectFailure::Garbled); ++f)
         add(texts::connectFailed({static_cast<bus::ConnectFailure>(f), {ModuleIndex(1)}, 115200},
                                  u"/dev/ttyUSB0"_s));

@@ -78,6 +78,19 @@ void WindowTest::showServos(std::vector<Servo> servos) {
     window->showLink(connectedTo(std::move(modules)));
 }
 
+QSet<const QWidget*> WindowTest::reachedByTab() {
+    constexpr int kMost = 1'000;
+    QSet<const QWidget*> reached;
+    for (int i = 0; i < kMost; ++i) {
+        QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
+        const QWidget* focused = QApplication::focusWidget();
+        if (focused == nullptr || reached.contains(focused))
+            break;
+        reached.insert(focused);
+    }
+    return reached;
+}
+
 void WindowTest::type(const QString& objectName, const QString& text) {
     NumberField* target = field(objectName);
     target->setFocus();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -62,6 +63,8 @@ protected:
     QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }
     /// As a user would: selects what is there and types over it.
     void type(const QString& objectName, const QString& text);
+    /// What has the focus as Tab is struck again and again, until it is where it was.
+    QSet<const QWidget*> reachedByTab();
     void click(const QString& objectName) { QTest::mouseClick(button(objectName), Qt::LeftButton); }
 
     QTemporaryDir directory;

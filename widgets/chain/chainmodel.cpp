@@ -54,7 +54,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
 }
 
 void ChainModel::showLink(const LinkState& state, const Machine& machine, const Procedures& procedures) {
-    const bool open = state.phase != LinkPhase::Disconnected;
+    const bool open = state.phase != LinkPhase::Disconnected || state.unplugged;
     const std::size_t count = open ? state.modules.size() : 0;
     const bool others = open != m_open || count != m_rows.size();
     if (others) {
@@ -92,7 +92,7 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
             return true;
         if (role == Qt::DisplayRole || role == Name || role == Qt::AccessibleTextRole)
             return tr("PC");
-        if (role == TypeText)
+        if (role == TypeText || role == Qt::ToolTipRole)
             return m_host;
         return {};
     }
@@ -128,11 +128,12 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
                        .arg(row.type, row.activity, row.position, row.unit) +
                    u". "_s + texts::home(row.facts.home, row.facts.scale);
         case Qt::ToolTipRole:
-            return tr("%1 at address %2 on the wire. %3")
-                       .arg(row.facts.name)
-                       .arg(row.facts.address)
-                       .arg(texts::activityMeaning(row.facts.activity)) +
-                   u'\n' + texts::homeMeaning(row.facts.home, row.seen, row.facts.scale);
+            // Whole, since there may be no room for all of it in the list.
+            return tr("%1, %2, at address %3 on the wire")
+                       .arg(row.facts.name, row.type)
+                       .arg(row.facts.address) +
+                   u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) + u'\n' +
+                   texts::homeMeaning(row.facts.home, row.seen, row.facts.scale);
         default:
             return {};
     }

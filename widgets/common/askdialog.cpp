@@ -11,7 +11,7 @@
 
 namespace nmc {
 
-void AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
+AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
     auto* dialog = window->findChild<AskDialog*>(question.name);
     if (dialog == nullptr) {
         dialog = new AskDialog(question, choices, window);
@@ -19,6 +19,7 @@ void AskDialog::ask(const Question& question, std::initializer_list<Choice> choi
     }
     dialog->raise();
     dialog->activateWindow();
+    return *dialog;
 }
 
 void AskDialog::reviewAll(const QWidget& window) {

@@ -34,7 +34,7 @@ public:
     };
 
     /// One that stands already under this name comes to the front instead.
-    static void ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
     /// Something has changed that questions of this window may be about.
     static void reviewAll(const QWidget& window);
 

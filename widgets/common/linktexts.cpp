@@ -164,11 +164,11 @@ Message openAlready() {
             .body = Texts::tr("Disconnect first; closing it may stop motors. Then look again.")};
 }
 
-Message linkLost(const QString& port, int movingMotors) {
+Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
     return {.key = key::link(),
             .severity = Severity::Fault,
-            .headline = Texts::tr("No module answers on %1 any more. %2")
-                            .arg(portName(port), movingSentence(movingMotors)),
+            .headline =
+                Texts::tr("No module answers on %1 any more. %2").arg(portName(port), movingSentence(moving)),
             .body = Texts::tr(
                 "Use the hardware stop if needed. Then check the power of the modules and the cable at "
                 "the PC."),

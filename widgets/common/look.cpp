@@ -197,6 +197,15 @@ QLabel* newMutedLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
+void adoptPlaceholders(QWidget* window) {
+    QPalette palette = window->palette();
+    const QColor colour = mutedText(palette);
+    if (palette.color(QPalette::Active, QPalette::PlaceholderText) == colour)
+        return;
+    palette.setColor(QPalette::PlaceholderText, colour);
+    window->setPalette(palette);
+}
+
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName) {
     widget->setObjectName(objectName);
     widget->setAccessibleName(accessibleName);

@@ -53,6 +53,10 @@ void setReadout(QLabel* label, const QString& text);
 /// Quiet secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
 
+/// What stands in empty fields of this window is as readable as other secondary text: again with each change
+/// of its palette.
+void adoptPlaceholders(QWidget* window);
+
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
 /// Of a text that changes: its name, as it is read out, is what it says; `what` describes it.

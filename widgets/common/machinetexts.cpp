@@ -240,6 +240,11 @@ QString notSaved(const QString& machine) {
     return Texts::tr("The changes to %1 are not saved.").arg(machineOrFile(machine));
 }
 
+QString beingSaved(const QString& machine) {
+    return Texts::tr("%1 is being saved. The window closes as soon as the disk has it.")
+        .arg(machineOrFile(machine));
+}
+
 QString machinePart(MachinePart part) {
     switch (part) {
         case MachinePart::MachineName:

@@ -123,14 +123,4 @@ QString packetGap() {
     return Texts::tr("Exchanges before this one were not recorded.");
 }
 
-QString packetsSaved(const QString& path, quint64 exchanges) {
-    return Texts::tr("%1 exchanges saved to %2.")
-        .arg(grouped(static_cast<qint64>(exchanges)), QDir::toNativeSeparators(path));
-}
-
-QString fileNotWritten(const QString& path, const QString& reason) {
-    return Texts::tr("%1 could not be written: %2. Choose another folder, or make room.")
-        .arg(QDir::toNativeSeparators(path), reason);
-}
-
 }  // namespace nmc::texts

@@ -127,7 +127,7 @@ Message portMessage(const PortError& error) {
         case PortProblem::Gone:
             m.severity = Severity::Fault;
             m.headline = Texts::tr("The adapter at %1 was unplugged. %2")
-                             .arg(shown(error.port), movingSentence(error.movingMotors));
+                             .arg(shown(error.port), movingSentence(error.moving));
             m.body = Texts::tr("Use the hardware stop if needed, then plug it in again.");
             m.actions = {retry()};
             return m;

@@ -316,8 +316,4 @@ QString directionFound(const DirectionFound& found) {
     return {};
 }
 
-QString stepRunsSaved(const QString& path) {
-    return Texts::tr("The step responses were saved to %1.").arg(QDir::toNativeSeparators(path));
-}
-
 }  // namespace nmc::texts

@@ -27,6 +27,6 @@ class Texts {
 /// The key of a message about one module.
 [[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
 /// What is known of the motors when the link is not.
-[[nodiscard]] QString movingSentence(int moving);
+[[nodiscard]] QString movingSentence(const std::vector<ModuleIndex>& moving);
 
 }  // namespace nmc::texts

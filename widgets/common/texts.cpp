@@ -37,11 +37,15 @@ QString ofModule(const QString& what, ModuleIndex module) {
     return what + u'.' + QString::number(module.value() + 1);
 }
 
-QString movingSentence(int moving) {
-    if (moving == 0)
+QString movingSentence(const std::vector<ModuleIndex>& moving) {
+    if (moving.empty())
         return Texts::tr("Motor state unknown; no motor was moving at the last word.");
-    return moving == 1 ? Texts::tr("Motor state unknown: 1 motor was moving.")
-                       : Texts::tr("Motor state unknown: %1 motors were moving.").arg(moving);
+    QStringList names;
+    for (const ModuleIndex module : moving)
+        names << moduleName(module);
+    return (names.size() == 1 ? Texts::tr("Motor state unknown: %1 was moving.")
+                              : Texts::tr("Motor state unknown: %1 were moving."))
+        .arg(listOf(names));
 }
 
 Message operationFailed(const bus::OperationFinished& finished) {

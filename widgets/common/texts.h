@@ -47,7 +47,7 @@ namespace texts {
 [[nodiscard]] Message disconnected(const QString& port);
 /// Something else was to be looked at.
 [[nodiscard]] Message openAlready();
-[[nodiscard]] Message linkLost(const QString& port, int movingMotors);
+[[nodiscard]] Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving);
 /// The link was given up, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
@@ -105,7 +105,6 @@ namespace texts {
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.
 [[nodiscard]] QString directionFound(const DirectionFound& found);
-[[nodiscard]] QString stepRunsSaved(const QString& path);
 
 // ---- what the scope keeps ----
 /// The message with "Show the last 2 s" before its other buttons.
@@ -161,8 +160,6 @@ namespace texts {
 /// What stands above the lines of a saved text.
 [[nodiscard]] QString packetTextHead(const PacketSession& session, quint64 dropped);
 [[nodiscard]] QString packetGap();
-[[nodiscard]] QString packetsSaved(const QString& path, quint64 exchanges);
-[[nodiscard]] QString fileNotWritten(const QString& path, const QString& reason);
 
 // ---- the machine file ----
 /// ""mill.json" line 12: Kp is 40000; the module takes 0 to 32767."
@@ -184,6 +181,8 @@ namespace texts {
 [[nodiscard]] Message unsavedWorkNotKept(const FileError& error);
 /// The question before unsaved work gives way to something else.
 [[nodiscard]] QString notSaved(const QString& machine);
+/// Why the window does not close yet.
+[[nodiscard]] QString beingSaved(const QString& machine);
 [[nodiscard]] QString machinePart(MachinePart part);
 [[nodiscard]] QString machineField(const QString& key);
 /// What stands in the file, or what there is now; `unknown` for what is neither.
@@ -194,7 +193,7 @@ namespace texts {
 /// Why nothing can be sent while motors move.
 [[nodiscard]] QString notSentWhileMoving(int movingMotors);
 
-// ---- recordings, and what the scope exports ----
+// ---- recordings, and what is exported ----
 [[nodiscard]] Message recordingEnded(const QString& path, double seconds);
 /// `seconds`: how long it went on.
 [[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);

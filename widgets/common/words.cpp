@@ -331,14 +331,17 @@ QString countOfModules(int count) {
     return count == 1 ? Texts::tr("1 module") : Texts::tr("%1 modules").arg(count);
 }
 
+QString listOf(const QStringList& names) {
+    if (names.size() < 2)
+        return names.join(QString());
+    return names.mid(0, names.size() - 1).join(u", "_s) + Texts::tr(" and ") + names.last();
+}
+
 QString listOfModules(const std::vector<ModuleIndex>& modules) {
-    QString list;
-    for (std::size_t i = 0; i < modules.size(); ++i) {
-        if (i > 0)
-            list += i + 1 == modules.size() ? Texts::tr(" and ") : u", "_s;
-        list += QString::number(modules[i].value() + 1);
-    }
-    return list;
+    QStringList numbers;
+    for (const ModuleIndex module : modules)
+        numbers << QString::number(module.value() + 1);
+    return listOf(numbers);
 }
 
 QString unitCounts() {

@@ -38,6 +38,8 @@ void setModuleNames(const QStringList& names);
 /// A readout with so many significant digits, grouped; the locale's decimal mark; a true minus sign.
 [[nodiscard]] QString readout(double value, int significant = 4);
 [[nodiscard]] QString countOfModules(int count);
+/// "a, b and c"
+[[nodiscard]] QString listOf(const QStringList& names);
 /// "3, 4 and 5"
 [[nodiscard]] QString listOfModules(const std::vector<ModuleIndex>& modules);
 

@@ -35,15 +35,42 @@ QIcon attention(const QWidget& widget) {
     return pixmap;
 }
 
+/// Others are one value, and called as it is.
+bool hasFields(MachinePart part) {
+    switch (part) {
+        case MachinePart::MachineName:
+        case MachinePart::Rate:
+        case MachinePart::Hardware:
+        case MachinePart::AxisName:
+        case MachinePart::AccelerationTime:
+            return false;
+        case MachinePart::Groups:
+        case MachinePart::Unit:
+        case MachinePart::Motion:
+        case MachinePart::Homing:
+        case MachinePart::Analog:
+        case MachinePart::PinNames:
+        case MachinePart::Gains:
+        case MachinePart::Io:
+        case MachinePart::Parameters:
+            return true;
+    }
+    return false;
+}
+
 /// Nothing of it is known here yet: its fields need not be looked at one by one.
 bool allNew(const Difference& difference) {
     return std::none_of(difference.fields.begin(), difference.fields.end(),
                         [](const FieldDifference& field) { return field.now.has_value(); });
 }
 
-QString whatOf(const PartId& id) {
-    return id.module ? u"%1: %2"_s.arg(texts::moduleName(*id.module), texts::machinePart(id.part))
-                     : texts::machinePart(id.part);
+/// One of many has its own name.
+QString whatOf(const Difference& difference) {
+    const PartId& id = difference.id;
+    QString what = texts::machinePart(id.part);
+    if (difference.fields.size() == 1 && hasFields(id.part))
+        what += u", "_s + texts::machineField(QString::fromStdString(difference.fields.front().key));
+    return id.module ? u"%1: %2"_s.arg(texts::moduleName(*id.module), what) : what;
 }
 
 }  // namespace
@@ -135,7 +162,7 @@ void DifferencesDialog::showDifferences(const QString& file, std::vector<Differe
 void DifferencesDialog::addRow(const Difference& difference) {
     auto* row = new QTreeWidgetItem(m_table);
     row->setSizeHint(kApplying, QSize(0, fontMetrics().height() * 3 / 2));
-    row->setText(kWhat, whatOf(difference.id));
+    row->setText(kWhat, whatOf(difference));
     row->setText(kApplying, texts::machineApplying(difference));
     row->setToolTip(kApplying, row->text(kApplying));
     const bool sent = difference.applying == Applying::Sends || difference.applying == Applying::KeepsUnsent;

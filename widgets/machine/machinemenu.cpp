@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <utility>
 
 #include "model/machinefile/machinefile.h"
 #include "widgets/common/askdialog.h"
@@ -47,7 +48,7 @@ MachineMenu::MachineMenu(QWidget* window)
     connect(m_open, &QAction::triggered, this, [this] { askFirst([this] { chooseToOpen(); }); });
     connect(m_save, &QAction::triggered, this, [this] { save(doNothing); });
     connect(m_saveAs, &QAction::triggered, this, [this] { chooseToSave(doNothing); });
-    fillRecent();
+    m_recent->setEnabled(false);
 }
 
 QAction* MachineMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
@@ -70,10 +71,16 @@ void MachineMenu::addTo(QMenu& menu) {
 
 void MachineMenu::showFile(const MachineFile& file) {
     const bool otherRecent = file.recent != m_file.recent;
+    const bool done = m_file.saving && !file.saving;
     m_file = file;
     if (otherRecent)
         fillRecent();
+    for (QAction* action : {m_new, m_open, m_save, m_saveAs})
+        action->setEnabled(!m_file.saving);
+    m_recent->setEnabled(!m_file.saving && !m_file.recent.isEmpty());
     emit shown();
+    if (done)
+        goOnAfterSaving();
 }
 
 void MachineMenu::fillRecent() {
@@ -88,14 +95,14 @@ void MachineMenu::fillRecent() {
         connect(action, &QAction::triggered, this,
                 [this, path] { askFirst([this, path] { emit openRequested(path); }); });
     }
-    m_recent->setEnabled(!m_file.recent.isEmpty());
 }
 
 QString MachineMenu::titlePart() const {
     const QString title = m_file.title();
-    if (title.isEmpty() && !m_file.modified)
+    if (title.isEmpty() && !m_file.modified && !m_file.saving)
         return {};
-    return (title.isEmpty() ? tr("new machine") : title) + u"[*]"_s;
+    const QString marked = (title.isEmpty() ? tr("new machine") : title) + u"[*]"_s;
+    return m_file.saving ? tr("%1 (being saved)").arg(marked) : marked;
 }
 
 void MachineMenu::showDifferences(const QString& file, std::vector<Difference> differences) {
@@ -119,6 +126,8 @@ void MachineMenu::closeDifferences() {
 }
 
 void MachineMenu::askBeforeClose(const Go& close) {
+    if (m_file.saving)
+        return waitForSave(close);
     ask(tr("&Save and close"), tr("&Close: the next start offers them again"), close);
 }
 
@@ -145,12 +154,41 @@ void MachineMenu::ask(const QString& saveText, const QString& goOnText, const Go
         m_window);
 }
 
+void MachineMenu::waitForSave(const Go& close) {
+    m_afterSaving = close;
+    const AskDialog& question = AskDialog::ask(
+        {.name = u"savingDialog"_s,
+         .title = tr("Saving"),
+         .text = [this] { return m_file.saving ? texts::beingSaved(m_file.title()) : QString(); },
+         .stay = tr("S&tay"),
+         .stayName = u"staySavingButton"_s},
+        {{tr("&Close: the next start offers them again"), u"closeUnsavedButton"_s, close}}, m_window);
+    // Not when it is withdrawn because the file is saved: that closes.
+    connect(&question, &QDialog::finished, this, [this] {
+        if (m_file.saving)
+            m_afterSaving = doNothing;
+    });
+}
+
 void MachineMenu::save(const Go& then) {
-    if (m_file.path.isEmpty()) {
+    if (m_file.path.isEmpty())
         chooseToSave(then);
-        return;
-    }
-    emit saveRequested();
+    else
+        save({}, then);
+}
+
+void MachineMenu::save(const QString& path, const Go& then) {
+    m_afterSaving = then;
+    if (path.isEmpty())
+        emit saveRequested();
+    else
+        emit saveAsRequested(path);
+    if (!m_file.saving)
+        goOnAfterSaving();
+}
+
+void MachineMenu::goOnAfterSaving() {
+    const Go then = std::exchange(m_afterSaving, doNothing);
     if (!m_file.modified)
         then();
 }
@@ -179,11 +217,8 @@ void MachineMenu::chooseToSave(const Go& then) {
     dialog->setDefaultSuffix(kSuffix);
     const QString title = m_file.title();
     dialog->selectFile(title.isEmpty() ? tr("machine") : title);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& path) {
-        emit saveAsRequested(path);
-        if (!m_file.modified)
-            then();
-    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, then](const QString& path) { save(path, then); });
     dialog->show();
 }
 

@@ -19,7 +19,8 @@ struct MachineFile {
     QString path;  ///< empty: it has none yet
     QString name;  ///< of the machine; may be empty
     bool modified = false;
-    QStringList recent;  ///< paths, the latest first
+    QStringList recent;   ///< paths, the latest first
+    bool saving = false;  ///< the disk has not answered yet
 
     /// What a user calls it: its file's name, or its own; may be empty.
     [[nodiscard]] QString title() const;
@@ -45,13 +46,13 @@ public:
     void closeDifferences();
     [[nodiscard]] DifferencesDialog* differences() const { return m_differences; }
 
-    /// Calls `close` when the user has saved, or says that the work may wait for the next start.
+    /// Calls `close` when the file is saved, or the user says that the work may wait for the next start.
     void askBeforeClose(const std::function<void()>& close);
 
 signals:
     void newRequested();
     void openRequested(const QString& path);
-    /// Answered by showFile() before this returns.
+    /// Answered by showFile(): before this returns that it is being saved, and then what became of it.
     void saveRequested();
     void saveAsRequested(const QString& path);
     void applyRequested(const std::vector<nmc::PartId>& chosen);
@@ -67,12 +68,17 @@ private:
     void askFirst(const Go& go);
     void ask(const QString& saveText, const QString& goOnText, const Go& go);
     void save(const Go& then);
+    /// To that file; empty: the one that it has.
+    void save(const QString& path, const Go& then);
+    void goOnAfterSaving();
+    void waitForSave(const Go& close);
     void chooseToOpen();
     void chooseToSave(const Go& then);
     QFileDialog* newMachineDialog(const QString& objectName, const QString& title);
 
     QWidget* m_window;
     MachineFile m_file;
+    Go m_afterSaving;  ///< if it works
     QAction* m_new;
     QAction* m_open;
     QAction* m_save;

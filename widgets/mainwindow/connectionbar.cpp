@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -25,6 +26,12 @@ namespace {
 constexpr int kStopResultLines = 3;  // the stop button is higher
 }
 
+PortBox::PortBox(QWidget* parent) : QComboBox(parent) {
+    setEditable(true);
+    setInsertPolicy(QComboBox::NoInsert);
+    setCompleter(nullptr);  // it would choose another port than the one that was typed
+}
+
 ConnectionBar::ConnectionBar(QWidget* parent)
     : QFrame(parent),
       m_port(new PortBox(this)),
@@ -37,6 +44,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
       m_stop(new StopButton(this)) {
     look::name(this, u"connectionBar"_s, tr("Connection and stop"));
     look::name(m_port, u"portBox"_s, tr("Port"));
+    look::name(m_port->lineEdit(), u"portField"_s, tr("Port"));
     look::name(m_baud, u"baudBox"_s, tr("Rate in Bd"));
     look::name(m_connect, u"connectButton"_s, tr("Connect"));
     m_readOnly->setObjectName(u"connectReadOnlyAction"_s);
@@ -89,6 +97,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
 
     connect(m_port, &PortBox::aboutToOpen, this, &ConnectionBar::portsRequested);
     connect(m_port, &QComboBox::activated, this, [this] { m_chosen = port(); });
+    connect(m_port->lineEdit(), &QLineEdit::returnPressed, m_connect, &QAbstractButton::click);
     connect(m_connect, &QPushButton::clicked, this, [this] { requestConnect(false); });
     connect(m_readOnly, &QAction::triggered, this, [this] { requestConnect(true); });
     connect(m_disconnect, &QPushButton::clicked, this, &ConnectionBar::disconnectRequested);
@@ -99,6 +108,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
 
 void ConnectionBar::requestConnect(bool readOnly) {
     m_chosen = port();
+    if (m_chosen.isEmpty())
+        return openPorts();
     emit connectRequested(port(), baud(), readOnly);
 }
 
@@ -116,6 +127,8 @@ void ConnectionBar::fillPorts() {
 
     const QSignalBlocker blocker(m_port);
     const QString before = m_chosen.isEmpty() ? QString() : m_chosen;
+    const bool typing = m_port->lineEdit()->isModified();
+    const QString typed = m_port->currentText();
     m_port->clear();
     for (const PortEntry& entry : wanted) {
         const bool simulator = entry.name == kSimulatorPort;
@@ -126,6 +139,10 @@ void ConnectionBar::fillPorts() {
     }
     const int index = before.isEmpty() ? 0 : m_port->findData(before);
     m_port->setCurrentIndex(qMax(0, index));
+    if (typing) {
+        m_port->setEditText(typed);
+        m_port->lineEdit()->setModified(true);
+    }
 }
 
 void ConnectionBar::showPorts(const QList<PortEntry>& ports) {
@@ -141,6 +158,7 @@ void ConnectionBar::showPorts(const QList<PortEntry>& ports) {
 
 void ConnectionBar::choosePort(const QString& port, quint32 baud) {
     m_chosen = port;
+    m_port->lineEdit()->setModified(false);
     fillPorts();
     const QSignalBlocker blocker(m_baud);
     const int index = m_baud->findData(baud);
@@ -153,7 +171,12 @@ const QWidget& ConnectionBar::stopButton() const {
 }
 
 QString ConnectionBar::port() const {
-    return m_port->currentData().toString();
+    const QString typed = m_port->currentText().trimmed();
+    for (int i = 0; i < m_port->count(); ++i)
+        if (const QString listed = m_port->itemData(i).toString();
+            typed == m_port->itemText(i) || typed == texts::portName(listed))
+            return listed;
+    return typed;
 }
 
 quint32 ConnectionBar::baud() const {

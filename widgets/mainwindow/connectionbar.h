@@ -17,12 +17,12 @@ namespace nmc {
 class ElidedLabel;
 class StopButton;
 
-/// A combo box that says when its list is about to be opened.
+/// A combo box that says when its list is about to be opened. What is not in the list can be typed.
 class PortBox : public QComboBox {
     Q_OBJECT
 
 public:
-    using QComboBox::QComboBox;
+    explicit PortBox(QWidget* parent);
     void showPopup() override {
         emit aboutToOpen();
         QComboBox::showPopup();

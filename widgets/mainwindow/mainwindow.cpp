@@ -31,6 +31,7 @@
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/response/stepresponsedock.h"
+#include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/simulator/simulatordock.h"
 
@@ -50,6 +51,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
+    look::adoptPlaceholders(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
     new WheelFilter(this);  // before the first box asks for the focus by the wheel
@@ -157,12 +159,20 @@ void MainWindow::connectParts() {
     connect(m_scope, &ScopePanel::setupChanged, this,
             [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
+    connect(&m_scope->files(), &ScopeFiles::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_monitor, &MonitorDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);
         m_messages->reveal(key);
     });
     connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        look::adoptPlaceholders(this);
 }
 
 bool MainWindow::focusNextPrevChild(bool next) {

@@ -16,6 +16,7 @@
 #include "model/procedure/procedure.h"
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
+#include "widgets/common/filedialog.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/session.h"
@@ -65,6 +66,8 @@ public:
     void showFigures(const LinkFigures& figures);
     /// What the modules have said so far, at most 60 times a second, and after scopeFrameWanted().
     void showHistory(const History& history, TimePoint now);
+    /// How old what was said last is by now; showHistory() tells as well, while a port is open.
+    void showTime(TimePoint now);
     /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     /// How the scope reads the modules that are there, or were last.
@@ -138,6 +141,8 @@ signals:
     void packetRecordingWanted(bool wanted);
     /// The scope is to show something else, whether anything came in or not: showHistory() soon.
     void scopeFrameWanted();
+    /// Packets, step responses, or what the scope shows; the user has agreed that the file is replaced.
+    void saveRequested(const QString& path, const nmc::FileContent& content);
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
@@ -150,6 +155,7 @@ signals:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 

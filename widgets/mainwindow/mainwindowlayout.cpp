@@ -80,6 +80,7 @@ void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) 
         [this, &messages] { makeRoomForStepResponse(messages); }, Qt::QueuedConnection);
     connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
+    connect(m_stepResponse, &StepResponseDock::saveRequested, this, &MainWindow::saveRequested);
     connect(
         m_stepResponse, &StepResponseDock::stepRequested, this,
         [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });

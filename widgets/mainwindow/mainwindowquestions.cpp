@@ -51,7 +51,8 @@ void MainWindow::askBeforeRestart() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     const bool moving = !m_mayClose && m_session.leavingStopsMotors();
-    const bool unsaved = !m_mayClose && !m_workMayWait && m_machineMenu->file().modified;
+    const MachineFile& file = m_machineMenu->file();
+    const bool unsaved = !m_mayClose && !m_workMayWait && (file.modified || file.saving);
     if (!moving && !unsaved) {
         m_panel->endHold();
         saveLayout();

@@ -23,6 +23,11 @@ const std::vector<ScopeModule>& MainWindow::scopeModules() const {
 
 void MainWindow::showHistory(const History& history, TimePoint now) {
     m_scope->showHistory(history, now);
+    if (m_session.isOpen())
+        showTime(now);
+}
+
+void MainWindow::showTime(TimePoint now) {
     m_session.setNow(now);
 }
 

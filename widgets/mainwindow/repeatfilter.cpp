@@ -16,8 +16,9 @@ bool triggers(const QObject* watched, int key) {
     if (key == Qt::Key_Return || key == Qt::Key_Enter)
         return true;
     const bool tab = key == Qt::Key_Tab || key == Qt::Key_Backtab;
+    const auto* box = qobject_cast<const QComboBox*>(watched);
     return !tab && (qobject_cast<const QAbstractButton*>(watched) != nullptr ||
-                    qobject_cast<const QComboBox*>(watched) != nullptr);
+                    (box != nullptr && !box->isEditable()));
 }
 
 /// Where a shortcut repeats: in the one view that listens for it.

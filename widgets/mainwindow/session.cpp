@@ -11,7 +11,10 @@
 namespace nmc {
 
 void Session::setLink(const LinkState& state) {
-    const LinkState before = std::exchange(m_link, asShown(state));
+    LinkState next = state;
+    if (next.unplugged)
+        next.modules = m_link.modules;  // what was said last is the last that is known
+    const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
     const bool another = state.phase != before.phase || state.connection != before.connection ||
                          state.port != before.port || state.simulated != before.simulated ||

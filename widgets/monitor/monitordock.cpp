@@ -24,6 +24,7 @@ PacketMonitor& MonitorDock::page() {
     if (m_page == nullptr) {
         m_page = new PacketMonitor(this);
         connect(m_page, &PacketMonitor::recordingChanged, this, &MonitorDock::recordingChanged);
+        connect(m_page, &PacketMonitor::saveRequested, this, &MonitorDock::saveRequested);
         m_page->begin(m_session);
         m_page->offerModules(m_modules);
         m_page->showFigures(m_figures);

@@ -7,6 +7,7 @@
 #include "bus/exchangerecord.h"
 #include "model/module/linkstate.h"
 #include "model/packets/packetlog.h"
+#include "widgets/common/filedialog.h"
 
 namespace nmc {
 
@@ -32,6 +33,7 @@ public:
 
 signals:
     void recordingChanged(bool recording);
+    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     PacketMonitor* m_page = nullptr;

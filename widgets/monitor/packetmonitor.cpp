@@ -13,7 +13,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
@@ -37,8 +36,7 @@ PacketMonitor::PacketMonitor(QWidget* parent)
       m_counters(new CounterTable(this)),
       m_module(new QComboBox(this)),
       m_kind(new QComboBox(this)),
-      m_summary(look::newMutedLabel({}, this)),
-      m_news(new QLabel(this)) {
+      m_summary(look::newMutedLabel({}, this)) {
     look::name(this, u"packetMonitor"_s, tr("Packet monitor"));
     buildControls();
     buildContent();
@@ -47,7 +45,6 @@ PacketMonitor::PacketMonitor(QWidget* parent)
     connect(m_pause, &QPushButton::toggled, this, &PacketMonitor::pause);
     connect(m_clear, &QPushButton::clicked, this, [this] {
         m_model->clear();
-        tell({});
         showSummary();
     });
     connect(m_copy, &QPushButton::clicked, this, &PacketMonitor::copy);
@@ -93,11 +90,6 @@ void PacketMonitor::buildControls() {
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, box,
                 [box = box] { box->setFocus(Qt::ShortcutFocusReason); });
     m_summary->setObjectName(u"packetSummary"_s);
-    m_news->setObjectName(u"packetNews"_s);
-    m_news->setTextFormat(Qt::PlainText);
-    m_news->setWordWrap(true);
-    m_news->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_news->hide();
 }
 
 void PacketMonitor::buildContent() {
@@ -115,9 +107,7 @@ void PacketMonitor::buildContent() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(controls);
-    layout->addWidget(m_news);
     layout->addWidget(m_view, 1);
-    m_news->setMargin(unit / 2);
     auto* tabs = new QTabWidget(this);
     look::name(tabs, u"monitorTabs"_s, tr("Packets and counters"));
     tabs->setDocumentMode(true);
@@ -133,7 +123,6 @@ void PacketMonitor::buildContent() {
 void PacketMonitor::begin(const PacketSession& session) {
     m_model->begin(session);
     m_counters->showStatistics({});
-    tell({});
     showSummary();
 }
 
@@ -208,20 +197,9 @@ void PacketMonitor::chooseFile() {
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, log](const QString& filter) {
         dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
     });
-    connect(dialog, &QFileDialog::fileSelected, this, &PacketMonitor::saveAs);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& path) { emit saveRequested(path, packetFile(m_model->log(), path)); });
     dialog->show();
-}
-
-void PacketMonitor::saveAs(const QString& path) {
-    if (const auto saved = savePackets(m_model->log(), path); saved)
-        tell(texts::packetsSaved(path, m_model->log().size()));
-    else
-        tell(texts::fileNotWritten(path, saved.error()));
-}
-
-void PacketMonitor::tell(const QString& text) {
-    look::setText(m_news, text);
-    m_news->setVisible(!text.isEmpty());
 }
 
 void PacketMonitor::showSummary() {

@@ -6,6 +6,7 @@
 
 #include "bus/exchangerecord.h"
 #include "model/module/linkstate.h"
+#include "widgets/common/filedialog.h"
 
 class QComboBox;
 class QLabel;
@@ -34,9 +35,6 @@ public:
     void offerModules(int count);
     /// Once a second.
     void showFigures(const LinkFigures& figures);
-    /// Writes everything that is kept: a replayable log when the name ends in .nmclog, else a text. Tells in
-    /// place what became of it.
-    void saveAs(const QString& path);
 
     /// Somebody can see it: not so behind another dock's tab.
     void setSeen(bool seen);
@@ -44,6 +42,8 @@ public:
 
 signals:
     void recordingChanged(bool recording);
+    /// Everything that is kept: a replayable log when the name ends in .nmclog, else a text.
+    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     void buildControls();
@@ -55,7 +55,6 @@ private:
     void updateRecording();
     void copy();
     void chooseFile();
-    void tell(const QString& text);
     void showSummary();
 
     PacketModel* m_model;
@@ -68,7 +67,6 @@ private:
     QPushButton* m_copy = nullptr;
     QPushButton* m_save = nullptr;
     QLabel* m_summary;
-    QLabel* m_news;  ///< what became of a copy or a save
     bool m_seen = false;
     bool m_recording = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/packetsaving.h"
 
-#include <QSaveFile>
+#include <utility>
 
 #include "model/packets/packetfile.h"
 #include "widgets/common/texts.h"
@@ -25,16 +25,9 @@ std::string textOf(const PacketLog& log) {
 
 }  // namespace
 
-tl::expected<void, QString> savePackets(const PacketLog& log, const QString& path) {
+FileContent packetFile(PacketLog log, const QString& path) {
     const bool replayable = path.endsWith(kPacketLogSuffix, Qt::CaseInsensitive);
-    const std::string content = replayable ? writePacketFile(log) : textOf(log);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return tl::unexpected(file.errorString());
-    file.write(content.data(), static_cast<qint64>(content.size()));
-    if (!file.commit())
-        return tl::unexpected(file.errorString());
-    return {};
+    return [log = std::move(log), replayable] { return replayable ? writePacketFile(log) : textOf(log); };
 }
 
 }  // namespace nmc

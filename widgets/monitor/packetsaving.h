@@ -2,17 +2,16 @@
 #pragma once
 
 #include <QString>
-#include <tl/expected.hpp>
 
 #include "model/packets/packetlog.h"
+#include "widgets/common/filedialog.h"
 
 namespace nmc {
 
 /// How a name of a replayable log (model/packets/packetfile.h) ends; any other name makes a text for people.
 inline const QString kPacketLogSuffix = QStringLiteral(".nmclog");
 
-/// Writes the whole log, whatever the filter shows; a file that cannot be written whole is left as it was.
-/// The error is the system's reason.
-[[nodiscard]] tl::expected<void, QString> savePackets(const PacketLog& log, const QString& path);
+/// The whole log as a file of that name has it.
+[[nodiscard]] FileContent packetFile(PacketLog log, const QString& path);
 
 }  // namespace nmc

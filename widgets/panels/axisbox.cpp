@@ -27,9 +27,10 @@ constexpr int kScaleDecimals = 6;
 constexpr double kMostCountsPerUnit = 1e9;
 constexpr double kLeastCountsPerUnit = 1e-6;
 
-/// Shows a text that is kept elsewhere, without disturbing one that is being typed.
+/// Shows a text that is kept elsewhere, without disturbing one that is being typed: a space at its end may
+/// not be the end of it.
 void showText(QLineEdit* field, const std::string& text) {
-    if (const QString shown = QString::fromStdString(text); field->text() != shown) {
+    if (const QString shown = QString::fromStdString(text); field->text().trimmed() != shown.trimmed()) {
         const QSignalBlocker blocker(field);
         field->setText(shown);
     }

@@ -33,6 +33,7 @@ StepResponsePage& StepResponseDock::page() {
         m_page = new StepResponsePage(this);
         connect(m_page, &StepResponsePage::stepRequested, this, &StepResponseDock::stepRequested);
         connect(m_page, &StepResponsePage::gainsWanted, this, &StepResponseDock::gainsWanted);
+        connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
         setWidget(m_page);
     }
     return *m_page;

@@ -31,6 +31,7 @@ signals:
     void opened();
     void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
     void gainsWanted(const nmc::servo::SetGain& gains);
+    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     StepResponsePage* m_page = nullptr;

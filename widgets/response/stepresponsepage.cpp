@@ -5,12 +5,9 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QSaveFile>
 #include <algorithm>
 
-#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/stepform.h"
@@ -30,13 +27,8 @@ StepResponsePage::StepResponsePage(QWidget* parent)
       m_form(new StepForm(this)),
       m_results(new StepResults(this)),
       m_plot(new StepPlot(this)),
-      m_table(new StepRunTable(this)),
-      m_news(new QLabel(this)) {
+      m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
-    m_news->setObjectName(u"stepRunsNews"_s);
-    m_news->setTextFormat(Qt::PlainText);
-    m_news->setWordWrap(true);
-    m_news->hide();
     lay();
     connect(m_form, &StepForm::stepRequested, this, &StepResponsePage::stepRequested);
     connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
@@ -72,7 +64,6 @@ QWidget* StepResponsePage::newRunsPart() {
     layout->setSpacing(look::gridUnit(this) / 2);
     layout->addWidget(m_table, 1);
     layout->addLayout(buttons);
-    layout->addWidget(m_news);
     return part;
 }
 
@@ -193,19 +184,12 @@ void StepResponsePage::chooseFile() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"csv"_s);
     dialog->selectFile(u"step-responses"_s);
-    connect(dialog, &QFileDialog::fileSelected, this, &StepResponsePage::saveAs);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
+        emit saveRequested(
+            path, [program = program.toStdString(), runs = m_runs] { return stepRunsCsv(program, runs); });
+    });
     dialog->show();
-}
-
-void StepResponsePage::saveAs(const QString& path) {
-    const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
-    const std::string content = stepRunsCsv(program.toStdString(), m_runs);
-    QSaveFile file(path);
-    const bool saved = file.open(QIODevice::WriteOnly) &&
-                       file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit();
-    look::setText(m_news,
-                  saved ? texts::stepRunsSaved(path) : texts::fileNotWritten(path, file.errorString()));
-    m_news->show();
 }
 
 }  // namespace nmc

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "model/response/steprunfile.h"
+#include "widgets/common/filedialog.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/response/stepruntable.h"
 
-class QLabel;
 class QPushButton;
 
 namespace nmc {
@@ -37,13 +37,13 @@ public:
     void showRun(KeptRun run);
 
     [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_runs; }
-    /// Writes all runs to that file, and says what became of it.
-    void saveAs(const QString& path);
 
 signals:
     void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
     /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
+    /// All runs.
+    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     void lay();
@@ -66,7 +66,6 @@ private:
     QPushButton* m_use = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_save = nullptr;
-    QLabel* m_news;
     std::vector<KeptRun> m_runs;  ///< oldest first
     ShownRuns m_shown;
     int m_lastNumber = 0;

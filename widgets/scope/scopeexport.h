@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "widgets/common/filedialog.h"
 #include "widgets/scope/scoperecord.h"
 
 class QImage;

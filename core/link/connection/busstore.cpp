@@ -36,6 +36,7 @@ void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud, bo
     forgetChain();
     m_link.phase = LinkPhase::Connecting;
     ++m_link.connection;
+    m_link.unplugged = false;
     m_link.port = port.toStdString();
     m_link.simulated = simulated;
     m_link.readOnly = readOnly;
@@ -48,9 +49,12 @@ const ModuleState* BusStore::module(ModuleIndex index) const {
     return known(index) ? &m_link.modules[index.value()] : nullptr;
 }
 
-int BusStore::movingMotors() const {
-    return static_cast<int>(std::count_if(m_link.modules.begin(), m_link.modules.end(),
-                                          [](const ModuleState& module) { return module.moving(); }));
+std::vector<ModuleIndex> BusStore::movingModules() const {
+    std::vector<ModuleIndex> moving;
+    for (const ModuleState& module : m_link.modules)
+        if (module.moving())
+            moving.push_back(module.info.index);
+    return moving;
 }
 
 LinkFigures BusStore::pullFigures(TimePoint now) {
@@ -314,8 +318,9 @@ void BusStore::note(const bus::ModuleSilence& silence) {
 
 void BusStore::closed(const PortClosed& closed) {
     PortClosed news = closed;
-    if (news.error && news.error->problem == PortProblem::Gone)
-        news.error->movingMotors = movingMotors();
+    m_link.unplugged = news.error && news.error->problem == PortProblem::Gone;
+    if (m_link.unplugged)
+        news.error->moving = movingModules();
     m_link.phase = LinkPhase::Disconnected;
     m_link.readOnly = false;
     forgetChain();

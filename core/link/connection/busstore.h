@@ -38,7 +38,8 @@ public:
     [[nodiscard]] const ModuleState* module(ModuleIndex index) const;
     /// What the modules of this connection said, or of the last one: it stays until another chain is found.
     [[nodiscard]] const History& history() const { return m_history; }
-    [[nodiscard]] int movingMotors() const;
+    [[nodiscard]] int movingMotors() const { return static_cast<int>(movingModules().size()); }
+    [[nodiscard]] std::vector<ModuleIndex> movingModules() const;
 
     /// Its end comes as OperationFinished.
     void noteAsked(ModuleIndex module, bus::OperationId operation);

@@ -15,8 +15,11 @@ constexpr int kSlots = 20;
 constexpr std::size_t kMaxKept = 1'100'000;
 }  // namespace
 
-UnsavedWork::UnsavedWork(const QString& folder) : m_folder(folder) {
+UnsavedWork::UnsavedWork(const QString& folder, FileWriter::Disk disk)
+    : m_folder(folder), m_files(std::move(disk)) {
+    QDir().mkpath(m_folder);
     m_leftSlot = takeSlot(Wanted::Used);
+    m_own = takeSlot(Wanted::Free);
     if (!m_leftSlot)
         return;
     const auto content = readFile(m_leftSlot->path, kMaxKept);
@@ -46,27 +49,24 @@ std::optional<UnsavedWork::Slot> UnsavedWork::takeSlot(Wanted wanted) const {
 
 void UnsavedWork::dropLeft() {
     if (m_leftSlot)
-        QFile::remove(m_leftSlot->path);
-    m_leftSlot.reset();
+        m_files.remove(m_leftSlot->path);
     m_left.reset();
 }
 
-tl::expected<void, FileError> UnsavedWork::keep(const QString& file, std::string_view content) {
-    if (!m_own) {
-        QDir().mkpath(m_folder);
-        m_own = takeSlot(Wanted::Free);
-    }
-    if (!m_own)
-        return tl::unexpected(FileError{FileTrouble::NoPermission, m_folder});
-    std::string whole = QUrl::fromLocalFile(file).toEncoded().toStdString();
-    whole += '\n';
-    whole += content;
-    return writeFile(m_own->path, whole);
+void UnsavedWork::keep(const QString& file, const std::string& content, FileWriter::Told told) {
+    // Where there is no place for it, writing says why.
+    const QString path = m_own ? m_own->path : m_folder;
+    m_files.write(
+        path,
+        [name = QUrl::fromLocalFile(file).toEncoded().toStdString(), content] {
+            return name + '\n' + content;
+        },
+        std::move(told));
 }
 
 void UnsavedWork::forget() {
     if (m_own)
-        QFile::remove(m_own->path);
+        m_files.remove(m_own->path);
 }
 
 }  // namespace nmc

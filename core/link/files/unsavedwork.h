@@ -6,15 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "link/files/machineio.h"
+#include "link/files/filewriter.h"
 
 class QLockFile;
 
 namespace nmc {
 
 /// Work that is not saved yet, kept in a file of its own, so that neither a crash nor a careless close loses
-/// it. Each running program has its own; what a program that is gone has left is found by the next one.
-/// GUI thread.
+/// it. Each running program has its own; what a program that is gone has left is found by the next one. Only
+/// the start and the end wait for the disk. GUI thread.
 class UnsavedWork {
 public:
     struct Left {
@@ -22,8 +22,8 @@ public:
         std::string content;
     };
 
-    /// `folder` need not be there; it is made when something is to be kept.
-    explicit UnsavedWork(const QString& folder);
+    /// `folder` need not be there; it is made.
+    explicit UnsavedWork(const QString& folder, FileWriter::Disk disk = writeFile);
     ~UnsavedWork();
     UnsavedWork(const UnsavedWork&) = delete;
     UnsavedWork& operator=(const UnsavedWork&) = delete;
@@ -32,8 +32,8 @@ public:
     [[nodiscard]] const std::optional<Left>& left() const { return m_left; }
     void dropLeft();
 
-    /// Replaces what this session kept before.
-    [[nodiscard]] tl::expected<void, FileError> keep(const QString& file, std::string_view content);
+    /// Replaces what this session kept before. `told`: as FileWriter's.
+    void keep(const QString& file, const std::string& content, FileWriter::Told told);
     /// Everything is saved, or not wanted any more.
     void forget();
 
@@ -50,6 +50,7 @@ private:
     std::optional<Slot> m_leftSlot;
     std::optional<Left> m_left;
     std::optional<Slot> m_own;
+    FileWriter m_files;  ///< ends before the locks do
 };
 
 }  // namespace nmc

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "base/strong.h"
 
 namespace nmc {
 
@@ -24,12 +27,12 @@ enum class PortProblem : std::uint8_t {
 struct PortError {
     PortProblem problem = PortProblem::Other;
     std::string port;
-    std::string group;       ///< NoPermission: the group that may use the port, where it is known
-    std::string user;        ///< NoPermission: the present user; StaleLock: the owner of the lock file
-    std::string detail;      ///< the system's own words
-    int movingMotors = 0;    ///< Gone: how many were moving at the last word
-    std::string program{};   ///< InUse: who uses it, where that can be known
-    std::int64_t pid = 0;    ///< InUse: the same; 0 where it cannot be known
+    std::string group;   ///< NoPermission: the group that may use the port, where it is known
+    std::string user;    ///< NoPermission: the present user; StaleLock: the owner of the lock file
+    std::string detail;  ///< the system's own words
+    std::vector<ModuleIndex> moving{};  ///< Gone: those that were moving at the last word
+    std::string program{};              ///< InUse: who uses it, where that can be known
+    std::int64_t pid = 0;               ///< InUse: the same; 0 where it cannot be known
     std::string lockFile{};  ///< StaleLock: to be removed; NoLockFolder: the folder it should be in
 };
 

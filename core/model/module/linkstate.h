@@ -18,7 +18,8 @@ struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
     /// Which connection of this program, counted from 1; the last one while there is none. 0: none yet.
     std::uint32_t connection = 0;
-    std::string port;  ///< as the user chose it
+    bool unplugged = false;  ///< that ended it: what was shown last is the last that is known
+    std::string port;        ///< as the user chose it
     bool simulated = false;
     /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).
     bool readOnly = false;

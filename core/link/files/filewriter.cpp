@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "link/files/filewriter.h"
+
+#include <QFile>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace nmc {
+
+struct FileWriter::Files : std::enable_shared_from_this<Files> {
+    struct Wanted {
+        Content content;  ///< none: the file goes
+        Told told;
+    };
+
+    Files(Disk toDisk, QObject& writer) : disk(std::move(toDisk)), owner(&writer) {}
+
+    const Disk disk;
+    std::mutex mutex;
+    std::condition_variable changed;
+    // Under the mutex:
+    QObject* owner;
+    std::map<QString, std::optional<Wanted>> next;  ///< of those that a thread is at
+
+    void put(const QString& path, Wanted wanted) {
+        const std::scoped_lock lock(mutex);
+        const auto [file, idle] = next.try_emplace(path);
+        file->second = std::move(wanted);
+        // Not joined: a disk that does not answer holds up no program that wants to end.
+        if (idle)
+            std::thread([files = shared_from_this(), path] { files->carryOut(path); }).detach();
+    }
+
+    void carryOut(const QString& path) {
+        std::unique_lock lock(mutex);
+        while (std::optional<Wanted> wanted = std::exchange(next[path], std::nullopt)) {
+            lock.unlock();
+            Result result;
+            if (wanted->content)
+                result = disk(path, wanted->content());
+            else
+                QFile::remove(path);
+            lock.lock();
+            if (owner != nullptr && wanted->told)
+                QMetaObject::invokeMethod(
+                    owner, [told = std::move(wanted->told), result] { told(result); }, Qt::QueuedConnection);
+        }
+        next.erase(path);
+        changed.notify_all();
+    }
+};
+
+FileWriter::FileWriter(Disk disk) : m_files(std::make_shared<Files>(std::move(disk), *this)) {}
+
+FileWriter::~FileWriter() {
+    finish();
+    const std::scoped_lock lock(m_files->mutex);
+    m_files->owner = nullptr;
+}
+
+void FileWriter::write(const QString& path, Content content, Told told) {
+    m_files->put(path, {std::move(content), std::move(told)});
+}
+
+void FileWriter::remove(const QString& path) {
+    m_files->put(path, {});
+}
+
+bool FileWriter::finish(std::chrono::milliseconds patience) {
+    std::unique_lock lock(m_files->mutex);
+    return m_files->changed.wait_for(lock, patience, [this] { return m_files->next.empty(); });
+}
+
+}  // namespace nmc

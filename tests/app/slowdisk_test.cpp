@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A disk that does not answer, or answers with no: the panel goes on, motors are stopped by their user only,
+// and what was asked for is told when it is known.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QDialog>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <condition_variable>
+#include <mutex>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+using testing_support::turnTo;
+
+/// Answers when the test says so.
+class SlowDisk : public testing::Test {
+protected:
+    ~SlowDisk() override { answer(); }
+    void answer() {
+        const std::scoped_lock lock(m_mutex);
+        m_answers = true;
+        m_changed.notify_all();
+    }
+    FileWriter::Result write(const QString& path, std::string_view content) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [this] { return m_answers; });
+        return writeFile(path, content);
+    }
+    template <typename Widget = QWidget>
+    Widget* find(const char* name) {
+        return panel.window().findChild<Widget*>(QLatin1String(name));
+    }
+    void click(const char* name) {
+        auto* button = find<QAbstractButton>(name);
+        ASSERT_NE(button, nullptr) << name;
+        turnTo(*button);
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    void choose(const char* dialog, const QString& path) {
+        auto* asked = find<QFileDialog>(dialog);
+        ASSERT_NE(asked, nullptr) << dialog;
+        emit asked->fileSelected(path);
+        asked->close();
+    }
+    void nameTheAxis() {
+        auto* name = find<QLineEdit>("axisNameField");
+        turnTo(*name);
+        QTest::keyClicks(name, QStringLiteral("Spindle"));
+    }
+    void saveTheMachine() {
+        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
+        choose("saveMachineDialog", file);
+    }
+    void connectTo(NmcsimProcess& sim) {
+        panel.start();
+        panel.connectTo(sim.terminal());
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    bool m_answers = false;
+
+protected:
+    QTemporaryDir directory;
+    const QString file = directory.filePath(QStringLiteral("mill.json"));
+    IntentPanel panel{
+        {}, {}, {}, [this](const QString& path, std::string_view content) { return write(path, content); }};
+};
+
+TEST_F(SlowDisk, LetsMotorsRunAndBeStoppedWhileTheMachineIsSaved) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    nameTheAxis();
+    ASSERT_NO_FATAL_FAILURE(saveTheMachine());
+    ASSERT_TRUE(panel.answersFor(0.5)) << "the panel goes on";
+    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral("(being saved)")));
+    EXPECT_FALSE(QFile::exists(file));
+    panel.pressStopAll();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_TRUE(panel.window().isWindowModified()) << "it is not saved yet";
+    answer();
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isWindowModified(); }));
+    EXPECT_TRUE(QFile::exists(file));
+    EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
+}
+
+TEST_F(SlowDisk, KeepsWhatIsEditedWhileTheMachineIsSaved) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    nameTheAxis();
+    ASSERT_NO_FATAL_FAILURE(saveTheMachine());
+    nameTheAxis();
+    answer();
+    ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(file); }));
+    ASSERT_TRUE(
+        panel.waitFor([&] { return panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")); }));
+    EXPECT_TRUE(panel.window().isWindowModified());
+    EXPECT_EQ(find<QLineEdit>("axisNameField")->text(), QStringLiteral("SpindleSpindle"));
+}
+
+TEST_F(SlowDisk, IsWaitedForBeforeTheWindowCloses) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    nameTheAxis();
+    ASSERT_NO_FATAL_FAILURE(saveTheMachine());
+    panel.window().close();
+    EXPECT_TRUE(panel.window().isVisible());
+    ASSERT_NE(find("savingDialog"), nullptr);
+    answer();
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.window().isVisible(); }));
+    EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST_F(SlowDisk, IsNotWaitedForByWhoStays) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    ASSERT_NO_FATAL_FAILURE(connectTo(sim));
+    nameTheAxis();
+    ASSERT_NO_FATAL_FAILURE(saveTheMachine());
+    panel.window().close();
+    ASSERT_NO_FATAL_FAILURE(click("staySavingButton"));
+    answer();
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.window().isWindowModified(); }));
+    EXPECT_TRUE(panel.window().isVisible());
+}
+
+TEST_F(SlowDisk, LetsMotorsRunWhileUnsavedWorkIsKept) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    nameTheAxis();
+    ASSERT_TRUE(panel.answersFor(4)) << "longer than it is waited with, and than a frozen panel may last";
+    EXPECT_TRUE(moves(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("not kept")), 0);
+}
+
+TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    find<QDockWidget>("monitorDock")->toggleViewAction()->trigger();
+    ASSERT_NO_FATAL_FAILURE(click("packetSave"));
+    ASSERT_NO_FATAL_FAILURE(choose("packetSaveDialog", directory.filePath(QStringLiteral("packets.txt"))));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_TRUE(moves(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("\"packets.txt\"")), 0) << "nothing is known yet";
+    answer();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("\"packets.txt\" is saved.")) == 1; }));
+}
+
+TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
+    QTemporaryDir directory;
+    IntentPanel panel({}, {}, {}, [](const QString& path, std::string_view /*content*/) {
+        return FileWriter::Result(tl::unexpected(FileError{FileTrouble::NoSpace, path}));
+    });
+    panel.start();
+    AxisSettings axis;
+    for (const char* name : {"X", "Y"}) {
+        axis.name = name;
+        emit panel.window().axisEdited(ModuleIndex(0), axis);
+        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
+        auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("saveMachineDialog"));
+        ASSERT_NE(dialog, nullptr);
+        const int before = panel.count(QStringLiteral("was not saved"));
+        emit dialog->fileSelected(directory.filePath(QStringLiteral("%1.json").arg(QLatin1String(name))));
+        dialog->close();
+        ASSERT_TRUE(panel.waitFor([&] {
+            return panel.count(QStringLiteral("was not saved")) > before ||
+                   panel.standing(QStringLiteral("%1.json").arg(QLatin1String(name))) != nullptr;
+        }));
+        EXPECT_TRUE(panel.window().isWindowModified());
+    }
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("not kept")) == 1; }));
+}
+
+}  // namespace
+}  // namespace nmc
