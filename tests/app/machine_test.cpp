@@ -101,16 +101,24 @@ protected:
         panel.connectTo(sim.terminal());
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
     }
+    /// In the main window, whatever stood in front of it before.
+    static void strike(IntentPanel& panel, QKeyCombination keys) {
+        panel.window().activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
+        QTest::keyClick(&panel.window(), keys.key(), keys.keyboardModifiers());
+    }
     static void open(IntentPanel& panel, const QString& path) {
-        QTest::keyClick(&panel.window(), Qt::Key_O, Qt::ControlModifier);
+        strike(panel, Qt::CTRL | Qt::Key_O);
+        if (auto* drop = panel.window().findChild<QAbstractButton*>(QStringLiteral("goOnUnsavedButton")))
+            QTest::mouseClick(drop, Qt::LeftButton);
         choose(panel, "openMachineDialog", path);
     }
     static void save(IntentPanel& panel) {
-        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
+        strike(panel, Qt::CTRL | Qt::Key_S);
         EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
     }
     static void saveAs(IntentPanel& panel, const QString& path) {
-        QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+        strike(panel, Qt::CTRL | Qt::SHIFT | Qt::Key_S);
         choose(panel, "saveMachineDialog", path);
         EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
     }

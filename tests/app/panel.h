@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -43,11 +44,11 @@ public:
     void askFor(const QString& port) {
         if (m_composition.worker().isOpen())
             disconnect();
-        auto* field = window().findChild<QLineEdit*>(QStringLiteral("portField"));
-        ASSERT_TRUE(waitFor([&] { return field->isEnabled(); }));
-        field->selectAll();
-        QTest::keyClicks(field, port);
-        QTest::keyClick(field, Qt::Key_Return);
+        auto* box = window().findChild<QComboBox*>(QStringLiteral("portBox"));
+        ASSERT_TRUE(waitFor([&] { return box->isEnabled(); }));
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box, port);
+        QTest::keyClick(box, Qt::Key_Return);
     }
     /// And stops what moves, if that is asked.
     void disconnect() {

@@ -40,16 +40,16 @@ TEST_F(Connection, APortCanBeTypedWhilePortsComeAndGo) {
     window->showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
     auto* field = find<QLineEdit>(u"portField"_s);
     field->selectAll();
-    QTest::keyClicks(field, u"/dev/serial/by-id/"_s);
+    QTest::keyClicks(ports(), u"/dev/serial/by-id/"_s);
     window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
-    QTest::keyClicks(field, u"usb-A1 "_s);
+    QTest::keyClicks(ports(), u"usb-A1 "_s);
     EXPECT_EQ(field->text(), u"/dev/serial/by-id/usb-A1 "_s);
-    QTest::keyClick(field, Qt::Key_Return);
+    QTest::keyClick(ports(), Qt::Key_Return);
     ASSERT_EQ(connects.size(), 1);
     EXPECT_EQ(connects.at(0).at(0).toString(), u"/dev/serial/by-id/usb-A1"_s);
     // One that is listed is called by its name again.
     field->selectAll();
-    QTest::keyClicks(field, u"Simulator"_s);
+    QTest::keyClicks(ports(), u"Simulator"_s);
     click(u"connectButton"_s);
     ASSERT_EQ(connects.size(), 2);
     EXPECT_EQ(connects.at(1).at(0).toString(), kSimulatorPort);
@@ -59,8 +59,8 @@ TEST_F(Connection, WithoutAPortTheListOpensInstead) {
     QSignalSpy connects(window.get(), &MainWindow::connectRequested);
     auto* field = find<QLineEdit>(u"portField"_s);
     field->selectAll();
-    QTest::keyClick(field, Qt::Key_Delete);
-    QTest::keyClick(field, Qt::Key_Return);
+    QTest::keyClick(ports(), Qt::Key_Delete);
+    QTest::keyClick(ports(), Qt::Key_Return);
     EXPECT_EQ(connects.size(), 0);
     EXPECT_TRUE(ports()->view()->isVisible());
     ports()->hidePopup();

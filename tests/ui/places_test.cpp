@@ -93,7 +93,7 @@ QList<Message> messages() {
                 message.headline = words.repeated(qMax(1, length / 3)).trimmed();
                 message.body = words.repeated(length) + (length > 1 ? u"\nAnd so on.\nAnd on."_s : QString());
                 for (int i = 0; i < actions; ++i)
-                    message.actions.append({u"id%1"_s.arg(i), u"Do this"_s});
+                    message.actions.append({static_cast<MessageAction>(i), u"Do this"_s});
                 list.append(message);
             }
     return list;

@@ -94,12 +94,12 @@ TEST_P(StopBeside, EscStopsFromIt) {
 }
 
 TEST_P(StopBeside, EscClosesWhatIsAWindowOfItsOwnAsWell) {
-    const QPointer<QWidget> window = other;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == window->windowHandle(); }));
+    const QPointer<QWidget> opened = other;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == opened->windowHandle(); }));
     pressEsc();
     EXPECT_EQ(stops.size(), 1);
     const bool dock = qobject_cast<QDockWidget*>(other) != nullptr;
-    EXPECT_EQ(window != nullptr && window->isVisible(), dock) << "docks belong to the main window";
+    EXPECT_EQ(opened != nullptr && opened->isVisible(), dock) << "docks belong to the main window";
 }
 
 void atRest(StopEverywhere& test) {
