@@ -53,7 +53,7 @@ protected:
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
             << name << ": " << button(name)->toolTip().toStdString();
-        QTest::mouseClick(button(name), Qt::LeftButton);
+        testing_support::clickOn(*button(name));
     }
     void type(const char* field, const QString& words) {
         auto* edit = panel.window().findChild<QLineEdit*>(QLatin1String(field));

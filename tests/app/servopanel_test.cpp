@@ -66,7 +66,7 @@ protected:
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
             << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
-        QTest::mouseClick(find<QAbstractButton>(name), Qt::LeftButton);
+        testing_support::clickOn(*find<QAbstractButton>(name));
     }
     [[nodiscard]] const ModuleState& module(std::uint8_t index) {
         return *panel.composition().store().module(ModuleIndex(index));

@@ -47,7 +47,7 @@ protected:
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
             << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
-        QTest::mouseClick(find<QAbstractButton>(name), Qt::LeftButton);
+        testing_support::clickOn(*find<QAbstractButton>(name));
     }
     void type(const char* field, const QString& words) {
         auto* edit = find<QLineEdit>(field);

@@ -95,10 +95,10 @@ TEST_P(StopBeside, EscStopsFromIt) {
 
 TEST_P(StopBeside, EscClosesWhatIsAWindowOfItsOwnAsWell) {
     const QPointer<QWidget> opened = other;
+    const bool dock = qobject_cast<QDockWidget*>(other) != nullptr;
     ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == opened->windowHandle(); }));
     pressEsc();
     EXPECT_EQ(stops.size(), 1);
-    const bool dock = qobject_cast<QDockWidget*>(other) != nullptr;
     EXPECT_EQ(opened != nullptr && opened->isVisible(), dock) << "docks belong to the main window";
 }
 
@@ -330,6 +330,7 @@ TEST_F(Standing, IsWithdrawnWhenThePortIsGoneOrAnother) {
     QSignalSpy restarts(window.get(), &MainWindow::restartNetworkRequested);
     LinkState other = connectedTo({Servo{}.state()});
     other.port = "/dev/ttyUSB1";
+    other.connection = 1;  // each has a number of its own
     for (const LinkState& link : {LinkState{}, other}) {
         showServos({{.moveDone = false}});
         click(u"disconnectButton"_s);
