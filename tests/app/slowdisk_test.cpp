@@ -148,6 +148,8 @@ TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     find<QDockWidget>("monitorDock")->toggleViewAction()->trigger();
+    find<QDockWidget>("monitorDock")->raise();
+    ASSERT_TRUE(panel.waitFor([&] { return find("packetSave") != nullptr; }));
     ASSERT_NO_FATAL_FAILURE(click("packetSave"));
     ASSERT_NO_FATAL_FAILURE(choose("packetSaveDialog", directory.filePath(QStringLiteral("packets.txt"))));
     ASSERT_TRUE(panel.answersFor(0.5));
@@ -167,6 +169,8 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
     for (const char* name : {"X", "Y"}) {
         axis.name = name;
         emit panel.window().axisEdited(ModuleIndex(0), axis);
+        panel.window().activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
         QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
         auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("saveMachineDialog"));
         ASSERT_NE(dialog, nullptr);
