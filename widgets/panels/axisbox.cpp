@@ -13,7 +13,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
-#include "widgets/panels/servodefaults.h"
+#include "model/module/servodefaults.h"
 
 namespace nmc {
 

@@ -12,7 +12,7 @@
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/motionbox.h"
 #include "widgets/panels/quantitygrid.h"
-#include "widgets/panels/servodefaults.h"
+#include "model/module/servodefaults.h"
 
 namespace nmc {
 

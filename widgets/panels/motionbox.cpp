@@ -16,7 +16,7 @@
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/quantitygrid.h"
-#include "widgets/panels/servodefaults.h"
+#include "model/module/servodefaults.h"
 
 namespace nmc {
 

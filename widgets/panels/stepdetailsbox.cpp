@@ -8,7 +8,7 @@
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepdefaults.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {

@@ -10,7 +10,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
-#include "widgets/panels/stepdefaults.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {

@@ -12,7 +12,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepdefaults.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/panels/stepholdbox.h"
 #include "widgets/panels/stepmodechoice.h"
 #include "widgets/panels/stepwords.h"

@@ -6,7 +6,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
-#include "widgets/panels/stepdefaults.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {
