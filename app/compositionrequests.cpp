@@ -39,6 +39,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
+    if (!std::holds_alternative<intent::AskAnew>(intent))
+        m_sequences.takeOver(index);
     const bool stops = isStop(intent);
     if (!stops)
         m_procedures.cancel(index);
