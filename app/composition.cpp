@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "app/knownchain.h"
 #include "link/clock.h"
@@ -318,7 +319,11 @@ void Composition::endLeft(const QStringList& files) {
 
 void Composition::showFrame() {
     m_window.showPackets(m_worker.takeRecords());
-    if (const std::vector<ModuleIndex> watched = m_window.watchedModules(); watched != m_watched) {
+    std::vector<ModuleIndex> watched = m_window.watchedModules();
+    for (const ModuleIndex module : m_sequences.parts())
+        if (!std::ranges::count(watched, module))
+            watched.push_back(module);  // whose arrival is waited for
+    if (watched != m_watched) {
         m_watched = watched;
         m_worker.watch(watched);
     }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "app/procedurecontroller.h"
@@ -28,6 +29,10 @@ public:
                        QObject* parent = nullptr);
 
     [[nodiscard]] bool running() const { return m_run && !m_run->report().over(); }
+    /// The modules of what runs.
+    [[nodiscard]] std::set<ModuleIndex> parts() const {
+        return running() ? m_run->parts() : std::set<ModuleIndex>{};
+    }
 
     /// Nothing while another runs. What keeps it from running is told by refused().
     void start(const Machine& machine, const std::string& sequence, std::size_t row, bool singleStep);

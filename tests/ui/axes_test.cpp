@@ -32,7 +32,7 @@ protected:
 
 TEST_F(Axes, ShowWhereEachStandsAndWhatItDoes) {
     EXPECT_TRUE(find(u"axesPage"_s)->isVisible());
-    EXPECT_EQ(text(u"axisPosition2"_s), u"1\u00A0234 counts"_s);
+    EXPECT_EQ(text(u"axisPosition2"_s), u"1\u202F234 counts"_s);
     EXPECT_EQ(text(u"axisState1"_s), u"Holding"_s);
     EXPECT_EQ(text(u"axisState3"_s), u"Servo off"_s);
     EXPECT_FALSE(button(u"axisHoldForwardButton3"_s)->isEnabled());

@@ -72,7 +72,7 @@ TEST_F(SequencePage, ShowsRowsInWords) {
     EXPECT_EQ(cell(0, 0), u"move to"_s);
     EXPECT_EQ(cell(0, 1), u"A"_s);
     EXPECT_EQ(cell(0, 2), u"together"_s);
-    EXPECT_EQ(cell(1, 3), u"0.5000 s"_s);
+    EXPECT_EQ(cell(1, 3), u"0.5 s"_s);
     EXPECT_EQ(cell(3, 1), u"from row 1 on"_s);
     EXPECT_EQ(cell(3, 3), u"3 times in all"_s);
 }

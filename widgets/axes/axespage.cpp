@@ -62,7 +62,10 @@ AxesPage::AxesPage(QWidget* parent)
     head->addWidget(m_step);
     head->addStretch(1);
     auto* table = new QWidget(this);
-    m_grid = new QGridLayout(table);
+    auto* fromTop = new QVBoxLayout(table);
+    m_grid = new QGridLayout;
+    fromTop->addLayout(m_grid);
+    fromTop->addStretch(1);
     m_grid->setHorizontalSpacing(look::gridUnit(this));
     m_grid->setColumnStretch(1, 1);
     auto* area = new QScrollArea(this);

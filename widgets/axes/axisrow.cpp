@@ -74,13 +74,15 @@ HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, con
 
 void AxisRow::remove() {
     endHold();
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse, m_holdForward})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
+                                                           m_holdForward, m_stepReverse->button(),
+                                                           m_stepForward->button(), m_earlier->button()}) {
+        widget->setObjectName({});  // which its successor has
+        widget->hide();
         widget->deleteLater();
-    for (Command* command : {m_stepReverse, m_stepForward, m_earlier}) {
-        command->button()->deleteLater();
-        command->deleteLater();
     }
+    for (Command* command : {m_stepReverse, m_stepForward, m_earlier})
+        command->deleteLater();
     deleteLater();
 }
 

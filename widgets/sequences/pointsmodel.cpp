@@ -11,17 +11,9 @@ void PointsModel::showPoints(const std::vector<Point>& points, const texts::Scal
         places.push_back(texts::placesOf(point, scale));
     if (points == m_points && places == m_places)
         return;
-    const RowChange change = rowChange(m_points, points);
-    if (change.removed > 0)
-        beginRemoveRows({}, change.at, change.at + change.removed - 1);
-    else if (change.inserted > 0)
-        beginInsertRows({}, change.at, change.at + change.inserted - 1);
+    changeRowCount(*this, m_points, points);
     m_points = points;
     m_places = std::move(places);
-    if (change.removed > 0)
-        endRemoveRows();
-    else if (change.inserted > 0)
-        endInsertRows();
     if (!m_points.empty())
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
@@ -38,7 +30,9 @@ QVariant PointsModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount())
         return {};
     const auto row = static_cast<std::size_t>(index.row());
-    const QString text = index.column() == Name ? QString::fromStdString(m_points[row].name) : m_places[row];
+    const QString text = index.column() == Name  ? QString::fromStdString(m_points[row].name)
+                         : row < m_places.size() ? m_places[row]
+                                                 : QString();
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole ||
         (role == Qt::EditRole && index.column() == Name))
         return text;

@@ -30,6 +30,8 @@ signals:
     void renameWanted(const std::string& from, const std::string& to);
 
 private:
+    template <typename Model, typename Row>
+    friend void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now);
     std::vector<Point> m_points;
     std::vector<QString> m_places;
 };

@@ -65,21 +65,13 @@ void RowsModel::showRows(const Program& program, const std::string& sequence, in
         return;
     const Sequence* shown = program.sequence(sequence);
     const std::vector<Action> rows = shown != nullptr ? shown->rows : std::vector<Action>{};
-    const RowChange change = rowChange(m_rows, rows);
-    if (change.removed > 0)
-        beginRemoveRows({}, change.at, change.at + change.removed - 1);
-    else if (change.inserted > 0)
-        beginInsertRows({}, change.at, change.at + change.inserted - 1);
+    changeRowCount(*this, m_rows, rows);
     if (program != m_program || sequence != m_sequence)
         m_callable = callable(program, sequence);
     m_program = program;
     m_sequence = sequence;
     m_modules = modules;
     m_rows = rows;
-    if (change.removed > 0)
-        endRemoveRows();
-    else if (change.inserted > 0)
-        endInsertRows();
     if (!m_rows.empty())
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }

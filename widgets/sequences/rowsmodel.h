@@ -40,6 +40,8 @@ signals:
     void rowEdited(int row, const nmc::Action& action);
 
 private:
+    template <typename Model, typename Row>
+    friend void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now);
     /// What stands in a cell, and what could.
     struct Cell {
         QStringList choices{};

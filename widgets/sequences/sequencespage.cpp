@@ -188,12 +188,13 @@ QWidget* SequencesPage::buildSequences() {
     m_foresight->setObjectName(u"dryRunLabel"_s);
     m_foresight->setWordWrap(true);
     m_foresight->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* result = new QScrollArea(box);
+    auto* result = m_foresightArea = new QScrollArea(box);
     look::name(result, u"dryRunArea"_s, tr("Result of the dry run"));
     result->setWidget(m_foresight);
     result->setWidgetResizable(true);
     result->setFrameShape(QFrame::NoFrame);
     result->setMaximumHeight(fontMetrics().height() * 6);
+    result->hide();
     m_foresight->setAlignment(Qt::AlignTop | Qt::AlignLeft);
 
     auto* layout = new QVBoxLayout(box);
@@ -279,11 +280,11 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
                            tr("Foresee the sequence on a simulated copy; nothing moves"), [this] {
                                if (m_foreseeing) {
                                    m_foreseeing = false;
-                                   m_foresight->clear();
+                                   showForesightText({});
                                    emit foresightDropped();
                                } else {
                                    m_foreseeing = true;
-                                   m_foresight->setText(tr("Dry run…"));
+                                   showForesightText(tr("Dry run…"));
                                    emit foresightRequested(sequence(), 0);
                                }
                                refreshRun();
@@ -389,8 +390,14 @@ void SequencesPage::showRun(const SequenceReport& report) {
 
 void SequencesPage::showForesight(const DryRun& dryRun) {
     m_foreseeing = false;
-    m_foresight->setText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
+    showForesightText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
     refreshRun();
+}
+
+/// It takes room only where there is something to be read.
+void SequencesPage::showForesightText(const QString& text) {
+    m_foresight->setText(text);
+    m_foresightArea->setVisible(!text.isEmpty());
 }
 
 void SequencesPage::showProgram() {

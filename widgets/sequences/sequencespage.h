@@ -16,6 +16,7 @@ class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QScrollArea;
 class QTableView;
 
 namespace nmc {
@@ -57,6 +58,7 @@ private:
     void edit(const QString& what, const std::function<void(Program&)>& change);
     void editRows(const QString& what, const std::function<void(Sequence&)>& change);
     void put(const Program& program);
+    void showForesightText(const QString& text);
     void showProgram();
     void showAxes();
     void refresh();
@@ -94,6 +96,7 @@ private:
     QLineEdit* m_sequenceName = nullptr;
     QLabel* m_state = nullptr;
     QLabel* m_foresight = nullptr;
+    QScrollArea* m_foresightArea = nullptr;
     Command* m_teach = nullptr;
     Command* m_goTo = nullptr;
     Command* m_removePoint = nullptr;

@@ -29,4 +29,22 @@ template <typename Row>
     return {static_cast<int>(fromTop) + changed, std::max(0, -more), std::max(0, more)};
 }
 
+/// Makes `rows` as many as they have to be, told by begin...() and end...(); what else has changed in them is
+/// for the caller to put there and tell.
+template <typename Model, typename Row>
+void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now) {
+    const RowChange change = rowChange(rows, now);
+    const auto at = rows.begin() + change.at;
+    if (change.removed > 0) {
+        model.beginRemoveRows({}, change.at, change.at + change.removed - 1);
+        rows.erase(at, at + change.removed);
+        model.endRemoveRows();
+    } else if (change.inserted > 0) {
+        model.beginInsertRows({}, change.at, change.at + change.inserted - 1);
+        const auto from = now.begin() + change.at;
+        rows.insert(at, from, from + change.inserted);
+        model.endInsertRows();
+    }
+}
+
 }  // namespace nmc

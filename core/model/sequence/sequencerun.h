@@ -125,6 +125,8 @@ public:
     [[nodiscard]] const SequenceReport& report() const { return m_report; }
     [[nodiscard]] const Machine& machine() const { return m_machine; }
     [[nodiscard]] bool takesPart(ModuleIndex module) const { return m_parts.contains(module); }
+    /// All modules that it may ever ask something of.
+    [[nodiscard]] const std::set<ModuleIndex>& parts() const { return m_parts; }
 
 private:
     struct Move {
