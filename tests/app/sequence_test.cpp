@@ -52,8 +52,10 @@ protected:
         const QRect cell = table->visualRect(table->model()->index(row, column));
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell.center());
-        QPointer<QComboBox> box = find<QComboBox>("rowChoiceBox");
-        ASSERT_TRUE(box);
+        // Those of cells before may not be gone yet.
+        const auto boxes = panel.window().findChildren<QComboBox*>(u"rowChoiceBox"_s);
+        ASSERT_FALSE(boxes.isEmpty());
+        const QPointer<QComboBox> box = boxes.back();
         const int wanted = box->findText(what);
         ASSERT_GE(wanted, 0) << what.toStdString();
         while (box && box->currentIndex() != wanted && table->model()->index(row, column).data() != what) {
