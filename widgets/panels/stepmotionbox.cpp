@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "model/intent/stepplan.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "model/module/stepdefaults.h"
 #include "widgets/panels/stepholdbox.h"
 #include "widgets/panels/stepmodechoice.h"
 #include "widgets/panels/stepwords.h"
@@ -219,7 +219,12 @@ std::optional<Refusal> StepMotionBox::refusalOf(bool reverse) const {
         return Refusal::NotConnected;
     const auto wanted = motion(reverse);
     // Before there is a motion: what any motion needs.
-    return wanted ? whyNot(*wanted, m_context.state()) : m_context.whyNot(Request::Run);
+    if (!wanted)
+        return m_context.whyNot(Request::Run);
+    if (!m_loadOnly->isChecked())
+        return whyNot(*wanted, m_context.state());
+    const auto load = plan(stepintent::LoadMove{*wanted}, m_context.state());
+    return load ? std::nullopt : std::optional(load.error());
 }
 
 bool StepMotionBox::viaStop(bool reverse) const {
@@ -292,11 +297,9 @@ void StepMotionBox::refreshCommand(Command& command, bool reverse, const QString
     const QString reason = reasonFor(reverse);
     const bool stopsFirst = m_context.connected() && viaStop(reverse);
     command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
-    command.setPossible(reason.isEmpty() ? m_context.whyBusy() : reason,
-                        stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, "
-                                        "waits until the motor stands, then: %1")
-                                         .arg(meaning)
-                                   : meaning);
+    command.setPossible(
+        reason.isEmpty() ? m_context.whyBusy() : reason,
+        stopsFirst ? tr("Stops smoothly, waits until the motor stands, then: %1").arg(meaning) : meaning);
 }
 
 void StepMotionBox::refreshCommands() {
