@@ -143,7 +143,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, this, [this](const bus::HoldToMove& hold) {
         m_motionMarker.held(hold.module, monotonicNow());
-        m_sequences.takeOver(hold.module);
+        m_sequences.takeOver(hold.module, false);
         m_procedures.cancel(hold.module);
     });
     wireChain();

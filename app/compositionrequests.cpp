@@ -39,9 +39,9 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
-    if (!std::holds_alternative<intent::AskAnew>(intent))
-        m_sequences.takeOver(index);
     const bool stops = isStop(intent);
+    if (!std::holds_alternative<intent::AskAnew>(intent))
+        m_sequences.takeOver(index, stops);
     if (!stops)
         m_procedures.cancel(index);
     if (std::holds_alternative<intent::CancelProcedure>(intent))

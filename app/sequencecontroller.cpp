@@ -93,9 +93,9 @@ void SequenceController::stop() {
     advance();
 }
 
-void SequenceController::takeOver(ModuleIndex module) {
+void SequenceController::takeOver(ModuleIndex module, bool stops) {
     if (running())
-        m_run->onTakenOver(module);
+        m_run->onTakenOver(module, stops);
     advance();
 }
 

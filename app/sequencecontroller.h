@@ -48,8 +48,8 @@ public:
     void foresee(const Machine& machine, const std::string& sequence, std::size_t row);
     void endForesight() { m_foresight.cancel(); }
 
-    /// The user wants something of this module.
-    void takeOver(ModuleIndex module);
+    /// The user wants something of this module; `stops`: that its motor stops.
+    void takeOver(ModuleIndex module, bool stops);
     /// A stop of all motors begins.
     void stopAll();
     /// False for the end of an operation that is none of ours, or of one whose failure is to be told.

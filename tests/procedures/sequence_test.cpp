@@ -189,6 +189,16 @@ TEST_F(Sequences, AnythingElseThatIsAskedOfOneOfItsModulesEndsIt) {
     bench.expectRest();
 }
 
+TEST_F(Sequences, WhatIsToldSomethingElseDoesNotGoOnUnwatched) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.modules[0].moving());
+    bench.run->onTakenOver(kX, false);
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::TakenOver);
+    bench.expectRest();
+    EXPECT_LT(std::abs(bench.shafts()[0]), 990) << "it was stopped on its way to 1 000";
+}
+
 TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
     bench.start("Main");
     bench.turns(15);

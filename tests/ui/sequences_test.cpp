@@ -90,7 +90,7 @@ TEST_F(SequencePage, RowsAreMovedDuplicatedAndRemoved) {
     EXPECT_EQ(machine.program.sequences[0].rows.size(), 4U);
     choose(u"rowTable"_s, 3);
     EXPECT_FALSE(whyNot(u"rowDownButton"_s).isEmpty());
-    QTest::keyClick(find(u"rowTable"_s), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(find(u"rowTable"_s), Qt::Key_Z, Qt::ControlModifier | Qt::AltModifier);
     EXPECT_EQ(machine.program.sequences[0].rows.size(), 5U);
 }
 

@@ -260,10 +260,12 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
         Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
     m_undo = newCommand(
         u"undoEditButton"_s, u"arrow-back-up"_s, tr("Undo"),
-        tr("Undo the last change of points and sequences"), [this] { m_edits.undo(); }, QKeySequence::Undo);
+        tr("Undo the last change of points and sequences"), [this] { m_edits.undo(); },
+        Qt::CTRL | Qt::ALT | Qt::Key_Z);
     m_redo = newCommand(
         u"redoEditButton"_s, u"arrow-forward-up"_s, tr("Redo"),
-        tr("Redo what was undone of points and sequences"), [this] { m_edits.redo(); }, QKeySequence::Redo);
+        tr("Redo what was undone of points and sequences"), [this] { m_edits.redo(); },
+        Qt::CTRL | Qt::ALT | Qt::Key_Y);
     auto* row = new QWidget(box);
     auto* layout = inARow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
     layout->setContentsMargins(0, 0, 0, 0);

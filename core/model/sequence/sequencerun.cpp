@@ -85,10 +85,11 @@ void SequenceRun::onLinkSuspect() {
     endBy(SequenceEnd::LinkInDoubt);
 }
 
-void SequenceRun::onTakenOver(ModuleIndex module) {
+void SequenceRun::onTakenOver(ModuleIndex module, bool sees) {
     if (!takesPart(module))
         return;
-    m_leftAlone.insert(module);
+    if (sees)
+        m_leftAlone.insert(module);
     endBy(SequenceEnd::TakenOver, module);
 }
 

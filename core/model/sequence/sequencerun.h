@@ -108,8 +108,9 @@ public:
     void onNotBegun(ModuleIndex module, Refusal refusal);
     /// The link is in doubt, or that to one module.
     void onLinkSuspect();
-    /// This module was told something else or stopped by somebody else; nothing if it takes no part.
-    void onTakenOver(ModuleIndex module);
+    /// This module is told something else, or was stopped by somebody else; nothing if it takes no part.
+    /// `sees`: whoever does that sees to its motor; otherwise that is told to stop with the others.
+    void onTakenOver(ModuleIndex module, bool sees = true);
     /// All motors have been stopped, or are about to be: nothing more is sent.
     void onStopOfAll();
     /// The connection is over.
