@@ -40,6 +40,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (module == nullptr)
         return;
     const bool stops = isStop(intent);
+    if (!std::holds_alternative<intent::AskAnew>(intent))
+        m_sequences.takeOver(index, stops);
     if (!stops)
         m_procedures.cancel(index);
     if (std::holds_alternative<intent::CancelProcedure>(intent))

@@ -43,8 +43,10 @@ bool hasFields(MachinePart part) {
         case MachinePart::Hardware:
         case MachinePart::AxisName:
         case MachinePart::AccelerationTime:
+        case MachinePart::HomeOrder:
             return false;
         case MachinePart::Groups:
+        case MachinePart::Program:
         case MachinePart::Unit:
         case MachinePart::Motion:
         case MachinePart::Homing:

@@ -29,6 +29,7 @@ class QSettings;
 
 namespace nmc {
 
+class AxesDock;
 class Banner;
 class ChainView;
 class ConnectionBar;
@@ -42,6 +43,7 @@ class MonitorDock;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
+class SequencesDock;
 class SimulatorDock;
 class StepResponseDock;
 struct KeptRun;
@@ -99,6 +101,10 @@ public:
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
+    /// Points and sequences: edited, foreseen, run.
+    [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
+    /// All axes at once.
+    [[nodiscard]] AxesDock& axes() { return *m_axes; }
     /// Recording, opening a recording, and what is exported.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
@@ -171,6 +177,8 @@ private:
     void addSimulatorDock();
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomForStepResponse(QDockWidget& messages);
+    void addMotionDocks(QDockWidget& scope);
+    void showAllAxes();
     void makeRoomForSimulator();
     void makeRoomForMotions();
     void restoreLayout();
@@ -208,6 +216,8 @@ private:
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;
+    SequencesDock* m_sequences = nullptr;
+    AxesDock* m_axes = nullptr;
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;
