@@ -172,8 +172,7 @@ struct Planner {
                        [this] { return stepsFor(module, StartMotion{}); });
     }
     Plan operator()(const stepintent::SetParameters& set) const {
-        return allowed(whyNotStep(Request::SetParameters, module),
-                       [&] { return stepsFor(module, set.parameters); });
+        return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
     }
     Plan operator()(const stepintent::SetOutputs& set) const {
         return allowed(whyNotStep(Request::SetOutputs, module),
@@ -301,6 +300,14 @@ std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& modul
     return mayFollow(stepper.mode(), *stepper.runsReverse(), loadFor(motion, module))
                ? std::nullopt
                : std::optional(Refusal::NeedsStop);
+}
+
+std::optional<Refusal> whyNotSet(const step::SetParameters& parameters, const ModuleState& module) {
+    if (const auto refusal = whyNotStep(Request::SetParameters, module))
+        return refusal;
+    const auto& now = module.stepper.parameters();
+    const bool inMotion = now && step::sameInMotion(*now, parameters);
+    return module.moving() && !inMotion ? std::optional(Refusal::NeedsStop) : std::nullopt;
 }
 
 std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load, const ModuleState& module) {
