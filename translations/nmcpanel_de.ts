@@ -312,6 +312,10 @@
         <source>What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.</source>
         <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
     </message>
+    <message>
+        <source>Home is at %1. The position was declared right %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min für richtig erklärt.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -3258,6 +3262,161 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Motor state unknown: %1 were moving.</source>
         <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
+    <message>
+        <source>the lowest position of travel is not below the highest.</source>
+        <translation>die tiefste Position des Fahrwegs liegt nicht unter der höchsten.</translation>
+    </message>
+    <message>
+        <source>Limits of travel and speed</source>
+        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Endschalter-Stopp</translation>
+    </message>
+    <message>
+        <source>Lowest position, from home</source>
+        <translation>Tiefste Position, ab Referenz</translation>
+    </message>
+    <message>
+        <source>Highest position, from home</source>
+        <translation>Höchste Position, ab Referenz</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Distance beyond the goal</source>
+        <translation>Weg über das Ziel hinaus</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Armed for each motion</source>
+        <translation>Für jede Bewegung scharf</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: no home within its limits of travel, nor where home was.</source>
+        <translation>%1 wurde angehalten: keine Referenz innerhalb der Fahrweggrenzen, auch nicht dort, wo sie war.</translation>
+    </message>
+    <message>
+        <source>Check the switch and its cable, and the direction of the search. If the position is wrong, say so on the page Axis (Position in doubt): the search then goes by its own travel limit.</source>
+        <translation>Schalter, Kabel und Suchrichtung prüfen. Stimmt die Position nicht, das auf der Seite Achse angeben (Position zweifelhaft): Dann gilt für die Suche nur ihre eigene Weggrenze.</translation>
+    </message>
+    <message>
+        <source>Taking up backlash</source>
+        <translation>Spiel wird herausgefahren</translation>
+    </message>
+    <message>
+        <source>The way on leads beyond the limits of travel. The motor was stopped.</source>
+        <translation>Der weitere Weg führt über die Fahrweggrenzen hinaus. Der Motor wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: it was about to leave its limits of travel.</source>
+        <translation>Modul %1 wurde zum Anhalten aufgefordert: Es war im Begriff, seine Fahrweggrenzen zu verlassen.</translation>
+    </message>
+    <message>
+        <source>The chip does not end this kind of motion by itself, so the panel did. See where it stands before you go on.</source>
+        <translation>Der Chip beendet diese Art von Bewegung nicht selbst, deshalb tat es das Panel. Vor dem Weiterfahren nachsehen, wo sie steht.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel of this axis (page Axis).</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen dieser Achse (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The limit of travel is reached: there is no way on in that direction.</source>
+        <translation>Die Fahrweggrenze ist erreicht: In dieser Richtung geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>That is faster than this axis may go (page Axis).</source>
+        <translation>Das ist schneller, als diese Achse fahren darf (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>Towards a limit of travel a run starts from standstill, so that the chip ends it there: stop first.</source>
+        <translation>Auf eine Fahrweggrenze zu beginnt ein Lauf im Stillstand, damit der Chip ihn dort beendet: zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>The limit stop of this axis is not armed yet; it is about to be.</source>
+        <translation>Der Endschalter-Stopp dieser Achse ist noch nicht scharf; er wird es gleich.</translation>
+    </message>
+    <message>
+        <source>The current limit CL is 0 or unknown, so the current would never stop the motor.</source>
+        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom würde den Motor also nie anhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>TravelTexts</name>
+    <message>
+        <source>That is %1; this axis goes at most %2 (page Axis).</source>
+        <translation>Das sind %1; diese Achse fährt höchstens %2 (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The lowest position of this axis is %1: there is no way on in reverse.</source>
+        <translation>Die tiefste Position dieser Achse ist %1: Rückwärts geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>The highest position of this axis is %1: there is no way on forward.</source>
+        <translation>Die höchste Position dieser Achse ist %1: Vorwärts geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel: the lowest position to go to is %1.</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position, die angefahren werden kann, ist %1.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel: the highest position to go to is %1.</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position, die angefahren werden kann, ist %1.</translation>
+    </message>
+    <message>
+        <source>No limits of travel are set.</source>
+        <translation>Keine Fahrweggrenzen gesetzt.</translation>
+    </message>
+    <message>
+        <source>Not in force: home is not known. Search for it, save it, or declare the position right.</source>
+        <translation>Nicht in Kraft: Die Referenz ist nicht bekannt. Suchen, speichern oder die Position für richtig erklären.</translation>
+    </message>
+    <message>
+        <source>In force: not below %1.</source>
+        <translation>In Kraft: nicht unter %1.</translation>
+    </message>
+    <message>
+        <source>In force: not above %1.</source>
+        <translation>In Kraft: nicht über %1.</translation>
+    </message>
+    <message>
+        <source>In force: from %1 to %2.</source>
+        <translation>In Kraft: von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Limits of travel not in force</source>
+        <translation>Fahrweggrenzen nicht in Kraft</translation>
+    </message>
+    <message>
+        <source>At the lowest position</source>
+        <translation>An der tiefsten Position</translation>
+    </message>
+    <message>
+        <source>At the highest position</source>
+        <translation>An der höchsten Position</translation>
+    </message>
+    <message>
+        <source>Below the lowest position</source>
+        <translation>Unter der tiefsten Position</translation>
+    </message>
+    <message>
+        <source>Above the highest position</source>
+        <translation>Über der höchsten Position</translation>
+    </message>
+    <message>
+        <source>Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in force from there. If it is not, they protect the wrong places. Look at the axis itself first.</source>
+        <translation>Steht %1 jetzt wirklich bei %2? Dann liegt die Referenz, wo die Position 0 ist, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie die falschen Stellen. Zuerst die Achse selbst ansehen.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -4998,10 +5157,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1 or limit 2</source>
-        <translation>Endschalter 1 oder Endschalter 2</translation>
-    </message>
-    <message>
         <source>limit 1</source>
         <translation>Endschalter 1</translation>
     </message>
@@ -5144,6 +5299,62 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>? The chip watches for something that was not asked for in this connection.</source>
         <translation>? Der Chip überwacht etwas, das in dieser Verbindung nicht angefordert wurde.</translation>
+    </message>
+    <message>
+        <source>the position error limit</source>
+        <translation>Grenze des Positionsfehlers</translation>
+    </message>
+    <message>
+        <source>the current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>for each motion of this axis</source>
+        <translation>für jede Bewegung dieser Achse</translation>
+    </message>
+    <message>
+        <source>Stop when the position error exceeds its limit</source>
+        <translation>Anhalten, wenn der Positionsfehler seine Grenze überschreitet</translation>
+    </message>
+    <message>
+        <source>Stop when the current exceeds its limit</source>
+        <translation>Anhalten, wenn der Strom seine Grenze überschreitet</translation>
+    </message>
+    <message>
+        <source>Arm the limit stop for each motion of this axis</source>
+        <translation>Den Endschalter-Stopp für jede Bewegung dieser Achse scharf schalten</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>The motor stops when it is farther from where it should be than EL allows; the servo goes off then in any case.</source>
+        <translation>Der Motor hält an, wenn er weiter vom Sollort entfernt ist, als EL erlaubt; der Servo geht dann in jedem Fall aus.</translation>
+    </message>
+    <message>
+        <source>The motor stops when its current exceeds CL.</source>
+        <translation>Der Motor hält an, wenn sein Strom CL überschreitet.</translation>
+    </message>
+    <message>
+        <source>Whenever the motor stands with its servo on, the panel arms the limit stop, also after it has tripped; no motion begins before. Kept with the machine.</source>
+        <translation>Immer wenn der Motor mit eingeschaltetem Servo steht, schaltet das Panel den Endschalter-Stopp scharf, auch nachdem er ausgelöst hat; vorher beginnt keine Bewegung. Wird mit der Maschine gespeichert.</translation>
+    </message>
+    <message>
+        <source>The axis has it armed for each motion: it would be armed again at once.</source>
+        <translation>Die Achse hat ihn für jede Bewegung scharf: Er würde sofort wieder scharf geschaltet.</translation>
     </message>
 </context>
 <context>
@@ -5833,6 +6044,30 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Goes to home.</source>
         <translation>Fährt zur Referenz.</translation>
     </message>
+    <message>
+        <source>Take the nearest</source>
+        <translation>Nächste nehmen</translation>
+    </message>
+    <message>
+        <source>Put the nearest position that is allowed into the goal</source>
+        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Runs forward until it is stopped, or to its highest position.</source>
+        <translation>Läuft vorwärts, bis angehalten wird, oder bis zur höchsten Position.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until it is stopped, or to its lowest position.</source>
+        <translation>Läuft rückwärts, bis angehalten wird, oder bis zur tiefsten Position.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::NumberField</name>
@@ -6219,6 +6454,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Jumps without a profile to the position it has at this moment, then holds there.</source>
         <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort.</translation>
+    </message>
+    <message>
+        <source>Limits of travel</source>
+        <translation>Fahrweggrenzen</translation>
     </message>
 </context>
 <context>
@@ -7388,6 +7627,22 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>No ramp.</source>
         <translation>Keine Rampe.</translation>
     </message>
+    <message>
+        <source>Take the nearest</source>
+        <translation>Nächste nehmen</translation>
+    </message>
+    <message>
+        <source>Put the nearest position that is allowed into the goal</source>
+        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepPanel</name>
@@ -7809,6 +8064,137 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TravelBox</name>
+    <message>
+        <source>Limits of travel and speed</source>
+        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>State of the limits of travel</source>
+        <translation>Zustand der Fahrweggrenzen</translation>
+    </message>
+    <message>
+        <source>Lowest position</source>
+        <translation>Tiefste Position</translation>
+    </message>
+    <message>
+        <source>Highest position</source>
+        <translation>Höchste Position</translation>
+    </message>
+    <message>
+        <source>The lowest position</source>
+        <translation>Die tiefste Position</translation>
+    </message>
+    <message>
+        <source>The highest position</source>
+        <translation>Die höchste Position</translation>
+    </message>
+    <message>
+        <source>Counted from home. No motion goes beyond it while home is known. Empty: no limit.</source>
+        <translation>Ab der Referenz gezählt. Solange die Referenz bekannt ist, geht keine Bewegung darüber hinaus. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>Make the present position the lowest</source>
+        <translation>Die jetzige Position zur tiefsten machen</translation>
+    </message>
+    <message>
+        <source>Make the present position the highest</source>
+        <translation>Die jetzige Position zur höchsten machen</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The highest velocity</source>
+        <translation>Die höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as fast as the module can.</source>
+        <translation>Nichts bewegt diese Achse schneller: keine Fahrt, kein Lauf, kein Schritt, kein Tippen, keine Referenzsuche. Leer: so schnell das Modul kann.</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>The backlash</source>
+        <translation>Das Spiel</translation>
+    </message>
+    <message>
+        <source>Somewhat more than the play between motor and load. A move from the wrong side then goes beyond its goal by as much first, and comes back. Empty: none.</source>
+        <translation>Etwas mehr als das Spiel zwischen Motor und Last. Eine Fahrt von der falschen Seite geht dann zuerst um so viel über ihr Ziel hinaus und kommt zurück. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>Side from which every goal is come to</source>
+        <translation>Seite, von der jedes Ziel angefahren wird</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>von unten</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>Go to, Go home and Step come to their goal from this side. A loaded move goes straight.</source>
+        <translation>Fahrt, Referenzfahrt und Schritt kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht geradewegs.</translation>
+    </message>
+    <message>
+        <source>Declare position right…</source>
+        <translation>Position für richtig erklären…</translation>
+    </message>
+    <message>
+        <source>Declare that the position is right</source>
+        <translation>Die Position für richtig erklären</translation>
+    </message>
+    <message>
+        <source>Position in doubt</source>
+        <translation>Position zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Say that the position may be wrong</source>
+        <translation>Angeben, dass die Position falsch sein kann</translation>
+    </message>
+    <message>
+        <source>Declare the position right</source>
+        <translation>Die Position für richtig erklären</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>It &amp;is right</source>
+        <translation>Sie &amp;stimmt</translation>
+    </message>
+    <message>
+        <source>The lowest position has to be below the highest. What was set before stays.</source>
+        <translation>Die tiefste Position muss unter der höchsten liegen. Was vorher gesetzt war, bleibt.</translation>
+    </message>
+    <message>
+        <source>The axis goes no lower than where it is now.</source>
+        <translation>Die Achse fährt nicht tiefer, als sie jetzt steht.</translation>
+    </message>
+    <message>
+        <source>The axis goes no higher than where it is now.</source>
+        <translation>Die Achse fährt nicht höher, als sie jetzt steht.</translation>
+    </message>
+    <message>
+        <source>Takes your word that the position is right: home is where it is 0. Asks first.</source>
+        <translation>Nimmt Ihr Wort dafür, dass die Position stimmt: Die Referenz liegt, wo sie 0 ist. Fragt zuerst.</translation>
+    </message>
+    <message>
+        <source>Home is not known any more, and the limits of travel are not in force until it is.</source>
+        <translation>Die Referenz ist dann nicht mehr bekannt, und die Fahrweggrenzen gelten erst wieder, wenn sie es ist.</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,13 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion,
                                                           const ModuleState& module);
 
+/// Where a motion ends, in 64 bits so that too far can be told; nothing for one without an end.
+[[nodiscard]] std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module);
+[[nodiscard]] bool wantsReverse(const StepMotion& motion, const ModuleState& module);
+/// Steps/s that it would get to; 0: not known.
+[[nodiscard]] double speedOf(const StepMotion& motion, const ModuleState& module);
+[[nodiscard]] double speedOf(const step::LoadTrajectory& load, const ModuleState& module);
+
 /// The load for a motion, from where the module is; a position that does not change in motion is left out.
 [[nodiscard]] step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module);
 /// Smoothly where the chip knows a ramp, with the amplifier left as it is.

@@ -31,6 +31,7 @@ struct FileProblem {
         ModuleTwice,      ///< module `found` is in two groups, or twice in one
         AddressTwice,     ///< two groups have address `found`
         LeaderNotInGroup,
+        LimitsCrossed,  ///< the lowest position is not below the highest
     };
     enum class Wanted : std::uint8_t { WholeNumber, Number, Text, YesOrNo, Object, List };
 

@@ -163,8 +163,10 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         m_loaded = *load;
         if (load->velocity)
             m_loadedVelocity = load->velocity->value() / 65'536.0;
-        if (load->acceleration)
+        if (load->acceleration) {
             accelerationLoaded = load->acceleration->value() != 0;
+            m_acceleration = load->acceleration->value() / 65'536.0;
+        }
         loadWaiting = !load->startNow;
         if (load->startNow)
             applyLoaded(executed.time);
@@ -197,7 +199,7 @@ void ModuleState::restarted() {
     m_looksWhileOff = 0;
     loadWaiting = false;
     motion = MotionMode::None;
-    goalVelocity = m_loadedVelocity = 0.0;
+    goalVelocity = m_loadedVelocity = m_acceleration = 0.0;
     amplifierEnabled = accelerationLoaded = false;
     stepper.restarted();
 }
