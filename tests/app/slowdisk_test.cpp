@@ -174,13 +174,11 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
         QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);
         auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("saveMachineDialog"));
         ASSERT_NE(dialog, nullptr);
-        const int before = panel.count(QStringLiteral("was not saved"));
-        emit dialog->fileSelected(directory.filePath(QStringLiteral("%1.json").arg(QLatin1String(name))));
+        const QString file = QLatin1String(name) + QStringLiteral(".json");
+        emit dialog->fileSelected(directory.filePath(file));
         dialog->close();
-        ASSERT_TRUE(panel.waitFor([&] {
-            return panel.count(QStringLiteral("was not saved")) > before ||
-                   panel.standing(QStringLiteral("%1.json").arg(QLatin1String(name))) != nullptr;
-        }));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.standing(file) != nullptr; }));
         EXPECT_TRUE(panel.window().isWindowModified());
     }
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("not kept")) == 1; }));

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs and how soon it follows, with 32 modules moving at the wire's limit and four strips:
 //   window_bench [SECONDS]   the GUI thread's share of a core; a keystroke to its repaint; switching modules
+//   window_bench events      what holds the thread up, at rest and while modules are switched
 //   window_bench paints      which widgets are painted, and how often
 #include <QApplication>
 #include <QEventLoop>
 #include <QKeyEvent>
 #include <QListView>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QVariant>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -210,6 +213,68 @@ protected:
     }
 };
 
+/// What holds the thread up: nothing else is handled in the midst of an event.
+class EventTimes : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    bool watching = false;
+    struct Sum {
+        double seconds = 0;
+        double longest = 0;
+        double overTwo = 0;  ///< s in which Esc would come late: the part of each event before its last 2 ms
+        int count = 0;
+    };
+    std::map<QString, Sum> sums;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (!watching || m_inside)
+            return QApplication::notify(receiver, event);
+        const QString name =
+            QStringLiteral("%1 to %2 %3")
+                .arg(QVariant::fromValue(event->type()).toString(),
+                     QString::fromLatin1(receiver->metaObject()->className()), receiver->objectName());
+        const QScopedValueRollback<bool> inside(m_inside, true);
+        const TimePoint begin = monotonicNow();
+        const bool result = QApplication::notify(receiver, event);
+        const double seconds = toSeconds(monotonicNow() - begin);
+        Sum& sum = sums[name];
+        sum.seconds += seconds;
+        sum.longest = std::max(sum.longest, seconds);
+        sum.overTwo += std::max(0.0, seconds - 0.002);
+        ++sum.count;
+        return result;
+    }
+
+private:
+    bool m_inside = false;
+};
+
+int events(EventTimes& application, Bench& bench) {
+    constexpr double kSeconds = 20;
+    application.watching = true;
+    bench.share(kSeconds);
+    const auto print = [&](const char* what) {
+        application.watching = false;
+        std::vector<std::pair<QString, EventTimes::Sum>> sorted(application.sums.begin(),
+                                                                application.sums.end());
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const auto& a, const auto& b) { return a.second.seconds > b.second.seconds; });
+        std::printf("%s\n", what);
+        for (const auto& [name, sum] : sorted)
+            if (sum.seconds > 0.01)
+                std::printf("%7d times, mean %6.2f, longest %6.2f ms, beyond 2 ms %5.2f %% of the time: %s\n",
+                            sum.count, 1e3 * sum.seconds / sum.count, 1e3 * sum.longest,
+                            100 * sum.overTwo / kSeconds, qPrintable(name));
+        application.sums.clear();
+        application.watching = true;
+    };
+    print("in 20 s at rest");
+    bench.switches();
+    print("while modules are switched");
+    return 0;
+}
+
 int paints(Bench& bench) {
     PaintCount count;
     qApp->installEventFilter(&count);
@@ -228,12 +293,14 @@ int paints(Bench& bench) {
 
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
+    EventTimes application(argc, argv);
     look::setUp(application);
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     Bench bench;
     if (argc > 1 && QString::fromLocal8Bit(argv[1]) == QLatin1String("paints"))
         return paints(bench);
+    if (argc > 1 && QString::fromLocal8Bit(argv[1]) == QLatin1String("events"))
+        return events(application, bench);
     const double seconds = argc > 1 ? std::strtod(argv[1], nullptr) : 20;
     std::printf(
         "window: 32 modules at 115200 Bd, four strips, %.0f s: GUI thread %.1f %% of a core (aim 15)\n",

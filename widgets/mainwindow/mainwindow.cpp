@@ -41,7 +41,7 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
-constexpr int kPrepareInterval = 200;  // ms
+constexpr int kPrepareInterval = 100;  // ms
 }
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
@@ -248,8 +248,11 @@ QString MainWindow::nothingText() const {
     return {};
 }
 
-/// One at a time, so that nobody waits: a module that is chosen first finds its page then.
+/// One at a time, and while all stands still, so that nobody waits, least of all a stop: a module that is
+/// chosen first finds its page then.
 void MainWindow::preparePage() {
+    if (m_session.movingMotors() > 0)
+        return;
     for (const ModuleState& module : m_session.link().modules)
         if (m_panel->prepare(m_session.viewOf(module)))
             return;

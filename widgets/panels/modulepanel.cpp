@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/modulepanel.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <utility>
 
@@ -28,19 +29,22 @@ void keepTabOrder(QWidget* before, QWidget* page) {
 }  // namespace
 
 ModulePanel::ModulePanel(QWidget* parent)
-    : QStackedWidget(parent), m_empty(look::newMutedLabel({}, this)), m_generic(new GenericPanel(this)) {
+    : QWidget(parent),
+      m_empty(look::newMutedLabel({}, this)),
+      m_generic(new GenericPanel(this)),
+      m_current(m_empty) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
     m_empty->setObjectName(u"emptyPanel"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setFont(look::scaled(font(), 1.2));
-    addWidget(m_empty);
-    addWidget(m_generic);
-    m_generic->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    m_generic->hide();
     connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
 }
 
-ModulePanel::~ModulePanel() = default;
+ModulePanel::~ModulePanel() {
+    m_current = m_empty;
+}
 
 std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     std::unique_ptr<ModulePage> page;
@@ -67,6 +71,8 @@ ModulePage& ModulePanel::pageOf(const PanelView& view) {
     Page& page = m_pages[info.index];
     const bool another = page.address != info.address || page.identity != info.identity;
     if (page.widget == nullptr || another) {
+        if (page.widget != nullptr && page.widget.get() == m_current)
+            bringUp(m_empty);
         page.widget.reset();  // before the other is built: nobody is asked by both
         page = {info.address, info.identity, build(view)};
     }
@@ -76,12 +82,14 @@ ModulePage& ModulePanel::pageOf(const PanelView& view) {
 bool ModulePanel::prepare(const PanelView& view) {
     if ((!view.module.isServo() && !view.module.isStepper()) || m_pages.count(view.module.info.index) != 0)
         return false;
-    (void)pageOf(view);
+    ModulePage& page = pageOf(view);
+    page.resize(size());
+    (void)page.grab({0, 0, 1, 1});  // has fonts, sizes and places found, too
     return true;
 }
 
 ModulePage* ModulePanel::page() const {
-    return qobject_cast<ModulePage*>(currentWidget());
+    return qobject_cast<ModulePage*>(m_current);
 }
 
 const ModulePage* ModulePanel::pageLike(const PanelView& view) {
@@ -115,31 +123,45 @@ void ModulePanel::setHoldInterval(int milliseconds) {
 }
 
 void ModulePanel::stageGains(const servo::SetGain& gains) {
-    if (auto* servo = qobject_cast<ServoPanel*>(currentWidget()))
+    if (auto* servo = qobject_cast<ServoPanel*>(m_current))
         servo->stageGains(gains);
 }
 
 void ModulePanel::bringUp(QWidget* page) {
-    QWidget* before = currentWidget();
-    if (page == before)
+    if (page == m_current)
         return;
+    QWidget* before = std::exchange(m_current, page);
     // Qt would hand the focus of the page that goes to what comes first on the other: Enable.
     if (QWidget* focused = window()->focusWidget(); focused != nullptr && isAncestorOf(focused))
         focused->clearFocus();
-    if (indexOf(page) < 0) {
-        addWidget(page);
+    if (page->parentWidget() != this) {
+        page->setParent(this);
         keepTabOrder(m_generic, page);
     }
-    for (int i = 0; i < count(); ++i) {
-        const auto policy = widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-        widget(i)->setSizePolicy(policy, policy);
-    }
-    setCurrentWidget(page);
-    if (qobject_cast<ModulePage*>(before) != nullptr) {
-        removeWidget(before);
+    fill();
+    page->show();
+    before->hide();
+    if (qobject_cast<ModulePage*>(before) != nullptr)
         before->setParent(nullptr);
-    }
     emit pageChanged();
+}
+
+void ModulePanel::fill() {
+    m_current->setGeometry(rect());
+    const QSize least = m_current->minimumSizeHint();
+    if (std::exchange(m_least, least) != least)
+        updateGeometry();
+}
+
+bool ModulePanel::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest)
+        fill();
+    return QWidget::event(event);
+}
+
+void ModulePanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fill();
 }
 
 void ModulePanel::showModule(const PanelView& view) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStackedWidget>
+#include <QWidget>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ class ModulePage;
 
 /// The middle of the window: the page of the selected module, or what to do when there is none. A page is
 /// built when its module is shown first, and belongs to this one module until the connection ends.
-class ModulePanel : public QStackedWidget {
+class ModulePanel : public QWidget {
     Q_OBJECT
 
 public:
@@ -43,6 +43,10 @@ public:
     /// One that has what this module's page has; none: it has no page.
     [[nodiscard]] const ModulePage* pageLike(const PanelView& view);
 
+    // Of what is in sight.
+    [[nodiscard]] QSize sizeHint() const override { return m_current->sizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return m_least; }
+
 signals:
     /// Another page is in sight.
     void pageChanged();
@@ -54,11 +58,17 @@ signals:
     /// The user changed what the panel knows of an axis; nothing is sent by that.
     void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
+protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     [[nodiscard]] ModulePage& pageOf(const PanelView& view);
     [[nodiscard]] std::unique_ptr<ModulePage> build(const PanelView& view);
-    /// Only the page in sight decides how much room is needed.
     void bringUp(QWidget* page);
+    /// What is in sight fills this. A layout would have the whole window laid out anew for each page, though
+    /// pages need the same room.
+    void fill();
 
     struct Page {
         // Another module at the same place has a page of its own.
@@ -68,6 +78,8 @@ private:
     };
     QLabel* m_empty;
     GenericPanel* m_generic;
+    QWidget* m_current;
+    QSize m_least;
     /// Those that are not shown are windows of their own, never seen: in this one there is one control of a
     /// name, and its focus chain stays short.
     std::map<ModuleIndex, Page> m_pages;

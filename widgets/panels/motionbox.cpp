@@ -322,16 +322,21 @@ void MotionBox::refreshForecast() {
 
 void MotionBox::refresh() {
     refreshForecast();
-    QString move = reasonNow(Request::Move, {m_goal, m_velocity, m_acceleration});
     const auto goTo = entered();
-    if (move.isEmpty() && !goTo)
-        move = tr("The goal is beyond the range of positions.");
-    if (move.isEmpty())
-        move = m_context.reasonFor(Intent(*goTo));
+    const auto whyNo = [this, &goTo](Request request, bool later) {
+        QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
+        if (reason.isEmpty() && !goTo)
+            reason = tr("The goal is beyond the range of positions.");
+        if (reason.isEmpty())
+            reason = m_context.reasonFor(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
+        return reason;
+    };
     offerNearest();
-    m_go->setPossible(move, tr("Starts the move to the position, and holds there."));
+    m_go->setPossible(whyNo(Request::Move, false), tr("Starts the move to the position, and holds there."));
+    // By a distance: from where, while it moves?
     m_load->setPossible(
-        move, tr("Loads the move and does not start it: Start does, or the start of the module's group."));
+        whyNo(relative() ? Request::Move : Request::Load, true),
+        tr("Loads the move and does not start it: Start does, or the start of the module's group."));
     m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the move that was loaded."));
     QString home = reasonNow(Request::GoHome, {m_velocity, m_acceleration});
     if (home.isEmpty())

@@ -23,7 +23,7 @@ constexpr double kSmallestPart = 1e-4;  ///< of a count: zooming ends here
 
 ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_backdrop, &ChartBackdrop::changed, this, &ScopePlot::paintWanted);
     leaveLeft(0);
     adoptPalette();
 }
@@ -77,7 +77,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now) 
     }
     m_backdrop.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);
-    update();
+    emit paintWanted();
 }
 
 /// In the unit of the axis.

@@ -77,6 +77,8 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
+    /// There is a new frame, or new axes, and update() shows it.
+    void paintWanted();
     /// More than 1 shows more; `at` (s) stays.
     void timeZoomed(double factor, double at);
     void timePanned(double seconds);

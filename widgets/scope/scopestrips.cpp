@@ -14,6 +14,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
+constexpr int kTurn = 6;           ///< ms between the pictures of two strips
 constexpr double kRateTime = 1.0;  ///< s over which samples are counted, and between two counts
 const std::array<QString, ScopeSetup::kStrips> kPlotNames{u"scopePlot1"_s, u"scopePlot2"_s, u"scopePlot3"_s,
                                                           u"scopePlot4"_s};
@@ -26,6 +27,8 @@ ScopeStrips::ScopeStrips(QWidget* parent)
     m_layout->setContentsMargins(2, 2, 2, 2);
     m_layout->setSpacing(0);
     m_layout->addWidget(m_lane);
+    m_turns.setInterval(kTurn);
+    connect(&m_turns, &QTimer::timeout, this, &ScopeStrips::paintNext);
 }
 
 /// Strips are built when they are first needed: each takes a chart with it.
@@ -35,6 +38,7 @@ ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
                                      [](const ScopePlot* other) { return other != nullptr; });
     m_layout->insertWidget(static_cast<int>(above), plot, strip == 0 ? 3 : 2);
     look::name(plot, kPlotNames[strip], tr("Strip %1 of the scope").arg(strip + 1));
+    connect(plot, &ScopePlot::paintWanted, this, [this, plot] { paintInTurn(plot); });
     connect(plot, &ScopePlot::timeZoomed, this, [this](double factor, double at) {
         m_time.zoom(factor, at);
         emit timeChanged();
@@ -59,19 +63,29 @@ void ScopeStrips::setSetup(const ScopeSetup& setup) {
     if (setup == m_setup)
         return;
     m_setup = setup;
+    m_labelled.reset();
     arrange();
 }
 
 void ScopeStrips::setModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
         return;
+    // Strips that show other modules than the selected one stay as they are.
+    if (modules != m_modules || followsSelection())
+        m_labelled.reset();
     m_modules = modules;
     m_selected = selected;
     arrange();
 }
 
+bool ScopeStrips::followsSelection() const {
+    return std::any_of(m_setup.strips.begin(), m_setup.strips.end(), [](const auto& strip) {
+        return std::any_of(strip.begin(), strip.end(),
+                           [](const SignalRef& signal) { return !signal.module.has_value(); });
+    });
+}
+
 void ScopeStrips::arrange() {
-    m_labelled.reset();
     ScopePlot* lowest = nullptr;
     for (std::size_t i = 0; i < m_plots.size(); ++i) {
         const bool shown = !m_setup.strips[i].empty();
@@ -150,6 +164,22 @@ void ScopeStrips::showFrame(const History& history, double now) {
     align();
     if (m_setup.lane)
         m_lane->showFrame(view, m_selected ? history.module(*m_selected) : nullptr);
+}
+
+void ScopeStrips::paintInTurn(ScopePlot* plot) {
+    if (std::find(m_waiting.begin(), m_waiting.end(), plot) == m_waiting.end())
+        m_waiting.push_back(plot);
+    if (!m_turns.isActive()) {
+        m_turns.start();
+        paintNext();
+    }
+}
+
+void ScopeStrips::paintNext() {
+    if (m_waiting.empty())
+        return m_turns.stop();
+    m_waiting.front()->update();
+    m_waiting.erase(m_waiting.begin());
 }
 
 /// The strips share one time axis, so their plot areas begin at the same place.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <array>
 #include <optional>
@@ -68,6 +69,7 @@ protected:
 private:
     [[nodiscard]] ScopePlot* newPlot(std::size_t strip);
     void arrange();
+    [[nodiscard]] bool followsSelection() const;
     void label(const History& history, double now);
     /// `from`, `to`: over what time their rates are counted, s.
     [[nodiscard]] std::vector<ScopePlot::Trace> tracesOf(const std::vector<SignalRef>& strip,
@@ -75,6 +77,9 @@ private:
                                                          double to) const;
     [[nodiscard]] QString labelOf(const SignalRef& signal, const ScopeModule& module) const;
     void align();
+    /// One strip after the other: together they would hold up the window, and a key for a stop with it.
+    void paintInTurn(ScopePlot* plot);
+    void paintNext();
 
     QVBoxLayout* m_layout;
     std::array<ScopePlot*, ScopeSetup::kStrips> m_plots{};
@@ -86,6 +91,8 @@ private:
     std::optional<CursorTimes> m_cursors;
     std::optional<double> m_marker;
     std::optional<std::pair<SignalRef, double>> m_level;
+    std::vector<ScopePlot*> m_waiting;  ///< to be painted
+    QTimer m_turns;
     std::optional<double> m_labelled;  ///< s, when the rates were counted
 };
 

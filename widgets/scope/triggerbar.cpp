@@ -130,18 +130,32 @@ void TriggerBar::layOut() {
 void TriggerBar::showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
         return;
-    const int chosen = m_source->currentIndex();
-    const std::vector<Source> before = std::move(m_sources);
     m_modules = modules;
     m_selected = selected;
+    m_listed = false;
+    if (!isHidden())
+        listSources();
+}
+
+void TriggerBar::setVisible(bool visible) {
+    if (visible && !m_listed)
+        listSources();
+    QWidget::setVisible(visible);
+}
+
+/// Hundreds, so not for a bar that nobody sees.
+void TriggerBar::listSources() {
+    m_listed = true;
+    const int chosen = m_source->currentIndex();
+    const std::vector<Source> before = std::move(m_sources);
     const QSignalBlocker quiet(m_source);
     m_source->clear();
     m_sources.clear();
-    if (selected && selected->value() < modules.size())
-        addSources(std::nullopt, modules[selected->value()]);
-    for (std::size_t i = 0; i < modules.size(); ++i)
-        if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != selected)
-            addSources(index, modules[i]);
+    if (m_selected && m_selected->value() < m_modules.size())
+        addSources(std::nullopt, m_modules[m_selected->value()]);
+    for (std::size_t i = 0; i < m_modules.size(); ++i)
+        if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != m_selected)
+            addSources(index, m_modules[i]);
     const auto again =
         chosen >= 0 ? std::find(m_sources.begin(), m_sources.end(), before[static_cast<std::size_t>(chosen)])
                     : m_sources.end();

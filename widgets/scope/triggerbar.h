@@ -36,6 +36,7 @@ public:
     [[nodiscard]] std::optional<TriggerSettings> settings() const;
     /// The signal whose strip shows the level.
     [[nodiscard]] std::optional<SignalRef> levelSignal() const;
+    void setVisible(bool visible) override;
 
 signals:
     /// settings() or mode() may have changed.
@@ -53,6 +54,7 @@ private:
     NumberField* newField(const QString& objectName, const QString& name, const QString& meaning);
     void layOut();
     void addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of);
+    void listSources();
     void takeSource();
     void showConditions();
     void showPossible();
@@ -64,6 +66,7 @@ private:
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::vector<Source> m_sources;  ///< by row of the box
+    bool m_listed = true;           ///< they are those of m_modules
     QComboBox* m_source;
     QComboBox* m_condition;
     NumberField* m_level;

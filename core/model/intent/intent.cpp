@@ -2,6 +2,7 @@
 #include "model/intent/intent.h"
 
 #include "base/overloaded.h"
+#include "model/intent/directplan.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
@@ -61,7 +62,7 @@ struct Planner {
     Plan operator()(const intent::LoadMove& load) const {
         if (const auto refusal = lacking(load.move))
             return tl::unexpected(*refusal);
-        return allowed(Request::Move, module, [&] { return stepsFor(module, trajectory(load.move)); });
+        return allowed(Request::Load, module, [&] { return stepsFor(module, trajectory(load.move)); });
     }
 
     Plan operator()(const intent::StartLoaded&) const {
@@ -183,6 +184,8 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
+    /// plan() has answered that for both chips.
+    Plan operator()(const intent::Direct&) const { return Steps{}; }
     Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
                                 stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
@@ -223,8 +226,10 @@ bool isStop(const Intent& intent) {
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
                            intent::StepBy, intent::StepResponse, intent::CheckDirection,
                            intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
-                           stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                           stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+                           intent::Direct, stepintent::SetParameters, stepintent::SetOutputs,
+                           stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion> auto&) {
+                return false;
+            },
         },
         intent);
 }
@@ -232,6 +237,11 @@ bool isStop(const Intent& intent) {
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
     if (std::holds_alternative<intent::AskAnew>(intent))
         return stepsFor(module, Nop{});
+    if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
+        if (const auto refusal = whyNotDirect(direct->command, module))
+            return tl::unexpected(*refusal);
+        return Steps{{module.info.index, direct->command}};
+    }
     Plan steps = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
     if (steps)
         if (const auto problem = travelProblem(intent, module))
@@ -258,6 +268,8 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             if (const auto refusal = whyNot(Request::Run, module))
                 return refusal;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case Request::GoHome:
             if (!module.home.place())
                 return Refusal::HomeUnknown;

@@ -95,7 +95,8 @@ struct CourseOf {
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
                     intent::ControlIo, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                    intent::DeclarePosition, stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
+                    intent::DeclarePosition, intent::Direct, stepintent::SetParameters,
+                    stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
 
@@ -143,6 +144,57 @@ private:
     }
     return beyondTravel(*position, *course.goal, *range);
 }
+
+/// What a load does once it is started.
+[[nodiscard]] Course courseOf(const servo::LoadTrajectory& load) {
+    Course course;
+    if (!load.servo || load.profile == servo::ProfileMode::Velocity)
+        course.reverse = load.reverse;
+    else if (load.position)
+        course.goal = load.position->value();
+    if (load.servo)
+        course.velocity = native(load.velocity.value_or(CountsPerTick()));
+    return course;
+}
+[[nodiscard]] Course courseOf(const step::LoadTrajectory& load, const ModuleState& module) {
+    Course course{.velocity = speedOf(load, module)};
+    if (load.position)
+        course.goal = load.position->value();
+    else
+        course.reverse = load.reverse;
+    return course;
+}
+
+/// Of a load that is sent or started as it is: a run would not end at the limit ahead.
+[[nodiscard]] std::optional<TravelProblem> asItStands(const Course& course, const ModuleState& module) {
+    if (const auto end = course.reverse ? travelEnd(module, *course.reverse) : std::nullopt)
+        return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = *course.reverse, .limit = *end};
+    return problemOf(course, module);
+}
+
+/// Of the commands of either chip, those that may move it at once.
+struct DirectProblem {
+    const ModuleState& module;
+
+    std::optional<TravelProblem> operator()(const servo::LoadTrajectory& load) const {
+        if (!load.startNow)
+            return std::nullopt;  // its start is judged
+        return load.servo ? asItStands(courseOf(load), module) : problemOf(courseOf(load), module);
+    }
+    std::optional<TravelProblem> operator()(const step::LoadTrajectory& load) const {
+        return load.startNow ? asItStands(courseOf(load, module), module) : std::nullopt;
+    }
+    std::optional<TravelProblem> operator()(const servo::StopMotor& stop) const {
+        if (stop.manner != servo::StopManner::Here)
+            return std::nullopt;
+        return problemOf(Course{.goal = stop.here.value()}, module);
+    }
+    std::optional<TravelProblem> operator()(const StartMotion&) const { return loadedProblem(module); }
+    template <typename Other>
+    std::optional<TravelProblem> operator()(const Other&) const {
+        return std::nullopt;
+    }
+};
 
 /// A push may go either way.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::CheckDirection& check,
@@ -235,29 +287,18 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
         return problemOf(*check, module);
     if (std::holds_alternative<intent::StartLoaded>(intent))
         return loadedProblem(module);
+    if (const auto* direct = std::get_if<intent::Direct>(&intent))
+        return std::visit([&](const auto& chip) { return std::visit(DirectProblem{module}, chip); },
+                          direct->command);
     const auto course = std::visit(CourseOf{module}, intent);
     return course ? problemOf(*course, module) : std::nullopt;
 }
 
 std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
-    Course course;
-    if (const servo::LoadTrajectory* load = module.waiting()) {
-        if (!load->servo || load->profile == servo::ProfileMode::Velocity)
-            course.reverse = load->reverse;
-        else if (load->position)
-            course.goal = load->position->value();
-        course.velocity = native(load->velocity.value_or(CountsPerTick()));
-    } else if (const auto& waits = module.stepper.waiting()) {
-        if (waits->position)
-            course.goal = waits->position->value();
-        else
-            course.reverse = waits->reverse;
-        course.velocity = speedOf(*waits, module);
-    }
-    // A run that was loaded before its limits were in force would not end at them.
-    if (const auto end = course.reverse ? travelEnd(module, *course.reverse) : std::nullopt)
-        return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = *course.reverse, .limit = *end};
-    return problemOf(course, module);
+    if (const servo::LoadTrajectory* load = module.waiting())
+        return asItStands(courseOf(*load), module);
+    const auto& waits = module.stepper.waiting();
+    return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;
 }
 
 tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {

@@ -160,7 +160,11 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     if (command == nullptr)
         return;
     if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
+        // What is not loaded keeps what it was (DS-V 5.2).
+        const std::optional<Counts> position = m_loaded.position;
         m_loaded = *load;
+        if (!load->position)
+            m_loaded.position = position;
         if (load->velocity)
             m_loadedVelocity = load->velocity->value() / 65'536.0;
         if (load->acceleration) {
@@ -195,6 +199,7 @@ void ModuleState::restarted() {
     homing = {};
     limits = {};
     home = {};
+    m_loaded = {};
     m_goal.reset();
     m_looksWhileOff = 0;
     loadWaiting = false;
