@@ -141,16 +141,13 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, this, &Composition::endMotions);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::holdRequested, this, [this](const bus::HoldToMove& hold) {
-        m_motionMarker.held(hold.module, monotonicNow());
-        m_sequences.takeOver(hold.module, false);
-        m_procedures.cancel(hold.module);
-    });
+    connect(&m_window, &MainWindow::holdRequested, this, &Composition::hold);
     wireChain();
     wireSequences();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
+    connect(&m_machine, &MachineController::machineChanged, this,
+            [this] { m_store.setMachine(m_machine.machine()); });
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
@@ -167,6 +164,7 @@ void Composition::wireStore() {
     m_linkTimer.setSingleShot(true);
     connect(&m_linkTimer, &QTimer::timeout, this, &Composition::showLink);
     connect(&m_store, &BusStore::linkChanged, this, [this] {
+        watchAxes();
         showLinkSoon();
         endLeft(m_motionMarker.update(m_store.link()));
         m_messages.look();

@@ -85,6 +85,14 @@ private:
     void lookFirst(const QString& key);
     void disconnectFromPort();
     void carryOut(ModuleIndex module, const Intent& intent);
+    /// Towards a limit of travel it is a move there; where that is not possible, nothing is held.
+    void hold(const bus::HoldToMove& hold);
+    /// Stops what would leave its limits and does not end by itself; arms what is to be armed.
+    void watchAxes();
+    void keepWithinTravel(const ModuleState& module);
+    void keepArmed(const ModuleState& module);
+    /// Not again before what it was told last can show. What it is told now counts.
+    [[nodiscard]] bool mayTell(ModuleIndex axis);
     bus::OperationId submit(std::vector<bus::Step> steps);
     void showProcedure(const ProcedureReport& report);
     void showSequence(const SequenceReport& report);
@@ -160,10 +168,11 @@ private:
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     Transports m_transports;
-    std::optional<ConnectTarget> m_target;    ///< what is connected, or was last
-    std::optional<ConnectTarget> m_openNext;  ///< to be opened when the present connection has closed
-    std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it
-    std::optional<QString> m_troublePort;     ///< where motors' states became unknown
+    std::optional<ConnectTarget> m_target;          ///< what is connected, or was last
+    std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
+    std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
+    std::optional<QString> m_troublePort;           ///< where motors' states became unknown
+    std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;
     bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more
     bool m_enableFaults = false;

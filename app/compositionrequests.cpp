@@ -5,10 +5,13 @@
 
 #include "app/composition.h"
 #include "link/clock.h"
+#include "model/intent/homingplan.h"
+#include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/procedure/procedures.h"
 #include "model/response/steprunfile.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/scope/scoperecord.h"
 
 namespace nmc {
@@ -49,23 +52,82 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (auto procedure = procedureFor(intent, *module)) {
         // The one before is still stopping its motor: nothing waits in a queue to move.
         if (!m_procedures.begin(std::move(procedure)))
-            m_messages.tellOf(texts::notPossible(index, Refusal::Moving));
+            m_messages.tellOf(texts::notPossible(index, texts::refusal(Refusal::Moving)));
         return;
     }
     auto steps = plan(intent, *module);
     if (!steps) {
         m_procedures.cancel(index);
-        m_messages.tellOf(texts::notPossible(index, steps.error()));
+        const AxisScale scale = scaleOf(*module, m_machine.machine().axis(index));
+        m_messages.tellOf(texts::notPossible(index, texts::refusal(steps.error(), intent, *module, scale)));
         return;
     }
     if (std::holds_alternative<intent::ResetModule>(intent))
         return m_worker.resetModule(index);
+    if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
+        return m_store.declarePosition(index, declare->right);
     const bus::OperationId id = submit(std::move(*steps));
     m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
     else
         m_store.noteAsked(index, id);
+}
+
+void Composition::hold(const bus::HoldToMove& wanted) {
+    const ModuleState* module = m_store.module(wanted.module);
+    if (module == nullptr)
+        return;
+    const auto hold = withinTravel(wanted, *module);
+    if (!hold || whyNot(Request::Hold, *module)) {
+        m_window.endHold();  // the button says why
+        return;
+    }
+    m_motionMarker.held(wanted.module, monotonicNow());
+    m_sequences.takeOver(wanted.module, false);
+    m_procedures.cancel(wanted.module);
+    m_worker.hold(*hold);
+}
+
+void Composition::watchAxes() {
+    if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
+        return;
+    for (const ModuleState& module : std::vector(m_store.link().modules))
+        // A procedure sees to it itself.
+        if (!module.silent && !m_procedures.running(module.info.index)) {
+            keepWithinTravel(module);
+            keepArmed(module);
+        }
+}
+
+bool Composition::mayTell(ModuleIndex axis) {
+    constexpr Duration kPatience = std::chrono::milliseconds(250);
+    const TimePoint now = monotonicNow();
+    const auto told = m_axisToldAt.find(axis);
+    if (told != m_axisToldAt.end() && now - told->second < kPatience)
+        return false;
+    m_axisToldAt[axis] = now;
+    return true;
+}
+
+void Composition::keepArmed(const ModuleState& module) {
+    const auto arm = limitStopDue(module);
+    if (!arm || module.awaited || !mayTell(module.info.index))
+        return;
+    if (auto steps = plan(*arm, module))
+        submit(std::move(*steps));
+}
+
+void Composition::keepWithinTravel(const ModuleState& module) {
+    /// From a position on the wire to the stop that follows it: a poll of a long chain, a turn of this
+    /// thread, and a command.
+    constexpr Duration kLatency = std::chrono::milliseconds(100);
+    const ModuleIndex index = module.info.index;
+    const auto stop = stopBeforeLimit(module, kLatency);
+    if (!stop || !mayTell(index))
+        return;
+    carryOut(index, *stop);
+    m_messages.tellOf(texts::stoppedBeforeLimit(index));
 }
 
 bus::OperationId Composition::submit(std::vector<bus::Step> steps) {

@@ -291,6 +291,7 @@ void MachineController::dropRestored() {
 void MachineController::changed() {
     if (!m_keepTimer.isActive())
         m_keepTimer.start();
+    emit machineChanged();
     m_window.showMachine(m_machine);
     showFile();
 }

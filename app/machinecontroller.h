@@ -48,6 +48,7 @@ public:
     void open(const QString& path);
 
 signals:
+    void machineChanged();
     /// The user has ticked it and pressed Apply.
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// The same, of the groups.

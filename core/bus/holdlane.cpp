@@ -37,21 +37,30 @@ std::optional<TimePoint> HoldLane::deadline() const {
 std::optional<Step> HoldLane::start() const {
     if (!m_wanted || m_wanted == m_told)
         return std::nullopt;
+    const std::optional<Counts> goal = m_wanted->goal ? std::optional<Counts>(*m_wanted->goal) : std::nullopt;
     if (m_wanted->pace) {
         step::LoadTrajectory load;
+        load.position = goal;
         load.speed = m_wanted->pace->speed;
         load.accelerationTime = m_wanted->pace->accelerationTime;
-        load.reverse = m_wanted->reverse;
-        load.startNow = true;
+        load.reverse = !goal && m_wanted->reverse;
+        load.startNow = !goal;
         return Step{m_wanted->module, StepCommand(load)};
     }
     servo::LoadTrajectory load;
     load.velocity = m_wanted->velocity;
     load.acceleration = m_wanted->acceleration;
-    load.profile = servo::ProfileMode::Velocity;
-    load.reverse = m_wanted->reverse;
-    load.startNow = true;
+    load.position = goal;
+    load.profile = goal ? servo::ProfileMode::Trapezoidal : servo::ProfileMode::Velocity;
+    load.reverse = !goal && m_wanted->reverse;
+    load.startNow = !goal;
     return Step{m_wanted->module, ServoCommand(load)};
+}
+
+Step HoldLane::startLoaded() const {
+    if (m_wanted->pace)
+        return {m_wanted->module, StepCommand(StartMotion{})};
+    return {m_wanted->module, ServoCommand(StartMotion{})};
 }
 
 }  // namespace nmc::bus

@@ -2,6 +2,8 @@
 #include "bus/holdtask.h"
 
 #include "bus/gate.h"
+#include "bus/retrypolicy.h"
+#include "bus/standstill.h"
 
 namespace nmc::bus {
 
@@ -13,6 +15,13 @@ constexpr unsigned kAttempts = 3;
 /// With acceleration 0 a PIC-SERVO cannot slow down (link.md 2.6).
 [[nodiscard]] StopManner mannerFor(const HoldToMove& held) {
     return held.pace || held.acceleration.value() != 0 ? StopManner::Smoothly : StopManner::Abruptly;
+}
+
+/// That load was answered, and waits for its start.
+[[nodiscard]] bool hasLoaded(const Belief& module, const ModuleCommand& command) {
+    if (const auto* chip = std::get_if<StepCommand>(&command))
+        return module.stepLoad() == std::get<step::LoadTrajectory>(*chip);
+    return module.servoLoad() == std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
 }
 
 }  // namespace
@@ -55,20 +64,54 @@ Next HoldTask::next(TimePoint /*now*/) {
     const Belief& module = m_chain.belief(start.module);
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
-    auto& owed = m_chain.at(start.module).owed;
+    const auto& owed = m_chain.at(start.module).owed;
     // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
     if (owed && (!ofHold(owed->cause) || owed->target.stopOwed()))
         return Idle{};
-    // Load Trajectory would switch a servo on: that is never the hold's business.
-    const bool allowed = module.on() && judge(module, start.command) == Verdict::Allowed;
-    if (!allowed) {
+    // Load Trajectory would switch a servo on: that is never the hold's business. And what has been begun
+    // with a goal does not go on with another, or without.
+    if (!module.on() || (m_lane.told() && m_lane.told()->goal != m_lane.wanted()->goal)) {
         giveUp();
         return Again{};
     }
-    owed.reset();  // the operator wants it to move again
+    if (const auto& goal = m_lane.wanted()->goal)
+        return nextTowards(*goal, start);
+    return tell(start);
+}
+
+Next HoldTask::nextTowards(std::int32_t goal, const Step& load) {
+    const ModuleIndex index = load.module;
+    const Belief& module = m_chain.belief(index);
+    if (m_chain.at(index).owed)
+        return Idle{};  // until it is seen at rest
+    if (module.mayMove() && !m_lane.told()) {
+        m_chain.owe(index, StopCause::HoldReleased, mannerFor(*m_lane.wanted()));
+        return Again{};
+    }
+    if (!leadsTo(goal, module)) {
+        giveUp();
+        return Again{};
+    }
+    return tell(hasLoaded(module, load.command) ? m_lane.startLoaded() : load);
+}
+
+bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
+    if (!module.position())
+        return false;
+    const std::int64_t way = std::int64_t{goal} - *module.position();
+    return m_lane.wanted()->reverse ? way < -kStillCounts : way > kStillCounts;
+}
+
+Next HoldTask::tell(const Step& step) {
+    if (judge(m_chain.belief(step.module), step.command) != Verdict::Allowed) {
+        giveUp();
+        return Again{};
+    }
+    m_chain.at(step.module).owed.reset();  // the operator wants it to move again
     m_toldBefore = m_lane.told();
-    m_lane.onStartSent();
-    Ask ask = m_chain.command(Purpose::Hold, start);
+    Ask ask = m_chain.command(Purpose::Hold, step);
+    if (mayStartMotion(ask.request.payload))
+        m_lane.onStartSent();
     ask.reported = true;
     // Asked anew instead: what is wanted may have changed by the next time.
     ask.silentRepeats = 0;

@@ -12,7 +12,8 @@
 namespace nmc::bus {
 
 /// Held motion: starts and changes it while the evidence comes, and owes its module a stop as soon as it does
-/// not.
+/// not. One with a goal starts from standstill: what moves is stopped first, and a goal that has changed ends
+/// it.
 class HoldTask : public Task {
 public:
     HoldTask(const EngineConfig& config, Chain& chain, std::vector<Event>& events)
@@ -42,12 +43,17 @@ public:
 private:
     void end(StopCause cause);
     void giveUp();
+    /// Whether a motion to `goal` goes the way that is held, and leads anywhere.
+    [[nodiscard]] bool leadsTo(std::int32_t goal, const Belief& module) const;
+    /// Of a hold with a goal: its load, then its start.
+    [[nodiscard]] Next nextTowards(std::int32_t goal, const Step& load);
+    [[nodiscard]] Next tell(const Step& step);
 
     Chain& m_chain;
     std::vector<Event>& m_events;
     HoldLane m_lane;
     std::optional<HoldToMove>
-        m_toldBefore;         ///< the start that is on its way, to go back to when it is refused
+        m_toldBefore;         ///< what it was told before, to go back to when the start is refused
     unsigned m_refusals = 0;  ///< in a row
 };
 

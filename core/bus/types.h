@@ -99,6 +99,9 @@ struct HoldToMove {
     bool reverse = false;
     std::optional<StepPace> pace{};  ///< of a PIC-STEP, instead of velocity and acceleration
     std::uint32_t press = 0;         ///< which press of a button it is; each is a higher number
+    /// A limit that it goes towards: it is a move there, from standstill, which the chip ends by itself.
+    /// Empty: it goes on for as long as it is held.
+    std::optional<std::int32_t> goal{};
     bool operator==(const HoldToMove&) const = default;
 };
 

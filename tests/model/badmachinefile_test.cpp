@@ -352,6 +352,13 @@ TEST(BadMachineFile, UnitsOfTheOtherChip) {
               (FileProblem{.kind = Kind::OtherChip, .line = 4, .field = "step_counts"}));
 }
 
+TEST(BadMachineFile, LimitsThatLeaveNoPlaceToBe) {
+    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 8, \"highest_counts\": 8}")),
+              (FileProblem{.kind = Kind::LimitsCrossed, .line = 4, .field = "travel"}));
+    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_steps\": 8}")).kind, Kind::OtherChip);
+    EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 2147483648}")).kind, Kind::OutOfRange);
+}
+
 TEST(BadMachineFile, GroupsThatContradictEachOther) {
     const auto groups = [](const std::string& a, const std::string& b) {
         return problemOf(fileWith("\"groups\": [{" + a + "},\n{" + b + "}]"));

@@ -98,6 +98,16 @@ TEST(MachineFile, ARowThatDoesSomethingElseNowKeepsNothingOfTheOldOne) {
     EXPECT_EQ(parseMachine(text)->machine, machine);
 }
 
+TEST(MachineFile, AFileFromBeforeLimitsOfTravelHasNone) {
+    const auto parsed =
+        parseMachine(R"({"format": "nmc-panel-machine", "version": 1, "axes": [{"name": "Z"}]})");
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(parsed->machine.axes.at(0).travel, TravelSettings{});
+    EXPECT_FALSE(parsed->machine.axes.at(0).travel.limited());
+    EXPECT_FALSE(parsed->machine.axes.at(0).limitStop.eachMotion);
+    EXPECT_EQ(parsed->machine.axes.at(0).backlash.distance, 0);
+}
+
 TEST(MachineFile, WritingWhatWasReadChangesNothingAnyMore) {
     const std::string once = writeMachine(mill());
     const auto parsed = parseMachine(once);

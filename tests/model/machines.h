@@ -90,6 +90,13 @@ inline AxisSettings anyAxis() {
     axis.motion = {pick(0, 32'767), pick(0, 32'767), pick(0, 32'767),
                    pick(0, 32'767), pick(0, 32'767), pick(0, 2e9)};
     if (coin())
+        axis.travel = {pickWhole<std::int32_t>(-0x7FFFFFFF, -1), pickWhole<std::int32_t>(0, 0x7FFFFFFF),
+                       pick(0, 32'767)};
+    else if (coin())
+        axis.travel.highest = pickWhole<std::int32_t>(-0x7FFFFFFF, 0x7FFFFFFF);
+    axis.backlash = {pick(0, 2e9), coin()};
+    axis.limitStop = {coin(), coin(), coin(), coin(), coin(), pickWhole<HomingRecipe::Stop>(0, 2)};
+    if (coin())
         axis.homing = HomingRecipe{
             coin(),          coin(),          coin(),          coin(),
             coin(),          coin(),          coin(),          coin(),

@@ -32,6 +32,10 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
+    if (place->source == HomeFact::Source::Declared)
+        return Texts::tr("Home is at %1. The position was declared right %2 min ago.")
+            .arg(where)
+            .arg(minutes);
     return place->source == HomeFact::Source::Search
                ? Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes)
                : Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);

@@ -100,6 +100,8 @@ QString wrongInLine(const FileProblem& problem) {
             return Texts::tr("by this row the sequence \"%1\" would call itself and never end.").arg(found);
         case Kind::RepeatsBelow:
             return Texts::tr("a repeat goes back to a row above it.");
+        case Kind::LimitsCrossed:
+            return Texts::tr("the lowest position of travel is not below the highest.");
     }
     return {};
 }
@@ -279,8 +281,14 @@ QString machinePart(MachinePart part) {
             return Texts::tr("Unit");
         case MachinePart::Motion:
             return Texts::tr("Motion");
+        case MachinePart::Travel:
+            return Texts::tr("Limits of travel and speed");
+        case MachinePart::Backlash:
+            return Texts::tr("Backlash");
         case MachinePart::Homing:
             return Texts::tr("Homing");
+        case MachinePart::LimitStop:
+            return Texts::tr("Limit stop");
         case MachinePart::Analog:
             return Texts::tr("A/D scale");
         case MachinePart::PinNames:
@@ -311,6 +319,12 @@ QString machineField(const QString& key) {
         {u"hold_velocity"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move velocity")},
         {u"hold_cap"_s, QT_TRANSLATE_NOOP("Texts", "Hold-to-move cap")},
         {u"step"_s, QT_TRANSLATE_NOOP("Texts", "Step")},
+        {u"lowest"_s, QT_TRANSLATE_NOOP("Texts", "Lowest position, from home")},
+        {u"highest"_s, QT_TRANSLATE_NOOP("Texts", "Highest position, from home")},
+        {u"fastest"_s, QT_TRANSLATE_NOOP("Texts", "Highest velocity")},
+        {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Distance beyond the goal")},
+        {u"from_above"_s, QT_TRANSLATE_NOOP("Texts", "From above")},
+        {u"each_motion"_s, QT_TRANSLATE_NOOP("Texts", "Armed for each motion")},
         {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit 1")},
         {u"on_limit2"_s, QT_TRANSLATE_NOOP("Texts", "On limit 2")},
         {u"on_index"_s, QT_TRANSLATE_NOOP("Texts", "On index")},

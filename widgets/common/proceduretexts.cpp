@@ -32,6 +32,13 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::TravelLimit:
             return {Texts::tr("%1 was stopped: no home within the travel limit.").arg(who),
                     Texts::tr("Check the switch and its cable, the direction of the search, and the limit.")};
+        case ProcedureFailure::SoftLimit:
+            return {Texts::tr("%1 was stopped: no home within its limits of travel, nor where home was.")
+                        .arg(who),
+                    Texts::tr(
+                        "Check the switch and its cable, and the direction of the search. If the position "
+                        "is wrong, say so on the page Axis (Position in doubt): the search then goes by its "
+                        "own travel limit.")};
         case ProcedureFailure::TimeLimit:
             return {Texts::tr("%1 was stopped: no home within the time limit.").arg(who),
                     Texts::tr("Check the switch and its cable, the direction and the speed of the search, "
@@ -112,6 +119,7 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::SwitchActive:
         case ProcedureFailure::NotFound:
         case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::SoftLimit:
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
             return {};  // of homing
@@ -144,6 +152,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::SwitchActive:
         case ProcedureFailure::NotFound:
         case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::SoftLimit:
         case ProcedureFailure::WentOff:
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::Unstable:
@@ -190,6 +199,8 @@ QString homingStage(ProcedureStage stage) {
             return Texts::tr("Going to home");
         case ProcedureStage::Zeroing:
             return Texts::tr("Making home zero");
+        case ProcedureStage::TakingUpBacklash:
+            return Texts::tr("Taking up backlash");
         case ProcedureStage::Moving:
             return Texts::tr("Moving");
         case ProcedureStage::Pausing:
@@ -259,6 +270,8 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("The travel limit was reached. The motor was stopped.");
         case ProcedureFailure::TimeLimit:
             return Texts::tr("The time limit was reached. The motor was stopped.");
+        case ProcedureFailure::SoftLimit:
+            return Texts::tr("The way on leads beyond the limits of travel. The motor was stopped.");
         case ProcedureFailure::LinkSuspect:
             return Texts::tr("The link was in doubt meanwhile. The motor was told to stop.");
         case ProcedureFailure::ModuleSilent:

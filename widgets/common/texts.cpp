@@ -209,13 +209,24 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
     return message;
 }
 
-Message notPossible(ModuleIndex module, Refusal reason) {
+Message stoppedBeforeLimit(ModuleIndex module) {
+    return {.key = ofModule(u"travel"_s, module),
+            .module = module,
+            .severity = Severity::Attention,
+            .headline = Texts::tr("Module %1 was told to stop: it was about to leave its limits of travel.")
+                            .arg(moduleNumber(module)),
+            .body = Texts::tr(
+                "The chip does not end this kind of motion by itself, so the panel did. See where it "
+                "stands before you go on.")};
+}
+
+Message notPossible(ModuleIndex module, const QString& reason) {
     return {
         .key = ofModule(u"notPossible"_s, module),
         .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("Not possible for module %1 now; nothing was sent.").arg(moduleNumber(module)),
-        .body = refusal(reason)};
+        .body = reason};
 }
 
 QString closing(int movingMotors) {

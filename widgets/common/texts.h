@@ -88,7 +88,9 @@ namespace texts {
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
 /// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
-[[nodiscard]] Message notPossible(ModuleIndex module, Refusal refusal);
+[[nodiscard]] Message notPossible(ModuleIndex module, const QString& reason);
+/// What would have run on beyond a limit of travel was told to stop.
+[[nodiscard]] Message stoppedBeforeLimit(ModuleIndex module);
 
 // ---- what is the case ----
 /// All that is wrong with the modules of this connection: each message is there as long as its cause. Pure.

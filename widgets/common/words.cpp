@@ -214,6 +214,22 @@ QString refusal(Refusal refusal) {
                 "the step shorter or raise EL.");
         case Refusal::GoalOutOfRange:
             return Texts::tr("The goal is beyond the positions the chip can count.");
+        case Refusal::BeyondTravel:
+            return Texts::tr("That is beyond the limits of travel of this axis (page Axis).");
+        case Refusal::AtTravelEnd:
+            return Texts::tr("The limit of travel is reached: there is no way on in that direction.");
+        case Refusal::TooFast:
+            return Texts::tr("That is faster than this axis may go (page Axis).");
+        case Refusal::RunNeedsStop:
+            return Texts::tr(
+                "Towards a limit of travel a run starts from standstill, so that the chip ends it there: "
+                "stop "
+                "first.");
+        case Refusal::LimitStopDue:
+            return Texts::tr("The limit stop of this axis is not armed yet; it is about to be.");
+        case Refusal::NoCurrentLimit:
+            return Texts::tr(
+                "The current limit CL is 0 or unknown, so the current would never stop the motor.");
         case Refusal::RecordTime:
             return Texts::tr("A record takes from 0.02 s to 3 s.");
         case Refusal::NotAStepper:

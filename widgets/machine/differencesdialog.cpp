@@ -49,6 +49,9 @@ bool hasFields(MachinePart part) {
         case MachinePart::Program:
         case MachinePart::Unit:
         case MachinePart::Motion:
+        case MachinePart::Travel:
+        case MachinePart::Backlash:
+        case MachinePart::LimitStop:
         case MachinePart::Homing:
         case MachinePart::Analog:
         case MachinePart::PinNames:

@@ -14,6 +14,7 @@ void Session::setLink(const LinkState& state) {
     LinkState next = state;
     if (next.unplugged)
         next.modules = m_link.modules;  // what was said last is the last that is known
+    next.take(m_machine);
     const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
     const bool another = state.phase != before.phase || state.connection != before.connection ||
@@ -32,6 +33,7 @@ void Session::setLink(const LinkState& state) {
 
 void Session::setMachine(const Machine& machine) {
     m_machine = machine;
+    m_link.take(machine);
     QStringList names;
     for (const AxisSettings& axis : machine.axes)
         names.append(QString::fromStdString(axis.name));
@@ -81,8 +83,8 @@ std::vector<ScopeModule> Session::scopeModules() const {
     std::vector<ScopeModule> modules;
     for (const ModuleState& module : m_link.modules) {
         const AxisSettings& axis = m_machine.axis(module.info.index);
-        modules.push_back(
-            {texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis), axis.analog});
+        modules.push_back({texts::moduleName(module.info.index), module.info.identity, scaleOf(module, axis),
+                           axis.analog, travelRange(module)});
     }
     return modules;
 }

@@ -4,11 +4,13 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "model/intent/travel.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/motionbox.h"
@@ -108,27 +110,42 @@ void JogBox::showModule() {
 }
 
 void JogBox::refresh() {
-    QString reason = m_context.reasonFor(Request::Hold);
-    if (reason.isEmpty())
-        reason =
-            m_motionBox.acceleration() ? m_velocity->problemText() : texts::refusal(Refusal::NoAcceleration);
     // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
-    look::setPossible(m_forward, reason, tr("Moves forward while it is held, then stops."));
-    look::setPossible(m_reverse, reason, tr("Moves in reverse while it is held, then stops."));
+    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while it is held, then stops."));
+    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while it is held, then stops."));
     look::setText(m_hint, m_velocity->problemText());
 }
 
-void JogBox::hold(const HoldButton& button, bool reverse) {
+QString JogBox::reasonFor(bool reverse) const {
+    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+        return reason;
+    const auto hold = wanted(reverse);
+    if (!hold)
+        return m_motionBox.acceleration() ? m_velocity->problemText()
+                                          : texts::refusal(Refusal::NoAcceleration);
+    const auto within = withinTravel(*hold, m_context.state());
+    return within ? QString() : texts::travelProblem(within.error(), m_velocity->scale());
+}
+
+std::optional<bus::HoldToMove> JogBox::wanted(bool reverse) const {
     const auto velocity = m_velocity->native();
     const auto acceleration = m_motionBox.acceleration();
     if (!velocity || !acceleration)
+        return std::nullopt;
+    bus::HoldToMove hold;
+    hold.module = m_context.state().info.index;
+    hold.velocity = CountsPerTick(servodefaults::toFixed(*velocity));
+    hold.acceleration = *acceleration;
+    hold.reverse = reverse;
+    return hold;
+}
+
+void JogBox::hold(const HoldButton& button, bool reverse) {
+    auto hold = wanted(reverse);
+    if (!hold)
         return;
-    m_context.hold({m_context.state().info.index,
-                    CountsPerTick(servodefaults::toFixed(*velocity)),
-                    *acceleration,
-                    reverse,
-                    {},
-                    button.press()});
+    hold->press = button.press();
+    m_context.hold(*hold);
 }
 
 }  // namespace nmc

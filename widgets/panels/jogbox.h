@@ -25,6 +25,8 @@ public:
 private:
     void build();
     void hold(const HoldButton& button, bool reverse);
+    [[nodiscard]] std::optional<bus::HoldToMove> wanted(bool reverse) const;
+    [[nodiscard]] QString reasonFor(bool reverse) const;
     void endHold();
     void lookedForAnew();
     void showVelocity();

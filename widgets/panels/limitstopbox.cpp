@@ -22,9 +22,19 @@ using Watch = HomeWatch::State;
 constexpr std::array kManners{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
 
 QString limits(const HomeWatch& watch) {
-    if (watch.onLimit1() && watch.onLimit2())
-        return LimitStopBox::tr("limit 1 or limit 2");
-    return watch.onLimit1() ? LimitStopBox::tr("limit 1") : LimitStopBox::tr("limit 2");
+    QStringList names;
+    if (watch.onLimit1())
+        names << LimitStopBox::tr("limit 1");
+    if (watch.onLimit2())
+        names << LimitStopBox::tr("limit 2");
+    if (watch.onPositionError())
+        names << LimitStopBox::tr("the position error limit");
+    if (watch.onCurrentLimit())
+        names << LimitStopBox::tr("the current limit");
+    if (names.size() < 2)
+        return names.join(QString());
+    const QString last = names.takeLast();
+    return LimitStopBox::tr("%1 or %2").arg(names.join(u", "_s), last);
 }
 }  // namespace
 
@@ -33,6 +43,9 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_limit1(new QCheckBox(tr("Limit 1"), this)),
       m_limit2(new QCheckBox(tr("Limit 2"), this)),
+      m_positionError(new QCheckBox(tr("Position error"), this)),
+      m_currentLimit(new QCheckBox(tr("Current"), this)),
+      m_each(new QCheckBox(tr("for each motion of this axis"), this)),
       m_arm(new Command({.name = u"armLimitStopButton"_s,
                          .icon = {},
                          .text = tr("Arm limit stop"),
@@ -49,17 +62,19 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     look::name(this, u"limitStopBox"_s, tr("Limit stop"));
     look::name(m_limit1, u"armLimit1Box"_s, tr("Stop at limit 1"));
     look::name(m_limit2, u"armLimit2Box"_s, tr("Stop at limit 2"));
+    look::name(m_positionError, u"armPositionErrorBox"_s,
+               tr("Stop when the position error exceeds its limit"));
+    look::name(m_currentLimit, u"armCurrentBox"_s, tr("Stop when the current exceeds its limit"));
+    look::name(m_each, u"armEachMotionBox"_s, tr("Arm the limit stop for each motion of this axis"));
     look::nameText(m_state, u"limitStopState"_s, tr("State of the limit stop"));
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
-    m_limit1->setChecked(true);
-    m_limit2->setChecked(true);
 
     const int unit = look::gridUnit(this);
     auto* limitRow = new QHBoxLayout;
     limitRow->setSpacing(unit * 2);
-    limitRow->addWidget(m_limit1);
-    limitRow->addWidget(m_limit2);
+    for (QAbstractButton* box : conditions())
+        limitRow->addWidget(box);
     limitRow->addStretch(1);
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
@@ -74,7 +89,6 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
         group->addButton(m_manners[i]);
         mannerRow->addWidget(m_manners[i]);
     }
-    m_manners.front()->setChecked(true);
     mannerRow->addStretch(1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(unit);
@@ -88,13 +102,46 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     grid->addLayout(limitRow, 0, 1);
     grid->addWidget(new QLabel(tr("How"), this), 1, 0);
     grid->addLayout(mannerRow, 1, 1);
-    grid->addWidget(m_state, 2, 0, 1, 2);
-    grid->addLayout(buttons, 3, 0, 1, 2);
+    grid->addWidget(new QLabel(tr("Armed"), this), 2, 0);
+    grid->addWidget(m_each, 2, 1);
+    grid->addWidget(m_state, 3, 0, 1, 2);
+    grid->addLayout(buttons, 4, 0, 1, 2);
     grid->setColumnStretch(1, 1);
 
-    for (QAbstractButton* box : {m_limit1, m_limit2})
-        connect(box, &QAbstractButton::toggled, this, &LimitStopBox::refresh);
-    m_context.whenSeen(this, [this] { refresh(); });
+    for (QAbstractButton* box : {m_limit1, m_limit2, m_positionError, m_currentLimit, m_each})
+        connect(box, &QAbstractButton::clicked, this, &LimitStopBox::keep);
+    for (QAbstractButton* button : m_manners)
+        connect(button, &QAbstractButton::clicked, this, &LimitStopBox::keep);
+    m_context.whenSeen(this, [this] { showSettings(); });
+}
+
+void LimitStopBox::keep() {
+    LimitStopSettings stop;
+    stop.eachMotion = m_each->isChecked();
+    stop.onLimit1 = m_limit1->isChecked();
+    stop.onLimit2 = m_limit2->isChecked();
+    stop.onPositionError = m_positionError->isChecked();
+    stop.onCurrentLimit = m_currentLimit->isChecked();
+    stop.manner = wanted().manner;
+    m_shown = stop;
+    m_context.edit([stop](AxisSettings& axis) { axis.limitStop = stop; });
+    refresh();
+}
+
+void LimitStopBox::showSettings() {
+    const LimitStopSettings& stop = m_context.settings().limitStop;
+    if (m_shown != stop) {
+        m_limit1->setChecked(stop.onLimit1);
+        m_limit2->setChecked(stop.onLimit2);
+        m_positionError->setChecked(stop.onPositionError);
+        m_currentLimit->setChecked(stop.onCurrentLimit);
+        m_each->setChecked(stop.eachMotion);
+        for (std::size_t i = 0; i < kManners.size(); ++i)
+            if (kManners[i] == stop.manner)
+                m_manners[i]->setChecked(true);
+        m_shown = stop;
+    }
+    refresh();
 }
 
 bool LimitStopBox::homing() const {
@@ -103,7 +150,8 @@ bool LimitStopBox::homing() const {
 }
 
 intent::ArmLimitStop LimitStopBox::wanted() const {
-    intent::ArmLimitStop arm{m_limit1->isChecked(), m_limit2->isChecked(), Stop::Abruptly};
+    intent::ArmLimitStop arm{m_limit1->isChecked(), m_limit2->isChecked(), Stop::Abruptly,
+                             m_positionError->isChecked(), m_currentLimit->isChecked()};
     for (std::size_t i = 0; i < kManners.size(); ++i)
         if (m_manners[i]->isChecked())
             arm.manner = kManners[i];
@@ -117,7 +165,7 @@ QString LimitStopBox::whyNotArmed() const {
         return tr("A search for home is under way; it uses the same watch of the chip.");
     if (const auto refusal = whyNotArm(wanted(), m_context.state()))
         return texts::refusal(*refusal);
-    if (!m_limit1->isChecked() && !m_limit2->isChecked())
+    if (!wanted().any())
         return tr("Choose a limit first.");
     return m_context.whyBusy();
 }
@@ -127,6 +175,15 @@ void LimitStopBox::refresh() {
     const QString never = m_context.reasonFor(Request::ArmLimitStop);
     look::setPossible(m_limit1, never, tr("The motor stops when limit 1 changes."));
     look::setPossible(m_limit2, never, tr("The motor stops when limit 2 changes."));
+    look::setPossible(
+        m_positionError, never,
+        tr("The motor stops when it is farther from where it should be than EL allows; the servo "
+           "goes off then in any case."));
+    look::setPossible(m_currentLimit, never, tr("The motor stops when its current exceeds CL."));
+    look::setPossible(
+        m_each, never,
+        tr("Whenever the motor stands with its servo on, the panel arms the limit stop, also after "
+           "it has tripped; no motion begins before. Kept with the machine."));
     const std::array meanings{tr("At the limit the motor stops at once, and holds."),
                               tr("At the limit the motor slows down, stops behind it, and holds."),
                               tr("At the limit the motor is switched off, and is free to turn.")};
@@ -141,6 +198,8 @@ void LimitStopBox::refresh() {
     QString reason = never;
     if (reason.isEmpty() && homing())
         reason = tr("A search for home is under way; it uses the same watch of the chip.");
+    else if (reason.isEmpty() && m_each->isChecked())
+        reason = tr("The axis has it armed for each motion: it would be armed again at once.");
     else if (reason.isEmpty())
         reason = armed ? m_context.whyBusy() : tr("It is not armed.");
     m_disarm->setPossible(reason, tr("A limit no longer stops the motor."));

@@ -14,7 +14,8 @@ namespace nmc {
 class Command;
 
 /// Homing used as a safety stop (DS-V 5.2), because on a PIC-SERVO a limit input does not stop the motor by
-/// itself: armed, not armed, or come true.
+/// itself, nor an excess of position error or current: armed, not armed, or come true. For each motion, where
+/// the axis has it so (LimitStopSettings).
 class LimitStopBox : public QGroupBox {
     Q_OBJECT
 
@@ -28,10 +29,19 @@ private:
     [[nodiscard]] QString whyNotArmed() const;
     /// A search for home is under way; it uses the same watch of the chip.
     [[nodiscard]] bool homing() const;
+    void keep();
+    void showSettings();
+    [[nodiscard]] std::array<QAbstractButton*, 4> conditions() const {
+        return {m_limit1, m_limit2, m_positionError, m_currentLimit};
+    }
 
     ModuleContext& m_context;
     QAbstractButton* m_limit1;
     QAbstractButton* m_limit2;
+    QAbstractButton* m_positionError;
+    QAbstractButton* m_currentLimit;
+    QAbstractButton* m_each;
+    std::optional<LimitStopSettings> m_shown;
     std::array<QAbstractButton*, 3> m_manners{};  ///< by HomingRecipe::Stop
     Command* m_arm;
     Command* m_disarm;

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -88,6 +89,13 @@ std::optional<Refusal> ModuleContext::whyNot(Request request) const {
 QString ModuleContext::reasonFor(Request request) const {
     const std::optional<Refusal> refusal = whyNot(request);
     return refusal ? texts::refusal(*refusal) : QString();
+}
+
+QString ModuleContext::reasonFor(const Intent& intent) const {
+    if (!m_connected)
+        return texts::refusal(Refusal::NotConnected);
+    const auto steps = plan(intent, m_state);
+    return steps ? QString() : texts::refusal(steps.error(), intent, m_state, scale());
 }
 
 QString ModuleContext::reasonNow(Request request) const {

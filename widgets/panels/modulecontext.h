@@ -34,6 +34,8 @@ public:
     [[nodiscard]] std::optional<Refusal> whyNot(Request request) const;
     /// Why it can't be asked for, in words; empty where it can.
     [[nodiscard]] QString reasonFor(Request request) const;
+    /// Why that very motion can't be asked for, with the limit of travel or of speed in its way.
+    [[nodiscard]] QString reasonFor(const Intent& intent) const;
     /// The same of what waits for the module's answer to what was asked before: everything but a stop.
     [[nodiscard]] QString reasonNow(Request request) const;
     /// A click was passed on, and what it asked for has not ended, or the module has not spoken since: a

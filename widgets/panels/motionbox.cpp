@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "model/intent/moveforecast.h"
+#include "model/intent/travel.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -97,7 +99,16 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
                                  tr("Acceleration"), &MotionSettings::acceleration);
     m_forecast = look::newMutedLabel({}, this);
     m_forecast->setObjectName(u"forecastLabel"_s);
-    grid->addWidget(m_forecast, line++, 1, 1, quantitygrid::kColumns - 1);
+    m_nearest = new Command({.name = u"nearestGoalButton"_s,
+                             .icon = {},
+                             .text = tr("Take the nearest"),
+                             .accessible = tr("Put the nearest position that is allowed into the goal")},
+                            this, [this] { takeNearest(); });
+    auto* remark = new QHBoxLayout;
+    remark->setSpacing(look::gridUnit(this));
+    remark->addWidget(m_forecast, 1);
+    remark->addWidget(m_nearest->button());
+    grid->addLayout(remark, line++, 1, 1, quantitygrid::kColumns - 1);
 
     m_zero = new Command({.name = u"zeroHereButton"_s,
                           .icon = u"eraser"_s,
@@ -205,6 +216,8 @@ void MotionBox::showModule() {
     const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(m_context.settings()));
     for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         field->setScale(m_context.scale());
+    for (QuantityField* field : {m_velocity, m_runVelocity})
+        field->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(m_context.settings()));
     quantitygrid::follow(m_velocity, m_motion.velocity, before.velocity);
     quantitygrid::follow(m_acceleration, m_motion.acceleration, before.acceleration);
     quantitygrid::follow(m_runVelocity, m_motion.runVelocity, before.runVelocity);
@@ -249,6 +262,44 @@ std::optional<intent::GoTo> MotionBox::entered() const {
                         CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration};
 }
 
+std::optional<intent::RunAtVelocity> MotionBox::enteredRun(bool reverse) const {
+    const auto velocity = m_runVelocity->native();
+    const auto acceleration = this->acceleration();
+    if (!velocity || !acceleration)
+        return std::nullopt;
+    return intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration, reverse};
+}
+
+/// A goal beyond the limits has a nearest one within.
+void MotionBox::offerNearest() {
+    const auto goTo = entered();
+    const auto problem = goTo ? travelProblem(Intent(*goTo), m_context.state()) : std::nullopt;
+    const bool offers = problem && problem->refusal == Refusal::BeyondTravel;
+    m_nearest->setVisible(offers);
+    if (!offers)
+        return;
+    m_nearest->setText(tr("Take %1").arg(texts::position(m_goal->scale(), problem->limit)));
+    m_nearest->setPossible({}, tr("Puts the nearest position that is allowed into the goal. Nothing moves."));
+}
+
+void MotionBox::takeNearest() {
+    const auto goTo = entered();
+    const auto problem = goTo ? travelProblem(Intent(*goTo), m_context.state()) : std::nullopt;
+    if (!problem || problem->refusal != Refusal::BeyondTravel)
+        return;
+    m_goalKind->setCurrentIndex(Absolute);
+    m_goal->showNative(problem->limit);
+    m_goal->setFocus();
+    refresh();
+}
+
+void MotionBox::refreshRun(Command& command, bool reverse, const QString& meaning) {
+    QString reason = reasonNow(Request::Run, {m_runVelocity, m_acceleration});
+    if (const auto run = enteredRun(reverse); reason.isEmpty() && run)
+        reason = m_context.reasonFor(Intent(*run));
+    command.setPossible(reason, meaning);
+}
+
 void MotionBox::refreshForecast() {
     QString text;
     const auto velocity = m_velocity->native();
@@ -271,27 +322,43 @@ void MotionBox::refreshForecast() {
 
 void MotionBox::refresh() {
     refreshForecast();
-    const auto whyNo = [this](Request request) {
-        const QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
-        return reason.isEmpty() && !entered() ? tr("The goal is beyond the range of positions.") : reason;
+    const auto goTo = entered();
+    const auto whyNo = [this, &goTo](Request request, bool later) {
+        QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
+        if (reason.isEmpty() && !goTo)
+            reason = tr("The goal is beyond the range of positions.");
+        if (reason.isEmpty())
+            reason = m_context.reasonFor(later ? Intent(intent::LoadMove{*goTo}) : Intent(*goTo));
+        return reason;
     };
-    m_go->setPossible(whyNo(Request::Move), tr("Starts the move to the position, and holds there."));
+    offerNearest();
+    m_go->setPossible(whyNo(Request::Move, false), tr("Starts the move to the position, and holds there."));
     // By a distance: from where, while it moves?
     m_load->setPossible(
-        whyNo(relative() ? Request::Move : Request::Load),
+        whyNo(relative() ? Request::Move : Request::Load, true),
         tr("Loads the move and does not start it: Start does, or the start of the module's group."));
     m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the move that was loaded."));
-    m_goHome->setPossible(reasonNow(Request::GoHome, {m_velocity, m_acceleration}), tr("Goes to home."));
+    QString home = reasonNow(Request::GoHome, {m_velocity, m_acceleration});
+    if (home.isEmpty())
+        home = m_context.reasonFor(Intent(intent::GoHome{*velocity(), *acceleration()}));
+    m_goHome->setPossible(home, tr("Goes to home."));
     m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),
                         texts::zeroMeaning(m_context.state(), m_goal->scale()));
-    const QString run = reasonNow(Request::Run, {m_runVelocity, m_acceleration});
-    m_runForward->setPossible(run, tr("Runs forward until it is stopped."));
-    m_runReverse->setPossible(run, tr("Runs in reverse until it is stopped."));
+    const ModuleState& module = m_context.state();
+    refreshRun(*m_runForward, false,
+               travelEnd(module, false) ? tr("Runs forward until it is stopped, or to its highest position.")
+                                        : tr("Runs forward until it is stopped."));
+    refreshRun(*m_runReverse, true,
+               travelEnd(module, true) ? tr("Runs in reverse until it is stopped, or to its lowest position.")
+                                       : tr("Runs in reverse until it is stopped."));
 
     QString hint;
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         if (hint.isEmpty())
             hint = field->problemText();
+    if (const auto problem = goTo ? travelProblem(Intent(*goTo), module) : std::nullopt;
+        problem && hint.isEmpty())
+        hint = texts::travelProblem(*problem, m_goal->scale());
     look::setText(m_hint, hint);
 }
 
@@ -308,11 +375,8 @@ void MotionBox::goHome() {
 }
 
 void MotionBox::run(bool reverse) {
-    const auto velocity = m_runVelocity->native();
-    const auto acceleration = this->acceleration();
-    if (velocity && acceleration)
-        m_context.ask(
-            intent::RunAtVelocity{CountsPerTick(servodefaults::toFixed(*velocity)), *acceleration, reverse});
+    if (const auto run = enteredRun(reverse))
+        m_context.ask(*run);
 }
 
 }  // namespace nmc

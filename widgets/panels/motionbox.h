@@ -39,6 +39,10 @@ private:
     QuantityField* addQuantity(QGridLayout* grid, int line, const QString& label, const QString& objectName,
                                const QString& accessibleName, double MotionSettings::*part);
     [[nodiscard]] std::optional<intent::GoTo> entered() const;
+    [[nodiscard]] std::optional<intent::RunAtVelocity> enteredRun(bool reverse) const;
+    void offerNearest();
+    void takeNearest();
+    void refreshRun(Command& command, bool reverse, const QString& meaning);
     void move(bool later);
     void goHome();
     void run(bool reverse);
@@ -60,6 +64,7 @@ private:
     QuantityField* m_acceleration = nullptr;
     QuantityField* m_runVelocity = nullptr;
     QLabel* m_forecast = nullptr;
+    Command* m_nearest = nullptr;
     Command* m_go = nullptr;
     Command* m_load = nullptr;
     Command* m_start = nullptr;

@@ -10,6 +10,7 @@
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -105,6 +106,9 @@ void PanelHead::layOut() {
     signs->addWidget(m_current);
     signs->addSpacing(unit);
     signs->addWidget(m_home, 1);
+    m_travel = new QLabel(this);
+    look::nameText(m_travel, named(u"headTravel"_s), tr("Limits of travel"));
+    signs->addWidget(m_travel);
     if (servo) {
         m_limitStop = new QLabel(this);
         look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
@@ -239,6 +243,8 @@ void PanelHead::refreshSigns() {
     const auto& home = module.home.place();
     look::setText(m_home, texts::home(home, m_context.scale()));
     m_home->setToolTip(texts::homeMeaning(home, module.latestTime, m_context.scale()));
+    look::setText(m_travel, texts::travelSign(module));
+    m_travel->setToolTip(texts::travelState(module, m_context.scale()));
     if (m_limitStop != nullptr) {
         using Watch = HomeWatch::State;
         const bool stops = module.homing.stops();

@@ -55,6 +55,7 @@ private:
     QLabel* m_velocity;
     QLabel* m_home;
     QLabel* m_current;
+    QLabel* m_travel = nullptr;
     QLabel* m_limitStop = nullptr;
     std::array<Sign, 2> m_limits;
     Sign m_power;

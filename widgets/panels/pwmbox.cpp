@@ -88,8 +88,12 @@ void PwmBox::refresh() {
     QString reason = m_context.reasonNow(Request::DrivePwm);
     if (reason.isEmpty())
         reason = m_value->problemText();
-    m_reverse->setPossible(reason, tr("Drives the motor in reverse until it is switched off."));
-    m_forward->setPossible(reason, tr("Drives the motor forward until it is switched off."));
+    const auto reasonOf = [&](bool reverse) {
+        const intent::DrivePwm drive{static_cast<std::uint8_t>(value.value_or(0)), reverse};
+        return reason.isEmpty() ? m_context.reasonFor(Intent(drive)) : reason;
+    };
+    m_reverse->setPossible(reasonOf(true), tr("Drives the motor in reverse until it is switched off."));
+    m_forward->setPossible(reasonOf(false), tr("Drives the motor forward until it is switched off."));
     m_off->setPossible(
         m_context.reasonFor(Request::MotorOff),
         tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));

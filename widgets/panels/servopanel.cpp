@@ -17,6 +17,7 @@
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
 #include "widgets/panels/stepbybox.h"
+#include "widgets/panels/travelbox.h"
 
 namespace nmc {
 
@@ -41,6 +42,7 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_pages->addTab(new HomingBox(m_context, this), tr("Homing"));
     m_pages->addTab(new PwmBox(m_context, this), tr("PWM"));
     auto* axis = new AxisBox(m_context, this);
+    axis->addBelow(new TravelBox(m_context, axis));
     axis->addBelow(new DirectionCheckBox(m_context, axis));
     m_pages->addTab(axis, tr("Axis"));
     m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));

@@ -87,6 +87,7 @@ void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
     m_backAndForth = new QCheckBox(tr("there and back"), this);
     look::name(m_backAndForth, u"stepBackAndForthBox"_s, tr("Each step there and back"));
     m_backAndForth->setToolTip(tr("Each step goes there and back again."));
+    connect(m_backAndForth, &QCheckBox::toggled, this, &StepByBox::refresh);
     m_end = new Command({.name = u"stepEndButton"_s,
                          .icon = u"player-stop"_s,
                          .text = tr("End steps"),
@@ -132,12 +133,17 @@ QString StepByBox::whyNotNow() const {
     return {};
 }
 
+void StepByBox::refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning) {
+    const auto steps = wanted(reverse);
+    command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(Intent(*steps)) : reason, meaning);
+}
+
 void StepByBox::refresh() {
     const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::StepBy);
     const bool running = report && !report->over();
     const QString reason = running ? tr("Steps are being made already.") : whyNotNow();
-    m_forward->setPossible(reason, tr("Moves forward by this distance, and holds there."));
-    m_reverse->setPossible(reason, tr("Moves in reverse by this distance, and holds there."));
+    refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, and holds there."));
+    refreshStep(*m_reverse, true, reason, tr("Moves in reverse by this distance, and holds there."));
     m_end->setPossible(running ? QString() : tr("No steps are being made."),
                        tr("Makes no more steps, and stops the motor smoothly."));
     QString progress;
@@ -147,14 +153,14 @@ void StepByBox::refresh() {
     look::setText(m_progress, progress);
 }
 
-void StepByBox::step(bool reverse) {
+std::optional<intent::StepBy> StepByBox::wanted(bool reverse) const {
     const auto distance = m_distance->native();
     const auto rounds = m_rounds->value();
     const auto pause = m_pause->value();
     const auto velocity = m_motion.velocity();
     const auto acceleration = m_motion.acceleration();
     if (!distance || !rounds || !pause || !velocity || !acceleration)
-        return;
+        return std::nullopt;
     intent::StepBy wanted;
     wanted.counts = static_cast<std::int32_t>(reverse ? -*distance : *distance);
     wanted.velocity = *velocity;
@@ -162,7 +168,12 @@ void StepByBox::step(bool reverse) {
     wanted.rounds = static_cast<unsigned>(*rounds);
     wanted.pause = *pause;
     wanted.backAndForth = m_backAndForth->isChecked();
-    m_context.ask(wanted);
+    return wanted;
+}
+
+void StepByBox::step(bool reverse) {
+    if (const auto steps = wanted(reverse))
+        m_context.ask(*steps);
 }
 
 }  // namespace nmc

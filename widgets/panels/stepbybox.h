@@ -31,6 +31,8 @@ private:
     void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] std::optional<intent::StepBy> wanted(bool reverse) const;
+    void refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning);
     [[nodiscard]] double kept() const;
 
     ModuleContext& m_context;

@@ -5,10 +5,12 @@
 #include <QLabel>
 
 #include "model/intent/stepplan.h"
+#include "model/intent/travel.h"
 #include "model/module/stepdefaults.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/stepwords.h"
@@ -140,8 +142,12 @@ QString StepHoldBox::reasonFor(bool reverse) const {
     const auto wanted = motion(reverse);
     if (!wanted)
         return m_speed->problemText();
-    const auto refusal = whyNot(StepMotion(*wanted), m_context.state());
-    return refusal ? texts::refusal(*refusal) : QString();
+    const ModuleState& module = m_context.state();
+    const stepintent::Move move{*wanted};
+    // Towards a limit of travel what moves is stopped first, by the bus.
+    const auto refusal =
+        travelEnd(module, reverse) ? whyNotFromStandstill(move.motion, module) : whyNot(move.motion, module);
+    return refusal ? texts::refusal(*refusal, move, module, m_context.scale()) : QString();
 }
 
 void StepHoldBox::refresh() {

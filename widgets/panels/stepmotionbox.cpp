@@ -7,10 +7,13 @@
 #include <cmath>
 
 #include "model/intent/stepplan.h"
+#include "model/intent/travel.h"
 #include "model/module/stepdefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
+#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/stepholdbox.h"
@@ -78,7 +81,18 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     };
     addRemark(m_outcome, u"stepSpeedOutcome"_s);
     addRemark(m_ramp, u"stepRampOutcome"_s);
-    addRemark(m_forecast, u"stepForecast"_s);
+    m_forecast = look::newMutedLabel({}, this);
+    m_forecast->setObjectName(u"stepForecast"_s);
+    m_nearest = new Command({.name = u"stepNearestGoalButton"_s,
+                             .icon = {},
+                             .text = tr("Take the nearest"),
+                             .accessible = tr("Put the nearest position that is allowed into the goal")},
+                            this, [this] { takeNearest(); });
+    auto* remark = new QHBoxLayout;
+    remark->setSpacing(look::gridUnit(this));
+    remark->addWidget(m_forecast, 1);
+    remark->addWidget(m_nearest->button());
+    grid->addLayout(remark, line++, 1, 1, 4);
 }
 
 void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
@@ -165,13 +179,15 @@ void StepMotionBox::showSpeed() {
     m_shownSpeed = set;
     m_shownSpeeds = speeds;
     const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
-    const double fastest = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
+    const double chip = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
+    const double fastest = std::max(slowest, stepdefaults::atMost(chip, m_context.settings()));
+    m_shownFastest = m_context.settings().travel.fastest;
     m_speed->setNativeRange(slowest, fastest);
     m_speed->setMeaning(tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the "
                            "nearest that it can do.")
                             .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
                                  texts::stepsPerSecond(fastest, m_speed->scale())));
-    m_speed->showNative(set > 0 ? set : std::max(fallback, slowest));
+    m_speed->showNative(set > 0 ? set : std::clamp(fallback, slowest, fastest));
 }
 
 void StepMotionBox::keepSpeed() {
@@ -187,7 +203,8 @@ void StepMotionBox::showModule() {
     m_goal->setScale(m_context.scale());
     m_speed->setScale(m_context.scale());
     if (m_shownSpeeds != stepdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
-        m_shownSpeed != m_context.settings().motion.*speedSetting())
+        m_shownSpeed != m_context.settings().motion.*speedSetting() ||
+        m_shownFastest != m_context.settings().travel.fastest)
         showSpeed();
     refresh();
 }
@@ -233,11 +250,42 @@ bool StepMotionBox::viaStop(bool reverse) const {
 }
 
 QString StepMotionBox::reasonFor(bool reverse) const {
-    if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse))
-        return texts::refusal(*refusal);
+    if (const auto refusal = refusalOf(reverse); refusal && !viaStop(reverse)) {
+        const auto wanted = motion(reverse);
+        return wanted
+                   ? texts::refusal(*refusal, stepintent::Move{*wanted}, m_context.state(), m_context.scale())
+                   : texts::refusal(*refusal);
+    }
     if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
         return m_goal->problemText();
     return m_speed->problemText();
+}
+
+std::optional<std::int32_t> StepMotionBox::nearest() const {
+    const auto wanted = m_mode->hasGoal() ? motion(false) : std::nullopt;
+    const auto problem = wanted ? travelProblem(stepintent::Move{*wanted}, m_context.state()) : std::nullopt;
+    if (!problem || problem->refusal != Refusal::BeyondTravel)
+        return std::nullopt;
+    return problem->limit;
+}
+
+void StepMotionBox::takeNearest() {
+    const auto goal = nearest();
+    if (!goal)
+        return;
+    m_relative->setChecked(false);
+    m_goal->showNative(*goal);
+    m_goal->setFocus();
+    refresh();
+}
+
+void StepMotionBox::offerNearest() {
+    const auto goal = nearest();
+    m_nearest->setVisible(goal.has_value());
+    if (!goal)
+        return;
+    m_nearest->setText(tr("Take %1").arg(texts::position(m_goal->scale(), *goal)));
+    m_nearest->setPossible({}, tr("Puts the nearest position that is allowed into the goal. Nothing moves."));
 }
 
 void StepMotionBox::request(bool reverse) {
@@ -335,11 +383,12 @@ void StepMotionBox::refresh() {
                       : tr("No ramp."));
     look::setText(m_forecast, forecast());
     refreshCommands();
+    offerNearest();
     QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
     if (hint.isEmpty())
         hint = m_speed->problemText();
     if (hint.isEmpty() && m_context.connected())
-        hint = m_context.reasonFor(Request::Run);
+        hint = nearest() ? reasonFor(false) : m_context.reasonFor(Request::Run);
     look::setText(m_hint, hint);
 }
 

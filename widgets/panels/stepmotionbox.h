@@ -39,6 +39,10 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
+    /// A goal beyond the limits of travel has a nearest one within.
+    [[nodiscard]] std::optional<std::int32_t> nearest() const;
+    void takeNearest();
+    void offerNearest();
 
     [[nodiscard]] std::optional<StepMotion> motion(bool reverse) const;
     [[nodiscard]] std::optional<Refusal> refusalOf(bool reverse) const;
@@ -59,6 +63,7 @@ private:
     QLabel* m_outcome = nullptr;
     QLabel* m_ramp = nullptr;
     QLabel* m_forecast = nullptr;
+    Command* m_nearest = nullptr;
     Command* m_go = nullptr;
     Command* m_runReverse = nullptr;
     Command* m_runForward = nullptr;
@@ -68,6 +73,7 @@ private:
     StepHoldBox* m_hold = nullptr;
 
     std::optional<double> m_shownSpeed;      ///< as it stands in the settings
+    std::optional<double> m_shownFastest;    ///< the same
     std::optional<StepSpeed> m_shownSpeeds;  ///< what it ranges over
 };
 

@@ -13,6 +13,7 @@
 #include "widgets/panels/stepiobox.h"
 #include "widgets/panels/stepmotionbox.h"
 #include "widgets/panels/stepparametersbox.h"
+#include "widgets/panels/travelbox.h"
 
 namespace nmc {
 
@@ -28,7 +29,9 @@ StepPanel::StepPanel(const PanelView& view, QWidget* parent) : ModulePage(view, 
     pages->addTab(new StepParametersBox(m_context, this), tr("Parameters"));
     pages->addTab(new StepIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), tr("Homing"));
-    pages->addTab(new AxisBox(m_context, this), tr("Axis"));
+    auto* axis = new AxisBox(m_context, this);
+    axis->addBelow(new TravelBox(m_context, axis));
+    pages->addTab(axis, tr("Axis"));
     pages->addTab(new StepDetailsBox(m_context, this), tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, motion, pages);

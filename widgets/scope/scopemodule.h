@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/intent/travel.h"
 #include "model/scope/history.h"
 #include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
@@ -18,11 +19,21 @@ struct ScopeModule {
     ModuleIdentity identity;
     AxisScale scale;
     AnalogScale analog;
+    std::optional<TravelRange> travel{};  ///< its limits, while they are in force
 
     [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
         if (signal == ScopeSignal::Analog)
             return {analog.perCount, analog.atZero};
         return {scale.position(1.0), 0.0};
+    }
+    /// What is drawn across the strip of a signal, in the unit it is shown in.
+    [[nodiscard]] std::vector<double> limitsOf(ScopeSignal signal) const {
+        std::vector<double> limits;
+        if (travel && (signal == ScopeSignal::Position || signal == ScopeSignal::Command))
+            for (const auto& limit : {travel->lowest, travel->highest})
+                if (limit)
+                    limits.push_back(scaleOf(signal)(*limit));
+        return limits;
     }
     bool operator==(const ScopeModule&) const = default;
 };

@@ -195,6 +195,13 @@ void ScopePlot::paintOver(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
+    for (const Trace& trace : m_traces)
+        for (const double limit : trace.limits)
+            if (limit >= m_geometry.bottom && limit <= m_geometry.top) {
+                painter.setPen(QPen(look::severityFill(Severity::Attention, palette()), 1, Qt::DashLine));
+                painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(limit), m_geometry.area.right(),
+                                        m_geometry.y(limit)));
+            }
     if (m_level && *m_level >= m_geometry.bottom && *m_level <= m_geometry.top) {
         painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashDotLine));
         painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(*m_level), m_geometry.area.right(),

@@ -29,6 +29,7 @@ public:
         QString label;
         QString tag;  ///< empty where there is one module only
         double samplesPerSecond = 0;
+        std::vector<double> limits{};  ///< of travel, drawn as lines
         bool operator==(const Trace&) const = default;
     };
     /// The visible time, in seconds since `zero`.

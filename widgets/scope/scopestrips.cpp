@@ -137,6 +137,7 @@ std::vector<ScopePlot::Trace> ScopeStrips::tracesOf(const std::vector<SignalRef>
         const ScopeModule& module = m_modules[index->value()];
         ScopePlot::Trace trace{*index, signal.signal, module.scaleOf(signal.signal), labelOf(signal, module),
                                mixed ? QString::number(index->value() + 1) : QString()};
+        trace.limits = module.limitsOf(signal.signal);
         if (const ModuleHistory* samples = history.module(*index))
             trace.samplesPerSecond = static_cast<double>(samples->countBetween(
                                          zero + fromSeconds(from), zero + fromSeconds(to), signal.signal)) /

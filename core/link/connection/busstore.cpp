@@ -189,6 +189,23 @@ void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
         m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
 }
 
+void BusStore::declarePosition(ModuleIndex module, bool right) {
+    if (!known(module))
+        return;
+    ModuleState& state = m_link.modules[module.value()];
+    if (right)
+        state.home.declare(state.latestTime);
+    else
+        state.home.forget();
+    emit linkChanged();
+}
+
+void BusStore::setMachine(const Machine& machine) {
+    m_machine = machine;
+    m_link.take(machine);
+    emit linkChanged();
+}
+
 void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
@@ -215,6 +232,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     module = {};
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
+    m_link.take(m_machine);
 }
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {
@@ -283,6 +301,7 @@ void BusStore::note(const bus::ChainFound& chain) {
         module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
+    m_link.take(m_machine);
     m_records.resize(chain.modules.size());
     beginHistory(chain);
 }

@@ -45,6 +45,10 @@ public:
     void noteAsked(ModuleIndex module, bus::OperationId operation);
     /// A search has found home there; shown with the next news.
     void noteHome(ModuleIndex module, std::int32_t counts);
+    /// The user's word on a position: right, or in doubt.
+    void declarePosition(ModuleIndex module, bool right);
+    /// How its axes may move, as the user has set it.
+    void setMachine(const Machine& machine);
 
     /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
     [[nodiscard]] LinkFigures pullFigures(TimePoint now);
@@ -98,6 +102,7 @@ private:
     BusWorker& m_worker;
     QTimer m_drainTimer;
     LinkState m_link;
+    Machine m_machine;
     std::vector<Record> m_records;
     History m_history;
     /// Whose history it is.

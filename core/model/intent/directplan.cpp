@@ -3,6 +3,7 @@
 
 #include "base/overloaded.h"
 #include "model/intent/stepplan.h"
+#include "model/intent/travel.h"
 
 namespace nmc {
 
@@ -98,7 +99,12 @@ std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command, const Mod
     const bool forStepper = std::holds_alternative<StepCommand>(command);
     if (forStepper != module.isStepper())
         return forStepper ? Refusal::NotAStepper : Refusal::NotAServo;
-    return std::visit([&](const auto& chip) { return std::visit(WhyNot{module}, chip); }, command);
+    const auto refusal =
+        std::visit([&](const auto& chip) { return std::visit(WhyNot{module}, chip); }, command);
+    if (refusal)
+        return refusal;
+    const auto problem = travelProblem(intent::Direct{command}, module);
+    return problem ? std::optional(problem->refusal) : std::nullopt;
 }
 
 }  // namespace nmc

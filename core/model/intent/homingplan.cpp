@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/homingplan.h"
 
+#include "model/intent/travel.h"
+
 namespace nmc {
 
 namespace {
@@ -61,6 +63,8 @@ std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState&
         return Refusal::NoAcceleration;
     if (r.travelLimit <= 0.0 || r.timeLimit <= 0.0)
         return Refusal::NoSearchLimits;
+    if (const auto problem = travelProblem(intent::Home{r}, module))
+        return problem->refusal;
     const bool output =
         module.io && ((r.onLimit1 && !module.io->limit1IsInput) || (r.onLimit2 && !module.io->limit2IsInput));
     return output ? std::optional(Refusal::LimitIsOutput) : std::nullopt;
@@ -72,16 +76,34 @@ std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleSt
     if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
         return Refusal::LimitIsOutput;
     const servo::StatusByte status = module.latest->servoStatus();
-    const bool active = (arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2());
-    return active ? std::optional(Refusal::LimitActive) : std::nullopt;
+    if ((arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2()))
+        return Refusal::LimitActive;
+    const bool unlimited = arm.onCurrentLimit && (!module.gains || module.gains->cl == 0);
+    return unlimited ? std::optional(Refusal::NoCurrentLimit) : std::nullopt;
+}
+
+std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
+    const LimitStopSettings& wanted = module.limitStop;
+    if (!wanted.eachMotion || !module.isServo() || !module.servoOn() || module.moving())
+        return std::nullopt;
+    const intent::ArmLimitStop arm{wanted.onLimit1, wanted.onLimit2, wanted.manner, wanted.onPositionError,
+                                   wanted.onCurrentLimit};
+    const HomeWatch& watch = module.homing;
+    const bool armed = watch.state() == HomeWatch::State::Armed && watch.stops() &&
+                       watch.onLimit1() == arm.limit1 && watch.onLimit2() == arm.limit2 &&
+                       watch.onPositionError() == arm.onPositionError &&
+                       watch.onCurrentLimit() == arm.onCurrentLimit;
+    return armed || !arm.any() || whyNotArm(arm, module) ? std::nullopt : std::optional(arm);
 }
 
 servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
     servo::SetHoming homing;
-    if (!arm.limit1 && !arm.limit2)
+    if (!arm.any())
         return homing;
     homing.onLimit1Change = arm.limit1;
     homing.onLimit2Change = arm.limit2;
+    homing.onPositionError = arm.onPositionError;
+    homing.onCurrentLimit = arm.onCurrentLimit;
     homing.motorOff = arm.manner == HomingRecipe::Stop::MotorOff;
     homing.stopAbruptly = arm.manner == HomingRecipe::Stop::Abruptly;
     homing.stopSmoothly = arm.manner == HomingRecipe::Stop::Smoothly;

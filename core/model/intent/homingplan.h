@@ -14,6 +14,11 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module);
 [[nodiscard]] servo::SetHoming limitStop(const intent::ArmLimitStop& arm);
 
+/// An axis that wants a limit stop for each of its motions (LimitStopSettings): what has to be armed now, at
+/// standstill, so that the next motion is watched; again after it has tripped. Nothing: it is armed, need not
+/// be, or cannot be, as while the motor stands in a switch, which it must be able to leave.
+[[nodiscard]] std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module);
+
 /// Slow, and over in a minute; what a user begins with.
 [[nodiscard]] HomingRecipe firstRecipe(const ModuleIdentity& identity);
 

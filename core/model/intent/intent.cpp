@@ -6,6 +6,7 @@
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
+#include "model/intent/travel.h"
 
 namespace nmc {
 
@@ -71,6 +72,11 @@ struct Planner {
     Plan operator()(const intent::RunAtVelocity& run) const {
         if (run.acceleration.value() == 0)
             return tl::unexpected(Refusal::NoAcceleration);
+        if (const auto end = travelEnd(module, run.reverse)) {
+            if (module.moving())
+                return tl::unexpected(Refusal::RunNeedsStop);
+            return (*this)(intent::GoTo{Counts(*end), run.velocity, run.acceleration});
+        }
         servo::LoadTrajectory load;
         load.velocity = run.velocity;
         load.acceleration = run.acceleration;
@@ -112,6 +118,11 @@ struct Planner {
 
     Plan operator()(const intent::SaveAsHome&) const {
         return allowed(Request::SaveAsHome, module, [this] { return stepsFor(module, nmc::SaveAsHome{}); });
+    }
+
+    /// It is for whoever keeps the module's state.
+    Plan operator()(const intent::DeclarePosition&) const {
+        return allowed(Request::DeclarePosition, module, [] { return Steps{}; });
     }
 
     Plan operator()(const intent::StopHere&) const {
@@ -209,14 +220,14 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
-                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
-                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                           intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                           intent::CancelProcedure, intent::ArmLimitStop, intent::Direct, intent::ResetModule,
-                           stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                           stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+            [](const AnyOf<
+                intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
+                intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
+                intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
+                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::CheckDirection,
+                intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
         },
         intent);
 }
@@ -232,9 +243,11 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
     // The bus does it (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
         return allowed(Request::ResetModule, module, [] { return Steps{}; });
-    if (module.isStepper())
-        return planStep(intent, module);
-    return std::visit(Planner{module}, intent);
+    Plan steps = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
+    if (steps)
+        if (const auto problem = travelProblem(intent, module))
+            return tl::unexpected(problem->refusal);
+    return steps;
 }
 
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
@@ -253,8 +266,8 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
                 return Refusal::NoPower;
             return gainsHold(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
         case Request::Move:
-            if (!module.servoOn())
-                return Refusal::ServoOff;
+            if (const auto refusal = whyNot(Request::Run, module))
+                return refusal;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
         case Request::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
@@ -264,14 +277,21 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return whyNot(Request::Move, module);
         case Request::Run:
         case Request::Hold:
+            if (!module.servoOn())
+                return Refusal::ServoOff;
+            return limitStopDue(module) ? std::optional(Refusal::LimitStopDue) : std::nullopt;
         case Request::StopMotion:  // to a servo that is off a stop would switch it on
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case Request::ResetPosition:
         case Request::ResetModule:
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::DeclarePosition:
+            return whyNotDeclare(module);
         case Request::StartLoaded:
             if (!module.loadWaiting)
                 return Refusal::NothingLoaded;
+            if (const auto problem = loadedProblem(module))
+                return problem->refusal;
             return whyNot(Request::Move, module);
         case Request::StopHere:
             if (module.info.identity.version < servo::kStopHereVersion)
@@ -310,6 +330,12 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return Refusal::NotAStepper;
     }
     return std::nullopt;
+}
+
+std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
+    if (!module.latest || !module.latest->position)
+        return Refusal::PositionUnknown;
+    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 
 std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {

@@ -45,6 +45,11 @@ struct ApplyGains {
 struct ClearStickyBits {};
 struct ResetPosition {};  ///< "zero here"
 struct SaveAsHome {};     ///< the present position
+/// The user's word on the counter, which sends nothing: right, so that home is where it is 0; or in doubt, so
+/// that home is not known.
+struct DeclarePosition {
+    bool right = true;
+};
 /// As GoTo, to be started by StartLoaded: of this module, or of its group.
 struct LoadMove {
     GoTo move;
@@ -93,12 +98,16 @@ struct CheckDirection {
 };
 /// Ends whatever procedure runs with this module: the motor is stopped smoothly.
 struct CancelProcedure {};
-/// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes. Neither:
-/// no longer.
+/// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes, or when the
+/// position error or the current exceeds its limit. None of them: no longer.
 struct ArmLimitStop {
     bool limit1 = false;
     bool limit2 = false;
     HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
+    bool onPositionError = false;
+    bool onCurrentLimit = false;
+
+    [[nodiscard]] bool any() const { return limit1 || limit2 || onPositionError || onCurrentLimit; }
 };
 /// One command with all that its data bytes can say, for who knows the data sheet (directplan.h).
 struct Direct {
@@ -114,9 +123,9 @@ using Intent =
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
-                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop, intent::Direct, intent::ResetModule,
-                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                 stepintent::ChangeMotion>;
+                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                 intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -147,6 +156,12 @@ enum class Refusal : std::uint8_t {
     StepTooLong,     ///< a step response is for a small move
     StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
     GoalOutOfRange,  ///< beyond the chip's 32 bits
+    BeyondTravel,    ///< the goal is outside the limits of travel; travel.h knows the details of these four
+    AtTravelEnd,     ///< nothing is left to go that way
+    TooFast,         ///< for this axis, as the user has set it
+    RunNeedsStop,    ///< towards a limit a run starts from standstill, so that the chip ends it there
+    LimitStopDue,    ///< the axis wants one for each motion, and it is not armed yet
+    NoCurrentLimit,  ///< CL is 0, so the current never exceeds it
     RecordTime,      ///< none, or longer than the bus can be given to one module
     // PIC-STEP
     NotAStepper,
@@ -179,6 +194,7 @@ enum class Request : std::uint8_t {
     ClearStickyBits,
     ResetPosition,
     SaveAsHome,
+    DeclarePosition,
     StartLoaded,
     StopHere,
     DrivePwm,
@@ -193,6 +209,9 @@ enum class Request : std::uint8_t {
     SetOutputs
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
+
+/// Why nobody can say now that the counter is right, of either chip.
+[[nodiscard]] std::optional<Refusal> whyNotDeclare(const ModuleState& module);
 
 /// Why nothing at all can be told to this module, whoever asks for what: every rule asks this one first.
 /// MotorOff is worth trying whatever is believed of it.

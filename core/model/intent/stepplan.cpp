@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/stepplan.h"
 
+#include <algorithm>
+
 #include "base/overloaded.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/travel.h"
+#include "model/module/stepspeed.h"
 
 namespace nmc {
 
@@ -24,7 +28,6 @@ Plan allowed(const std::optional<Refusal>& refusal, MakeSteps makeSteps) {
     return makeSteps();
 }
 
-/// Where a motion ends, in 64 bits so that too far can be told; nothing for one without an end.
 struct GoalOf {
     std::int64_t from;
 
@@ -36,23 +39,6 @@ struct GoalOf {
             return std::nullopt;
     }
 };
-
-[[nodiscard]] std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module) {
-    return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
-}
-
-[[nodiscard]] bool wantsReverse(const StepMotion& motion, const ModuleState& module) {
-    if (const auto goal = goalOf(motion, module))
-        return *goal < module.stepper.position().value_or(0);
-    return std::visit(
-        [](const auto& run) {
-            if constexpr (requires { run.reverse; })
-                return run.reverse;
-            else
-                return false;
-        },
-        motion);
-}
 
 /// What keeps it from moving at all, whatever is asked for.
 [[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module) {
@@ -171,6 +157,9 @@ struct Planner {
         return allowed(whyNotStep(Request::StartLoaded, module),
                        [this] { return stepsFor(module, StartMotion{}); });
     }
+    Plan operator()(const intent::DeclarePosition&) const {
+        return allowed(whyNotStep(Request::DeclarePosition, module), [] { return Steps{}; });
+    }
     Plan operator()(const stepintent::SetParameters& set) const {
         return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
     }
@@ -180,11 +169,11 @@ struct Planner {
     }
     Plan operator()(const stepintent::Move& move) const {
         return allowed(whyNot(move.motion, module),
-                       [&] { return stepsFor(module, loadFor(move.motion, module), StartMotion{}); });
+                       [&] { return stepsFor(module, boundedLoad(move.motion), StartMotion{}); });
     }
     Plan operator()(const stepintent::LoadMove& load) const {
         return allowed(whyNotLoaded(load.motion, module),
-                       [&] { return stepsFor(module, loadFor(load.motion, module)); });
+                       [&] { return stepsFor(module, boundedLoad(load.motion)); });
     }
     /// Takes more than one operation: procedures.h.
     Plan operator()(const stepintent::ChangeMotion& change) const {
@@ -204,12 +193,19 @@ struct Planner {
                                 intent::CheckDirection, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
+
+private:
+    [[nodiscard]] step::LoadTrajectory boundedLoad(const StepMotion& motion) const {
+        return loadFor(withinTravel(motion, module), module);
+    }
 };
 
 /// Whether what was loaded may start now.
 [[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
     if (!module.stepper.waiting())
         return Refusal::NothingLoaded;
+    if (const auto problem = loadedProblem(module))
+        return problem->refusal;
     return whyNotStarted(*module.stepper.waiting(), module);
 }
 
@@ -226,6 +222,38 @@ struct Planner {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module) {
+    return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
+}
+
+bool wantsReverse(const StepMotion& motion, const ModuleState& module) {
+    if (const auto goal = goalOf(motion, module))
+        return *goal < module.stepper.position().value_or(0);
+    return std::visit(
+        [](const auto& run) {
+            if constexpr (requires { run.reverse; })
+                return run.reverse;
+            else
+                return false;
+        },
+        motion);
+}
+
+double speedOf(const StepMotion& motion, const ModuleState& module) {
+    return speedOf(loadFor(motion, module), module);
+}
+
+double speedOf(const step::LoadTrajectory& load, const ModuleState& module) {
+    const auto& parameters = module.stepper.parameters();
+    if (!parameters)
+        return 0.0;
+    const StepSpeed mode(parameters->speedMode);
+    if (load.timer)
+        return mode.ofCount(load.timer->count);
+    // The chip goes no slower in a profile (DS-S 5.1).
+    return load.speed ? mode.ofSpeed(std::max(*load.speed, parameters->minimumProfileSpeed)) : 0.0;
+}
 
 Plan planStep(const Intent& intent, const ModuleState& module) {
     return std::visit(Planner{module}, intent);
@@ -257,6 +285,8 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::SetParameters:
         case Request::SetOutputs:
             return std::nullopt;
+        case Request::DeclarePosition:
+            return whyNotDeclare(module);
         case Request::GoHome:
         case Request::ApplyGains:
         case Request::ClearStickyBits:
@@ -277,15 +307,18 @@ std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const Modu
         return refusal;
     if (const auto refusal = whyNotThatFar(motion, module))
         return refusal;
+    if (const auto problem = travelProblem(stepintent::Move{motion}, module))
+        return problem->refusal;
     const bool reverse = wantsReverse(motion, module);
     if (module.stepper.limitActs(reverse))
         return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module) {
-    if (const auto refusal = whyNotFromStandstill(motion, module))
+std::optional<Refusal> whyNot(const StepMotion& wanted, const ModuleState& module) {
+    if (const auto refusal = whyNotFromStandstill(wanted, module))
         return refusal;
+    const StepMotion motion = withinTravel(wanted, module);
     const StepState& stepper = module.stepper;
     if (!stepper.moving())
         return std::nullopt;

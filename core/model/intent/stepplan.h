@@ -22,6 +22,13 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotSet(const step::SetParameters& parameters,
                                                const ModuleState& module);
 
+/// Where a motion ends, in 64 bits so that too far can be told; nothing for one without an end.
+[[nodiscard]] std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module);
+[[nodiscard]] bool wantsReverse(const StepMotion& motion, const ModuleState& module);
+/// Steps/s that it would get to; 0: not known.
+[[nodiscard]] double speedOf(const StepMotion& motion, const ModuleState& module);
+[[nodiscard]] double speedOf(const step::LoadTrajectory& load, const ModuleState& module);
+
 /// Why a load cannot be started now.
 [[nodiscard]] std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load,
                                                    const ModuleState& module);

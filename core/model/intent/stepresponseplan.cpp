@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "bus/standstill.h"
+#include "model/intent/travel.h"
 
 namespace nmc {
 
@@ -35,6 +36,8 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
     const std::int64_t goal = std::int64_t{*module.latest->position} + wanted.counts;
     if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)
         return Refusal::GoalOutOfRange;
+    if (const auto problem = travelProblem(wanted, module))
+        return problem->refusal;
     if (!(wanted.record >= kShortestRecord && wanted.record <= kLongestRecord))
         return Refusal::RecordTime;
     return std::nullopt;

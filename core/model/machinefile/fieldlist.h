@@ -42,6 +42,10 @@ public:
     void distance(std::string_view key, double number, Need /*need*/ = {}) {
         addSet(key, Quantity::Distance, number);
     }
+    void place(std::string_view key, const std::optional<std::int32_t>& place) {
+        if (place)
+            add(key, Quantity::Distance, static_cast<double>(*place));
+    }
     void velocity(std::string_view key, double number, Need /*need*/ = {}) {
         addSet(key, Quantity::Velocity, number);
     }
@@ -89,6 +93,11 @@ template <typename T>
     FieldList list;
     fields(list, part);
     return list.fields();
+}
+/// Nothing for a part that nobody has set.
+template <typename T>
+[[nodiscard]] std::vector<ListedField> listedUnless(const T& part, const T& unset) {
+    return part == unset ? std::vector<ListedField>{} : listed(part);
 }
 template <typename T>
 [[nodiscard]] std::vector<ListedField> listed(const std::optional<T>& part) {

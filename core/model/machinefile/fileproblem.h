@@ -31,6 +31,7 @@ struct FileProblem {
         ModuleTwice,      ///< module `found` is in two groups, or twice in one
         AddressTwice,     ///< two groups have address `found`
         LeaderNotInGroup,
+        LimitsCrossed,  ///< the lowest position is not below the highest
         // Of points and sequences
         NameMissing,     ///< of one of `field`
         NameTwice,       ///< two of `field` are called `found`

@@ -16,11 +16,11 @@ using layout::ListedField;
 using Fields = std::vector<ListedField>;
 
 /// The parts of an axis, in the order of the table.
-constexpr MachinePart kAxisParts[] = {MachinePart::AxisName,   MachinePart::Unit,
-                                      MachinePart::Motion,     MachinePart::Homing,
-                                      MachinePart::Analog,     MachinePart::PinNames,
-                                      MachinePart::Gains,      MachinePart::Io,
-                                      MachinePart::Parameters, MachinePart::AccelerationTime};
+constexpr MachinePart kAxisParts[] = {
+    MachinePart::AxisName,        MachinePart::Unit,   MachinePart::Motion,    MachinePart::Travel,
+    MachinePart::Backlash,        MachinePart::Homing, MachinePart::LimitStop, MachinePart::Analog,
+    MachinePart::PinNames,        MachinePart::Gains,  MachinePart::Io,        MachinePart::Parameters,
+    MachinePart::AccelerationTime};
 constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups,
                                          MachinePart::Program, MachinePart::HomeOrder};
 
@@ -130,8 +130,14 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
             return layout::listed(axis.unit);
         case MachinePart::Motion:
             return layout::listed(axis.motion);
+        case MachinePart::Travel:
+            return layout::listed(axis.travel);
+        case MachinePart::Backlash:
+            return layout::listedUnless(axis.backlash, BacklashSettings{});
         case MachinePart::Homing:
             return layout::listed(axis.homing);
+        case MachinePart::LimitStop:
+            return layout::listedUnless(axis.limitStop, LimitStopSettings{});
         case MachinePart::Analog:
             return layout::listed(axis.analog);
         case MachinePart::PinNames:
@@ -322,8 +328,17 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
         case MachinePart::Motion:
             into.motion = from.motion;
             break;
+        case MachinePart::Travel:
+            into.travel = from.travel;
+            break;
+        case MachinePart::Backlash:
+            into.backlash = from.backlash;
+            break;
         case MachinePart::Homing:
             into.homing = from.homing;
+            break;
+        case MachinePart::LimitStop:
+            into.limitStop = from.limitStop;
             break;
         case MachinePart::Analog:
             into.analog = from.analog;

@@ -43,6 +43,7 @@ inline constexpr double kMaxStepSpeed = 50'000.0;
 /// One such unit in 0.25 ms.
 inline constexpr double kMaxStepAcceleration = 800'000.0;
 inline constexpr Bounds kDistance{0, 0x7FFFFFFF, true};
+inline constexpr Bounds kPlace{-0x7FFFFFFF, 0x7FFFFFFF, true};
 inline constexpr Bounds kPerUnit{kMinCountsPerUnit, kMaxCountsPerUnit};
 inline constexpr Bounds kSeconds{0, 86'400};
 inline constexpr Bounds kAnyNumber{-1e12, 1e12};
@@ -126,6 +127,32 @@ void fields(Form& form, T& motion) {
     form.distance("step", stepSize, Need::Optional);
 }
 
+template <typename Form, As<TravelSettings> T>
+void fields(Form& form, T& travel) {
+    auto& [lowest, highest, fastest] = travel;
+    form.place("lowest", lowest);
+    form.place("highest", highest);
+    form.velocity("fastest", fastest, Need::Optional);
+}
+
+template <typename Form, As<BacklashSettings> T>
+void fields(Form& form, T& backlash) {
+    auto& [distance, fromAbove] = backlash;
+    form.distance("distance", distance);
+    form.flag("from_above", fromAbove);
+}
+
+template <typename Form, As<LimitStopSettings> T>
+void fields(Form& form, T& stop) {
+    auto& [eachMotion, onLimit1, onLimit2, onPositionError, onCurrentLimit, manner] = stop;
+    form.flag("each_motion", eachMotion);
+    form.flag("on_limit1", onLimit1);
+    form.flag("on_limit2", onLimit2);
+    form.flag("on_position_error", onPositionError);
+    form.flag("on_current_limit", onCurrentLimit);
+    form.choice("stop", manner, kStopWords);
+}
+
 template <typename Form, As<HomingRecipe> T>
 void fields(Form& form, T& recipe) {
     auto& [onLimit1, onLimit2, onIndex, onPositionError, onCurrentLimit, onHomeSwitch, thenIndex, reverse,
@@ -195,15 +222,18 @@ void fields(Form& form, T& parameters) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, homing, analog, gains, io, parameters, accelerationTime, outputNames,
-           inputNames] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, parameters,
+           accelerationTime, outputNames, inputNames] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on the names of the numbers say what this chip counts in.
     form.setSteps(expected.has_value() && expected->type == ModuleType::Step);
     form.part("unit", unit);
     form.part("motion", motion);
+    form.part("travel", travel);
+    form.part("backlash", backlash);
     form.part("homing", homing);
+    form.part("limit_stop", limitStop);
     form.part("analog", analog);
     form.part("gains", gains);
     form.part("io", io);

@@ -80,6 +80,12 @@ public:
     void distance(std::string_view stem, double& number, Need need = Need::Required) {
         withUnit(stem, &layout::UnitSuffixes::distance, number, layout::kDistance, need);
     }
+    void place(std::string_view stem, std::optional<std::int32_t>& place) {
+        double counts = std::numeric_limits<double>::quiet_NaN();
+        withUnit(stem, &layout::UnitSuffixes::distance, counts, layout::kPlace, Need::Optional);
+        if (!std::isnan(counts))
+            place = static_cast<std::int32_t>(std::lround(counts));
+    }
     void velocity(std::string_view stem, double& number, Need need = Need::Required) {
         withUnit(stem, &layout::UnitSuffixes::velocity, number, layout::velocityBounds(m_steps), need);
     }
@@ -262,6 +268,18 @@ private:
     bool m_steps;
 };
 
+/// Limits that leave no place to be.
+std::optional<FileProblem> crossedLimits(const Machine& machine, const JsonValue& file) {
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const TravelSettings& travel = machine.axes[i].travel;
+        if (travel.lowest && travel.highest && *travel.lowest >= *travel.highest)
+            return FileProblem{.kind = Kind::LimitsCrossed,
+                               .line = file.find("axes")->items[i].find("travel")->line,
+                               .field = "travel"};
+    }
+    return std::nullopt;
+}
+
 /// What the groups say of each other.
 std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue& file) {
     std::array<bool, layout::kMaxAxes> taken{};
@@ -394,6 +412,8 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
         problem = programProblem(machine.program, *file);
     if (!problem)
         problem = orderProblem(machine, *file);
+    if (!problem)
+        problem = crossedLimits(machine, *file);
     if (problem)
         return tl::unexpected(*problem);
     return ParsedMachine{std::move(machine), {std::string(text)}};

@@ -58,6 +58,12 @@ public:
     void distance(std::string_view stem, double number, Need /*need*/ = {}) {
         withUnit(stem, &layout::UnitSuffixes::distance, number);
     }
+    void place(std::string_view stem, const std::optional<std::int32_t>& place) {
+        for (const bool steps : {false, true})
+            drop(std::string(stem).append(layout::suffixes(steps).distance));
+        if (place)
+            at(std::string(stem).append(layout::suffixes(m_steps).distance)) = *place;
+    }
     void velocity(std::string_view stem, double number, Need /*need*/ = {}) {
         withUnit(stem, &layout::UnitSuffixes::velocity, number);
     }

@@ -24,6 +24,11 @@ void HomeFact::found(std::int32_t counts, TimePoint time) {
     m_place = Place{counts, time, Source::Search};
 }
 
+void HomeFact::declare(TimePoint time) {
+    forget();
+    m_place = Place{0, time, Source::Declared};
+}
+
 void HomeFact::forget() {
     m_place.reset();
     m_saved.reset();

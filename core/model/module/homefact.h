@@ -13,14 +13,18 @@ namespace nmc {
 /// The chip's home register is another thing (DS-V 5.2, DS-S 5.1): it holds what was captured or saved last,
 /// the neighbourhood of an index or the place of a limit stop say, and 0 after a restart; and Reset Position
 /// sets the counter to 0 and leaves the register, which then means another place. So home is what a search
-/// has found or the user has saved. It goes along when the counter is set to 0 while the motor stands, and is
-/// not known any more after all that may have set the counter unseen.
+/// has found, or the user has saved or declared. It goes along when the counter is set to 0 while the motor
+/// stands, and is not known any more after all that may have set the counter unseen.
 class HomeFact {
 public:
-    enum class Source : std::uint8_t { Search, Saved };
+    enum class Source : std::uint8_t {
+        Search,
+        Saved,
+        Declared,  ///< somebody has said that the position is right: home is where the counter is 0
+    };
     struct Place {
         std::int32_t counts = 0;
-        TimePoint since;  ///< when it was found or saved
+        TimePoint since;  ///< when it was found, saved or declared
         Source source = Source::Search;
         bool operator==(const Place&) const = default;
     };
@@ -30,6 +34,8 @@ public:
 
     /// A search has read it from the chip, twice.
     void found(std::int32_t counts, TimePoint time);
+    /// The counter is right, says the user.
+    void declare(TimePoint time);
     void forget();
     void apply(const bus::CommandExecuted& executed);
     void apply(const bus::Sample& sample);

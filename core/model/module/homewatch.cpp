@@ -21,6 +21,8 @@ void HomeWatch::apply(const bus::CommandExecuted& executed) {
         if (const auto* homing = std::get_if<servo::SetHoming>(chip)) {
             const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
             told(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
+            m_positionError = homing->onPositionError;
+            m_currentLimit = homing->onCurrentLimit;
             // The position error does so by itself.
             m_switchesOff = m_switchesOff || homing->onPositionError;
         }

@@ -26,6 +26,9 @@ public:
     /// Of Armed and Tripped.
     [[nodiscard]] bool onLimit1() const { return m_limit1; }
     [[nodiscard]] bool onLimit2() const { return m_limit2; }
+    /// PIC-SERVO.
+    [[nodiscard]] bool onPositionError() const { return m_positionError; }
+    [[nodiscard]] bool onCurrentLimit() const { return m_currentLimit; }
     /// The chip itself stops the motor, or switches it off, when a condition comes.
     [[nodiscard]] bool stops() const { return m_stops; }
     /// A servo that is found off may have been switched off by it.
@@ -39,6 +42,8 @@ private:
     TimePoint m_since;
     bool m_limit1 = false;
     bool m_limit2 = false;
+    bool m_positionError = false;
+    bool m_currentLimit = false;
     bool m_stops = false;
     bool m_switchesOff = false;
 };

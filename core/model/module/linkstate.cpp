@@ -5,6 +5,15 @@
 
 namespace nmc {
 
+void LinkState::take(const Machine& machine) {
+    for (ModuleState& module : modules) {
+        const AxisSettings& axis = machine.axis(module.info.index);
+        module.travel = axis.travel;
+        module.backlash = axis.backlash;
+        module.limitStop = axis.limitStop;
+    }
+}
+
 LinkState asShown(LinkState link) {
     if (link.phase != LinkPhase::Connected)
         for (ModuleState& module : link.modules)

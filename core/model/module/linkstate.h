@@ -29,6 +29,10 @@ struct LinkState {
     std::vector<ModuleState> modules;  ///< in the order of addressing: farthest from the host first
     /// When this is looked at; empty: nothing is old.
     std::optional<TimePoint> now{};
+
+    /// What the machine says of how its axes may move goes along with their modules, where every rule finds
+    /// it.
+    void take(const Machine& machine);
 };
 
 /// The same as it may be shown: a module that is not asked any more, since the link is lost or the chain is

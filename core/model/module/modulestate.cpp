@@ -160,11 +160,17 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     if (command == nullptr)
         return;
     if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
+        // What is not loaded keeps what it was (DS-V 5.2).
+        const std::optional<Counts> position = m_loaded.position;
         m_loaded = *load;
+        if (!load->position)
+            m_loaded.position = position;
         if (load->velocity)
             m_loadedVelocity = load->velocity->value() / 65'536.0;
-        if (load->acceleration)
+        if (load->acceleration) {
             accelerationLoaded = load->acceleration->value() != 0;
+            m_acceleration = load->acceleration->value() / 65'536.0;
+        }
         loadWaiting = !load->startNow;
         if (load->startNow)
             applyLoaded(executed.time);
@@ -193,11 +199,12 @@ void ModuleState::restarted() {
     homing = {};
     limits = {};
     home = {};
+    m_loaded = {};
     m_goal.reset();
     m_looksWhileOff = 0;
     loadWaiting = false;
     motion = MotionMode::None;
-    goalVelocity = m_loadedVelocity = 0.0;
+    goalVelocity = m_loadedVelocity = m_acceleration = 0.0;
     amplifierEnabled = accelerationLoaded = false;
     stepper.restarted();
 }

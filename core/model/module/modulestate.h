@@ -14,6 +14,7 @@
 #include "model/module/measuredspeed.h"
 #include "model/module/stepstate.h"
 #include "model/module/tripwatch.h"
+#include "model/settings/machine.h"
 
 namespace nmc {
 
@@ -55,6 +56,10 @@ struct ModuleState {
     LimitWatch limits;
     /// Where home is, which is not what the chip's register says.
     HomeFact home;
+    // How it may move, as the user has set it: the rules of model/intent ask these.
+    TravelSettings travel;
+    BacklashSettings backlash;
+    LimitStopSettings limitStop;
     MeasuredSpeed speed;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
@@ -90,6 +95,12 @@ struct ModuleState {
     [[nodiscard]] bool currentWasLimited() const;
     /// Where the last trapezoidal move was to go, and the servo holds or will.
     [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
+    /// PIC-SERVO: the load that waits for a start, null for none.
+    [[nodiscard]] const servo::LoadTrajectory* waiting() const {
+        return isServo() && loadWaiting ? &m_loaded : nullptr;
+    }
+    /// Counts per tick squared, of the acceleration loaded last; 0: unknown.
+    [[nodiscard]] double acceleration() const { return m_acceleration; }
     /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
@@ -117,6 +128,7 @@ private:
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;
     TripWatch m_trip;
+    double m_acceleration = 0.0;
     double m_loadedVelocity = 0.0;  ///< counts/tick, stays loaded until a stop zeroes it
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -21,17 +22,24 @@ inline constexpr double kFixedPoint = 65536.0;
 inline constexpr double kLargest = 32767.0;
 inline constexpr double kSmallest = 1.0 / kFixedPoint;
 
-/// What is not set is replaced by the above.
+/// No field takes more of this axis.
+[[nodiscard]] inline double fastest(const AxisSettings& settings) {
+    return settings.travel.fastest > 0.0 ? settings.travel.fastest : kLargest;
+}
+
+/// What is not set is replaced by the above; what was set stays, though the axis may not go so fast any more.
 [[nodiscard]] inline MotionSettings motionOf(const AxisSettings& settings) {
     MotionSettings motion = settings.motion;
-    const auto begin = [](double& value, double first) {
+    const auto begin = [most = fastest(settings)](double& value, double first) {
         if (value == 0.0)
-            value = first;
+            value = std::min(first, most);
     };
     begin(motion.velocity, kVelocity);
     begin(motion.runVelocity, kRunVelocity);
-    begin(motion.acceleration, kAcceleration);
+    if (motion.acceleration == 0.0)
+        motion.acceleration = kAcceleration;
     begin(motion.holdCap, kHoldCap);
+    motion.holdCap = std::min(motion.holdCap, fastest(settings));
     begin(motion.holdVelocity, kHoldVelocity);
     return motion;
 }

@@ -33,10 +33,15 @@ inline constexpr int kAccelerationTime = 40;  ///< 10 ms from one speed to the n
     const StepSpeed mode = speedMode(stepper, settings);
     return stepper.parameters() ? mode.ofSpeed(stepper.parameters()->minimumProfileSpeed) : mode.slowest();
 }
+/// As fast as that, or as the axis may go.
+[[nodiscard]] inline double atMost(double speed, const AxisSettings& settings) {
+    return settings.travel.fastest > 0 ? std::min(speed, settings.travel.fastest) : speed;
+}
 [[nodiscard]] inline double holdCap(const StepState& stepper, const AxisSettings& settings) {
     const double cap = settings.motion.holdCap > 0 ? settings.motion.holdCap : kHoldCap;
     const double slowest = slowestProfile(stepper, settings);
-    return std::clamp(cap, slowest, std::max(slowest, speedMode(stepper, settings).fastest()));
+    return std::clamp(atMost(cap, settings), slowest,
+                      std::max(slowest, speedMode(stepper, settings).fastest()));
 }
 
 }  // namespace nmc::stepdefaults

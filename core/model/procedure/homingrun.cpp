@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/homingrun.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "model/intent/homingplan.h"
+#include "model/module/modulescale.h"
 
 namespace nmc {
 
@@ -20,6 +22,33 @@ constexpr Duration kTakesEffect = std::chrono::seconds(2);
 /// A servo that hunts for its last count, with whatever Ki there is.
 constexpr Duration kLastCount = std::chrono::seconds(5);
 
+/// How far beyond its limits, or beyond where home was, a search may look, counts: that home was found shows
+/// kToldLater, and then the motor slows down. Before an index comes its neighbourhood, which may lie beyond
+/// it by as much as the recipe allows.
+[[nodiscard]] double slackOf(const HomingRecipe& recipe, double perSecond) {
+    const double slowingDown = recipe.velocity * recipe.velocity / (2.0 * recipe.acceleration);
+    return recipe.velocity * perSecond * toSeconds(kToldLater) + slowingDown + kStillCounts +
+           (recipe.thenIndex ? recipe.travelLimit : 0.0);
+}
+
+[[nodiscard]] std::optional<TravelRange> rangeOf(const HomingRecipe& recipe, const ModuleState& module) {
+    auto range = travelRange(module);
+    if (!range)
+        return std::nullopt;
+    const double perSecond = scaleOf(module, {}).perSecond();
+    const auto slack = static_cast<std::int64_t>(std::ceil(slackOf(recipe, perSecond)));
+    const std::int64_t home = module.home.place()->counts;
+    const auto counter = [](std::int64_t place) {
+        return static_cast<std::int32_t>(
+            std::clamp<std::int64_t>(place, servo::kPositionRange.min, servo::kPositionRange.max));
+    };
+    if (range->lowest)
+        range->lowest = counter(std::min<std::int64_t>(*range->lowest, home) - slack);
+    if (range->highest)
+        range->highest = counter(std::max<std::int64_t>(*range->highest, home) + slack);
+    return range;
+}
+
 /// Positions wrap at 32 bits.
 [[nodiscard]] double way(std::int32_t from, std::int32_t to) {
     return std::abs(static_cast<double>(countsBetween(from, to)));
@@ -31,6 +60,7 @@ HomingRun::HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleSt
     : Procedure(module.info.index, ProcedureKind::Homing),
       m_recipe(effective(std::move(recipe), module.info.identity)),
       m_tolerance(tolerance),
+      m_range(rangeOf(m_recipe, module)),
       m_chip(module) {
     m_goesOff = m_chip.goesOff(m_recipe);
     m_mayRun = true;
@@ -77,6 +107,7 @@ HomingRun::Next HomingRun::decide(const HomingLook& seen, TimePoint now) {
         case ProcedureStage::Reading:
         case ProcedureStage::Moving:
         case ProcedureStage::Pausing:
+        case ProcedureStage::TakingUpBacklash:
         case ProcedureStage::Done:
         case ProcedureStage::Failed:
         case ProcedureStage::Cancelled:
@@ -126,6 +157,8 @@ bool HomingRun::startsUnwatched() const {
 HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
     if (!seen.on)
         return fail(ProcedureFailure::WentOff);
+    if (beyondTravel(seen))
+        return fail(ProcedureFailure::SoftLimit);
     if (tooFar(seen))
         return fail(ProcedureFailure::TravelLimit);
     if (tooLong(now))
@@ -144,6 +177,8 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
             return fail(ProcedureFailure::SwitchActive);
         return stands(seen) ? beginSearch(seen, now) : Next(Wait{});
     }
+    if (beyondTravel(seen))
+        return fail(ProcedureFailure::SoftLimit);
     if (!anyActive(seen)) {
         m_told = true;
         return tell(m_chip.stop(Stop::Smoothly));
@@ -171,6 +206,8 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
             return fail(ProcedureFailure::WentOff);
         return Wait{};
     }
+    if (beyondTravel(seen))
+        return fail(ProcedureFailure::SoftLimit);
     if (tooFar(seen))
         return fail(ProcedureFailure::TravelLimit);
     if (tooLong(now))
@@ -305,6 +342,15 @@ bool HomingRun::anyActive(const HomingLook& seen) const {
 
 bool HomingRun::tooFar(const HomingLook& seen) const {
     return way(m_from, seen.position) > m_recipe.travelLimit;
+}
+
+/// Only of the limit that it goes towards: from beyond the other one it may come back.
+bool HomingRun::beyondTravel(const HomingLook& seen) const {
+    if (!m_range)
+        return false;
+    const bool down = motion().reverse != (m_report.stage == ProcedureStage::BackingOff);
+    return down ? m_range->lowest && seen.position < *m_range->lowest
+                : m_range->highest && seen.position > *m_range->highest;
 }
 
 bool HomingRun::tooLong(TimePoint now) const {

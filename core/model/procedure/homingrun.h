@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bus/standstill.h"
+#include "model/intent/travel.h"
 #include "model/procedure/homingchip.h"
 #include "model/procedure/procedure.h"
 
@@ -13,6 +14,10 @@ namespace nmc {
 /// switch that is active, searches, sees to it that the motor stops, reads the captured position twice, and
 /// where that is wanted goes there and makes it zero. A servo that the search itself has switched off is
 /// switched on again for what comes behind it, never at the end.
+///
+/// While home is known, and so the limits of travel are in force, it looks no farther than they and home are,
+/// but for what it takes to notice home and to stop. Where the position may be wrong, that has to be said
+/// first (intent::DeclarePosition).
 ///
 /// It is done only if every look at the module in between could be believed; it ends with the chip not
 /// watching for home any more, and, when it fails, with a stop of a motor that is on.
@@ -49,11 +54,13 @@ private:
     [[nodiscard]] bool mayGoOff() const { return m_goesOff; }
     [[nodiscard]] bool anyActive(const HomingLook& seen) const;
     [[nodiscard]] bool tooFar(const HomingLook& seen) const;
+    [[nodiscard]] bool beyondTravel(const HomingLook& seen) const;
     [[nodiscard]] bool tooLong(TimePoint now) const;
     [[nodiscard]] bool stands(const HomingLook& seen);
 
     HomingRecipe m_recipe;
     std::int32_t m_tolerance;
+    std::optional<TravelRange> m_range;  ///< where it may look
     HomingChip m_chip;
     Sent m_sent = Sent::Nothing;
     bool m_goesOff = false;  ///< finding home switches the motor off

@@ -20,6 +20,7 @@ enum class ProcedureKind : std::uint8_t {
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
     DirectionCheck,
+    Approach,  ///< a move that takes up the backlash on its way
 };
 
 /// Where a procedure is; not every kind has every stage.
@@ -32,6 +33,7 @@ enum class ProcedureStage : std::uint8_t {
     Reading,  ///< the captured home, twice
     GoingHome,
     Zeroing,
+    TakingUpBacklash,
     Moving,
     Pausing,
     Done,
@@ -51,6 +53,7 @@ enum class ProcedureFailure : std::uint8_t {
     ReadingsDiffer,
     NotStill,   ///< it swings where it should stand; the servo stays on
     Unstable,   ///< it has gone too far, and did not come to rest by a hold; it was switched off
+    SoftLimit,  ///< the next move would leave the limits of travel, or a search was about to
     NotAtHome,  ///< it comes to rest too far from home for that to become zero
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedures.h"
 
+#include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
+#include "model/procedure/approach.h"
 #include "model/procedure/changemotion.h"
 #include "model/procedure/directioncheck.h"
 #include "model/procedure/homingrun.h"
@@ -11,11 +13,30 @@
 
 namespace nmc {
 
+namespace {
+
+/// A move that has to turn round on its way; null where it goes straight.
+std::unique_ptr<Procedure> approachFor(const intent::GoTo& goTo, const ModuleState& module) {
+    if (!plan(goTo, module) || !module.latest->position)
+        return nullptr;
+    const auto turn = turningPoint(*module.latest->position, goTo.position.value(), module);
+    return turn ? std::make_unique<Approach>(goTo, static_cast<std::int32_t>(*turn), module) : nullptr;
+}
+
+}  // namespace
+
 std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState& module) {
     if (const auto* home = std::get_if<intent::Home>(&intent))
         return whyNotHome(home->recipe, module)
                    ? nullptr
                    : std::make_unique<HomingRun>(home->recipe, home->tolerance, module);
+    if (const auto* goTo = std::get_if<intent::GoTo>(&intent))
+        return approachFor(*goTo, module);
+    if (const auto* home = std::get_if<intent::GoHome>(&intent))
+        return plan(intent, module)
+                   ? approachFor({Counts(module.home.place()->counts), home->velocity, home->acceleration},
+                                 module)
+                   : nullptr;
     if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))

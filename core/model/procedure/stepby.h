@@ -10,7 +10,8 @@
 namespace nmc {
 
 /// Trapezoidal moves of a PIC-SERVO by N counts, from where the last move was to go: what a servo is off by
-/// does not add up. Each waits for the one before to stand still. Any stop ends it.
+/// does not add up. Each waits for the one before to stand still, and turns round beyond its goal first where
+/// the axis has backlash (model/intent/backlash.h). Any stop ends it.
 class StepByRun : public Procedure {
 public:
     StepByRun(const intent::StepBy& wanted, const ModuleState& module);
@@ -19,10 +20,12 @@ private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next move(const ModuleState& module);
+    [[nodiscard]] Next go(std::int64_t goal, const ModuleState& module);
     [[nodiscard]] Next moving(const ModuleState& module, TimePoint now);
 
     intent::StepBy m_wanted;
     std::optional<std::int64_t> m_goal;  ///< of the last move
+    std::int64_t m_heading = 0;          ///< where it goes now: there, or where it turns round
     unsigned m_moves = 0;
     bool m_started = false;
     TimePoint m_startedAt;

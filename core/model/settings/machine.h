@@ -30,6 +30,16 @@ struct MotionSettings {
     bool operator==(const MotionSettings&) const = default;
 };
 
+/// How far and how fast an axis may go; model/intent/travel.h says what that forbids.
+struct TravelSettings {
+    std::optional<std::int32_t> lowest;   ///< counts (steps) from home; empty: no limit on that side
+    std::optional<std::int32_t> highest;  ///< above `lowest`
+    double fastest = 0.0;                 ///< native, of every kind of motion; 0: as fast as the module can
+
+    [[nodiscard]] bool limited() const { return lowest || highest; }
+    bool operator==(const TravelSettings&) const = default;
+};
+
 /// How an axis finds its home (DS-V 5.2, DS-S 5.1 Set Homing Mode).
 struct HomingRecipe {
     enum class Stop : std::uint8_t { Abruptly, Smoothly, MotorOff };
@@ -56,6 +66,27 @@ struct HomingRecipe {
     bool operator==(const HomingRecipe&) const = default;
 };
 
+/// The play between motor and load, taken up by coming to every goal from the same side
+/// (model/intent/backlash.h). PIC-SERVO.
+struct BacklashSettings {
+    double distance = 0.0;   ///< counts, somewhat more than the play; 0: none
+    bool fromAbove = false;  ///< otherwise from below
+
+    bool operator==(const BacklashSettings&) const = default;
+};
+
+/// The limit stop of a PIC-SERVO (intent::ArmLimitStop) as an axis has it for each of its motions.
+struct LimitStopSettings {
+    bool eachMotion = false;  ///< otherwise it is armed by hand
+    bool onLimit1 = true;
+    bool onLimit2 = true;
+    bool onPositionError = false;
+    bool onCurrentLimit = false;
+    HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
+
+    bool operator==(const LimitStopSettings&) const = default;
+};
+
 /// What the A/D value stands for: `perCount` of `unit` ("A", "V") each, from `atZero` on.
 struct AnalogScale {
     double perCount = 5.0 / 255.0;  ///< 0 to 5 V on the input (DS-V 3)
@@ -71,7 +102,10 @@ struct AxisSettings {
     std::optional<ModuleIdentity> expected;  ///< what was there when this was set
     AxisUnit unit;
     MotionSettings motion;
+    TravelSettings travel;
+    BacklashSettings backlash;
     std::optional<HomingRecipe> homing;
+    LimitStopSettings limitStop;
     AnalogScale analog;
     // PIC-SERVO
     std::optional<servo::SetGain> gains;  ///< as they stand in the fields, sent or not

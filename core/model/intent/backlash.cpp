@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/backlash.h"
+
+#include <cmath>
+
+#include "model/intent/travel.h"
+
+namespace nmc {
+
+std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, const ModuleState& module) {
+    const auto play = static_cast<std::int64_t>(std::llround(module.backlash.distance));
+    if (play <= 0 || goal == from)
+        return std::nullopt;
+    const int side = module.backlash.fromAbove ? -1 : 1;  // the direction in which it has to arrive
+    const std::int64_t way = (goal - from) * side;
+    // A run that has ended at its limit has come from anywhere.
+    const auto rests = module.goal();
+    const bool takenUp = rests && rests != travelEnd(module, false) && rests != travelEnd(module, true);
+    if (way >= play || (way > 0 && takenUp))
+        return std::nullopt;
+    return goal - play * side;
+}
+
+}  // namespace nmc

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/travel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/overloaded.h"
+#include "bus/standstill.h"
+#include "model/intent/backlash.h"
+#include "model/intent/stepplan.h"
+#include "model/module/stepspeed.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr double kFixedPoint = 65'536.0;
+/// What rounding to the chip's numbers may add.
+constexpr double kGrain = 1.0 / kFixedPoint;
+
+[[nodiscard]] double native(CountsPerTick velocity) {
+    return velocity.value() / kFixedPoint;
+}
+
+[[nodiscard]] std::optional<std::int32_t> absolute(std::int32_t home, std::optional<std::int32_t> limit) {
+    if (!limit)
+        return std::nullopt;
+    const std::int64_t place = std::int64_t{home} + *limit;
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(place, servo::kPositionRange.min, servo::kPositionRange.max));
+}
+
+[[nodiscard]] std::optional<std::int32_t> positionOf(const ModuleState& module) {
+    return module.latest ? module.latest->position : std::nullopt;
+}
+
+/// What an intent does to its axis.
+struct Course {
+    std::optional<std::int64_t> goal{};
+    std::optional<bool> reverse{};       ///< of a motion without a goal
+    double velocity = 0.0;               ///< native; 0: none that is limited
+    std::optional<std::int32_t> from{};  ///< other than where it is now
+    bool turns = false;                  ///< where there is backlash to be taken up
+};
+
+struct CourseOf {
+    const ModuleState& module;
+
+    std::optional<Course> operator()(const intent::GoTo& goTo) const {
+        return Course{.goal = goTo.position.value(), .velocity = native(goTo.velocity), .turns = true};
+    }
+    /// What is started by others goes straight.
+    std::optional<Course> operator()(const intent::LoadMove& load) const {
+        return Course{.goal = load.move.position.value(), .velocity = native(load.move.velocity)};
+    }
+    std::optional<Course> operator()(const intent::GoHome& home) const {
+        if (!module.home.place())
+            return std::nullopt;
+        return Course{.goal = module.home.place()->counts, .velocity = native(home.velocity), .turns = true};
+    }
+    std::optional<Course> operator()(const intent::RunAtVelocity& run) const {
+        return Course{.reverse = run.reverse, .velocity = native(run.velocity)};
+    }
+    std::optional<Course> operator()(const intent::DrivePwm& drive) const {
+        return drive.pwm == 0 ? std::nullopt : std::optional(Course{.reverse = drive.reverse});
+    }
+    std::optional<Course> operator()(const intent::Home& home) const {
+        const HomingRecipe& recipe = home.recipe;
+        return Course{.velocity = recipe.thenIndex ? std::max(recipe.velocity, recipe.indexVelocity)
+                                                   : recipe.velocity};
+    }
+    /// As far as the last of its moves, from where the first one starts.
+    std::optional<Course> operator()(const intent::StepBy& step) const {
+        const auto position = positionOf(module);
+        if (!position)
+            return std::nullopt;
+        const std::int32_t from = module.goal().value_or(*position);
+        const std::int64_t moves = step.backAndForth ? 1 : std::max(step.rounds, 1U);
+        return Course{.goal = from + moves * step.counts,
+                      .velocity = native(step.velocity),
+                      .from = from,
+                      .turns = true};
+    }
+    std::optional<Course> operator()(const intent::StepResponse& step) const {
+        const auto position = positionOf(module);
+        return position ? std::optional(Course{.goal = std::int64_t{*position} + step.counts}) : std::nullopt;
+    }
+    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion); }
+    std::optional<Course> operator()(const stepintent::LoadMove& load) const { return of(load.motion); }
+    std::optional<Course> operator()(const stepintent::ChangeMotion& change) const {
+        return of(change.motion);
+    }
+    std::optional<Course> operator()(
+        const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
+                    intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
+                    intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
+                    intent::ControlIo, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                    intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                    stepintent::SetOutputs> auto&) const {
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] std::optional<Course> of(const StepMotion& motion) const {
+        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module)};
+        if (!course.goal)
+            course.reverse = wantsReverse(motion, module);
+        return course;
+    }
+};
+
+[[nodiscard]] std::optional<TravelProblem> tooFast(double velocity, const ModuleState& module) {
+    const double fastest = module.travel.fastest;
+    if (fastest <= 0.0 || velocity <= fastest + kGrain)
+        return std::nullopt;
+    return TravelProblem{.refusal = Refusal::TooFast, .velocity = velocity, .fastest = fastest};
+}
+
+[[nodiscard]] std::optional<TravelProblem> atTheEnd(bool reverse, const ModuleState& module) {
+    const auto end = travelEnd(module, reverse);
+    const auto position = positionOf(module);
+    if (!end || !position)
+        return std::nullopt;
+    const std::int64_t ahead = std::int64_t{*end} - *position;
+    if ((reverse ? -ahead : ahead) > kStillCounts)
+        return std::nullopt;
+    return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = reverse, .limit = *end};
+}
+
+[[nodiscard]] std::optional<TravelProblem> problemOf(const Course& course, const ModuleState& module) {
+    if (const auto fast = tooFast(course.velocity, module))
+        return fast;
+    if (course.reverse)
+        return atTheEnd(*course.reverse, module);
+    const auto range = travelRange(module);
+    const auto position = course.from ? course.from : positionOf(module);
+    if (!course.goal || !range || !position)
+        return std::nullopt;
+    const auto turn = course.turns ? turningPoint(*position, *course.goal, module) : std::nullopt;
+    if (auto problem = turn ? beyondTravel(*position, *turn, *range) : std::nullopt) {
+        // It has to turn round before the limit.
+        problem->limit = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));
+        return problem;
+    }
+    return beyondTravel(*position, *course.goal, *range);
+}
+
+/// What a load does once it is started.
+[[nodiscard]] Course courseOf(const servo::LoadTrajectory& load) {
+    Course course;
+    if (!load.servo || load.profile == servo::ProfileMode::Velocity)
+        course.reverse = load.reverse;
+    else if (load.position)
+        course.goal = load.position->value();
+    if (load.servo)
+        course.velocity = native(load.velocity.value_or(CountsPerTick()));
+    return course;
+}
+[[nodiscard]] Course courseOf(const step::LoadTrajectory& load, const ModuleState& module) {
+    Course course{.velocity = speedOf(load, module)};
+    if (load.position)
+        course.goal = load.position->value();
+    else
+        course.reverse = load.reverse;
+    return course;
+}
+
+/// Of a load that is sent or started as it is: a run would not end at the limit ahead.
+[[nodiscard]] std::optional<TravelProblem> asItStands(const Course& course, const ModuleState& module) {
+    if (const auto end = course.reverse ? travelEnd(module, *course.reverse) : std::nullopt)
+        return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = *course.reverse, .limit = *end};
+    return problemOf(course, module);
+}
+
+/// Of the commands of either chip, those that may move it at once.
+struct DirectProblem {
+    const ModuleState& module;
+
+    std::optional<TravelProblem> operator()(const servo::LoadTrajectory& load) const {
+        if (!load.startNow)
+            return std::nullopt;  // its start is judged
+        return load.servo ? asItStands(courseOf(load), module) : problemOf(courseOf(load), module);
+    }
+    std::optional<TravelProblem> operator()(const step::LoadTrajectory& load) const {
+        return load.startNow ? asItStands(courseOf(load, module), module) : std::nullopt;
+    }
+    std::optional<TravelProblem> operator()(const servo::StopMotor& stop) const {
+        if (stop.manner != servo::StopManner::Here)
+            return std::nullopt;
+        return problemOf(Course{.goal = stop.here.value()}, module);
+    }
+    std::optional<TravelProblem> operator()(const StartMotion&) const { return loadedProblem(module); }
+    template <typename Other>
+    std::optional<TravelProblem> operator()(const Other&) const {
+        return std::nullopt;
+    }
+};
+
+/// A push may go either way.
+[[nodiscard]] std::optional<TravelProblem> problemOf(const intent::CheckDirection& check,
+                                                     const ModuleState& module) {
+    const auto position = positionOf(module);
+    if (!position)
+        return std::nullopt;
+    for (const std::int64_t way : {std::int64_t{check.reach}, -std::int64_t{check.reach}})
+        if (const auto problem = problemOf(Course{.goal = *position + way}, module))
+            return problem;
+    return std::nullopt;
+}
+
+/// Counts (steps) per second squared of the stop that is sent; 0: it knows no ramp.
+[[nodiscard]] double rampOf(const ModuleState& module) {
+    if (module.isStepper()) {
+        const auto time = module.stepper.accelerationTime();
+        const auto& parameters = module.stepper.parameters();
+        return time && parameters ? StepSpeed(parameters->speedMode).acceleration(*time) : 0.0;
+    }
+    const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
+    return module.acceleration() / (tick * tick);
+}
+
+/// Which way it goes without an end, -1 or 1; 0: it stands, or ends by itself.
+[[nodiscard]] int endless(const ModuleState& module, double speed) {
+    if (!module.moving())
+        return 0;
+    if (module.isStepper()) {
+        const bus::StepMode mode = module.stepper.mode();
+        if (mode != bus::StepMode::VelocityProfile && mode != bus::StepMode::Unprofiled)
+            return 0;
+        const auto reverse = module.stepper.runsReverse();
+        return !reverse ? 0 : *reverse ? -1 : 1;
+    }
+    if (module.motion == MotionMode::Pwm)
+        return speed < 0 ? -1 : speed > 0 ? 1 : 0;
+    if (module.motion != MotionMode::Velocity)
+        return 0;
+    return module.goalVelocity < 0 ? -1 : module.goalVelocity > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+TravelForce travelForce(const ModuleState& module) {
+    if (!module.travel.limited())
+        return TravelForce::NotSet;
+    return module.home.place() && !module.hasRestarted ? TravelForce::InForce : TravelForce::HomeUnknown;
+}
+
+std::optional<TravelRange> travelRange(const ModuleState& module) {
+    if (travelForce(module) != TravelForce::InForce)
+        return std::nullopt;
+    const std::int32_t home = module.home.place()->counts;
+    return TravelRange{absolute(home, module.travel.lowest), absolute(home, module.travel.highest)};
+}
+
+std::optional<std::int32_t> travelEnd(const ModuleState& module, bool reverse) {
+    const auto range = travelRange(module);
+    if (!range)
+        return std::nullopt;
+    return reverse ? range->lowest : range->highest;
+}
+
+TravelPlace travelPlace(const ModuleState& module) {
+    const auto range = travelRange(module);
+    const auto position = positionOf(module);
+    if (!range || !position)
+        return TravelPlace::Within;
+    if (range->highest && samePlace(*position, *range->highest))
+        return TravelPlace::AtHighest;
+    if (range->lowest && samePlace(*position, *range->lowest))
+        return TravelPlace::AtLowest;
+    if (range->highest && *position > *range->highest)
+        return TravelPlace::AboveHighest;
+    return range->lowest && *position < *range->lowest ? TravelPlace::BelowLowest : TravelPlace::Within;
+}
+
+std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, const TravelRange& range) {
+    // From outside the way back is allowed, and no farther away.
+    if (range.highest && goal > std::max<std::int64_t>(*range.highest, from))
+        return TravelProblem{.lowest = false, .limit = *range.highest};
+    if (range.lowest && goal < std::min<std::int64_t>(*range.lowest, from))
+        return TravelProblem{.lowest = true, .limit = *range.lowest};
+    return std::nullopt;
+}
+
+std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleState& module) {
+    if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
+        return problemOf(*check, module);
+    if (std::holds_alternative<intent::StartLoaded>(intent))
+        return loadedProblem(module);
+    if (const auto* direct = std::get_if<intent::Direct>(&intent))
+        return std::visit([&](const auto& chip) { return std::visit(DirectProblem{module}, chip); },
+                          direct->command);
+    const auto course = std::visit(CourseOf{module}, intent);
+    return course ? problemOf(*course, module) : std::nullopt;
+}
+
+std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
+    if (const servo::LoadTrajectory* load = module.waiting())
+        return asItStands(courseOf(*load), module);
+    const auto& waits = module.stepper.waiting();
+    return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;
+}
+
+tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {
+    const auto& parameters = module.stepper.parameters();
+    const double velocity = !hold.pace   ? native(hold.velocity)
+                            : parameters ? StepSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
+                                         : 0.0;
+    if (const auto problem = problemOf(Course{.reverse = hold.reverse, .velocity = velocity}, module))
+        return tl::unexpected(*problem);
+    hold.goal = travelEnd(module, hold.reverse);
+    return hold;
+}
+
+StepMotion withinTravel(const StepMotion& motion, const ModuleState& module) {
+    if (const auto* run = std::get_if<stepmotion::VelocityProfile>(&motion))
+        if (const auto end = travelEnd(module, run->reverse))
+            return stepmotion::Trapezoid{*end, false, run->speed, run->accelerationTime};
+    if (const auto* run = std::get_if<stepmotion::UnprofiledRun>(&motion))
+        if (const auto end = travelEnd(module, run->reverse))
+            return stepmotion::UnprofiledMove{*end, false, run->timer};
+    return motion;
+}
+
+std::optional<Intent> stopBeforeLimit(const ModuleState& module, Duration latency) {
+    const auto position = positionOf(module);
+    const double speed = module.speed.perSecond().value_or(0.0);
+    const int way = endless(module, speed);
+    const auto end = way == 0 ? std::nullopt : travelEnd(module, way < 0);
+    if (!end || !position)
+        return std::nullopt;
+    const double tick = toSeconds(kServoTick) * (module.gains ? module.gains->sr : 1);
+    const double wanted = module.motion == MotionMode::Velocity ? std::abs(module.goalVelocity) / tick : 0.0;
+    const double fast = std::max(std::abs(speed), wanted);
+    const bool pwm = module.motion == MotionMode::Pwm;
+    const double ramp = pwm ? 0.0 : rampOf(module);
+    const double needs = fast * toSeconds(latency) + (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
+    if ((static_cast<double>(*end) - *position) * way > needs)
+        return std::nullopt;
+    return pwm ? Intent(intent::MotorOff{}) : Intent(intent::StopSmoothly{});
+}
+
+}  // namespace nmc

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far and how fast an axis may go (model/intent/travel.h): numbers by hand.
+#include "model/intent/travel.h"
+
+#include <gtest/gtest.h>
+
+#include "model/intent/backlash.h"
+#include "model/intent/homingplan.h"
+#include "tests/model/servofixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr CountsPerTick kOne{1 << 16};
+constexpr CountsPerTickSquared kGentle{131};
+
+intent::GoTo to(std::int32_t position) {
+    return {Counts(position), kOne, kGentle};
+}
+
+/// Home is at 1000, the limits at -200 and 500 from there: 800 to 1500. It stands at `position`.
+ModuleState limited(std::int32_t position = 1'000) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn, position));
+    module.home.found(1'000, atSeconds(0.3));
+    module.travel.lowest = -200;
+    module.travel.highest = 500;
+    return module;
+}
+
+TEST(Travel, CountsFromHomeAndIsInForceWhileHomeIsKnown) {
+    ModuleState module = limited();
+    EXPECT_EQ(travelForce(module), TravelForce::InForce);
+    EXPECT_EQ(travelRange(module), (TravelRange{800, 1'500}));
+    module.home.forget();
+    EXPECT_EQ(travelForce(module), TravelForce::HomeUnknown);
+    EXPECT_FALSE(travelRange(module));
+    EXPECT_TRUE(plan(to(1'000'000), module).has_value()) << "not in force";
+    module.home.declare(module.latestTime);
+    EXPECT_EQ(module.home.place()->source, HomeFact::Source::Declared);
+    EXPECT_EQ(travelRange(module), (TravelRange{-200, 500})) << "home is where the counter is 0";
+    module.travel = {};
+    EXPECT_EQ(travelForce(module), TravelForce::NotSet);
+}
+
+TEST(Travel, IsNotInForceAfterARestart) {
+    ModuleState module = limited();
+    module.restarted();
+    EXPECT_EQ(travelForce(module), TravelForce::HomeUnknown);
+}
+
+TEST(Travel, WhatTheCounterDoesNotReachIsAsFarAsItDoes) {
+    ModuleState module = limited();
+    module.home.found(0x7FFFFF00, atSeconds(1));
+    EXPECT_EQ(travelRange(module), (TravelRange{0x7FFFFF00 - 200, 0x7FFFFFFF}));
+}
+
+TEST(Travel, FromOutsideTheWayBackIsAllowedAndNoOther) {
+    const TravelRange range{800, 1'500};
+    EXPECT_FALSE(beyondTravel(1'000, 800, range));
+    EXPECT_FALSE(beyondTravel(1'000, 1'500, range));
+    EXPECT_EQ(beyondTravel(1'000, 1'501, range)->limit, 1'500);
+    EXPECT_FALSE(beyondTravel(1'000, 1'501, range)->lowest);
+    EXPECT_EQ(beyondTravel(1'000, 799, range)->limit, 800);
+    EXPECT_TRUE(beyondTravel(1'000, 799, range)->lowest);
+    // Above: down to anywhere within, or a part of the way; not farther up, not through the other end.
+    EXPECT_FALSE(beyondTravel(1'700, 1'600, range));
+    EXPECT_FALSE(beyondTravel(1'700, 900, range));
+    EXPECT_EQ(beyondTravel(1'700, 1'701, range)->limit, 1'500);
+    EXPECT_EQ(beyondTravel(1'700, 700, range)->limit, 800);
+    EXPECT_FALSE(beyondTravel(600, 700, range));
+    EXPECT_TRUE(beyondTravel(600, 500, range)->lowest);
+    // One side only.
+    EXPECT_FALSE(beyondTravel(0, -1'000'000, {std::nullopt, 1'500}));
+    EXPECT_FALSE(beyondTravel(0, 1'000'000, {800, std::nullopt}));
+}
+
+TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
+    const ModuleState module = limited();
+    EXPECT_TRUE(plan(to(1'500), module).has_value());
+    EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(plan(intent::LoadMove{to(799)}, module).error(), Refusal::BeyondTravel);
+    // 3 x 200 from 1000 is 1600; there and back is 1200 at most.
+    intent::StepBy steps{200, kOne, kGentle, 3};
+    EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
+    steps.backAndForth = true;
+    EXPECT_TRUE(plan(steps, module).has_value());
+    EXPECT_EQ(plan(intent::StepResponse{501, StepWay::Profile, 0.1}, module).error(), Refusal::BeyondTravel);
+    EXPECT_TRUE(plan(intent::StepResponse{500, StepWay::Profile, 0.1}, module).has_value());
+}
+
+TEST(Travel, GoHomeIsRefusedWhereHomeIsOutside) {
+    ModuleState module = limited(1'100);
+    EXPECT_TRUE(plan(intent::GoHome{kOne, kGentle}, module).has_value());
+    module.travel.lowest = 50;
+    EXPECT_EQ(plan(intent::GoHome{kOne, kGentle}, module).error(), Refusal::BeyondTravel);
+}
+
+TEST(Travel, WhatWasLoadedIsJudgedAgainAtItsStart) {
+    ModuleState module = limited();
+    module.apply(executedAt(1, trapezoid(1'400, 1 << 16, 131)));
+    EXPECT_FALSE(whyNot(Request::StartLoaded, module));
+    module.travel.highest = 300;
+    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::BeyondTravel);
+    module.travel.highest = 500;
+    module.travel.fastest = 0.5;
+    EXPECT_EQ(whyNot(Request::StartLoaded, module), Refusal::TooFast);
+}
+
+TEST(Travel, ARunTowardsALimitIsAMoveThere) {
+    const ModuleState module = limited();
+    const auto steps = plan(intent::RunAtVelocity{kOne, kGentle, true}, module);
+    ASSERT_TRUE(steps.has_value());
+    ASSERT_EQ(steps->size(), 2U);
+    EXPECT_EQ(std::get<servo::LoadTrajectory>(std::get<ServoCommand>(steps->at(0).command)),
+              trapezoid(800, 1 << 16, 131));
+    EXPECT_TRUE(std::holds_alternative<StartMotion>(std::get<ServoCommand>(steps->at(1).command)));
+    ModuleState open = module;
+    open.travel.lowest.reset();
+    const auto run = plan(intent::RunAtVelocity{kOne, kGentle, true}, open);
+    EXPECT_EQ(std::get<servo::LoadTrajectory>(std::get<ServoCommand>(run->at(0).command)).profile,
+              servo::ProfileMode::Velocity)
+        << "no limit is ahead";
+}
+
+TEST(Travel, AtTheEndThereIsNoWayOn) {
+    // A servo at rest swings by up to four counts.
+    for (const std::int32_t position : {1'496, 1'500, 1'504, 1'600}) {
+        const ModuleState module = limited(position);
+        EXPECT_EQ(plan(intent::RunAtVelocity{kOne, kGentle, false}, module).error(), Refusal::AtTravelEnd);
+        EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, true}, module).has_value());
+    }
+    EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, false}, limited(1'495)).has_value());
+    EXPECT_EQ(travelPlace(limited(1'504)), TravelPlace::AtHighest);
+    EXPECT_EQ(travelPlace(limited(1'505)), TravelPlace::AboveHighest);
+    EXPECT_EQ(travelPlace(limited(800)), TravelPlace::AtLowest);
+    EXPECT_EQ(travelPlace(limited(700)), TravelPlace::BelowLowest);
+    EXPECT_EQ(travelPlace(limited(1'000)), TravelPlace::Within);
+}
+
+TEST(Travel, ARunThatIsUnderWayHasToStopFirst) {
+    ModuleState module = limited();
+    module.travel.lowest.reset();
+    module.apply(executedAt(1, velocityMode(1 << 16, 131, true)));
+    module.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn | kAccelDone, 990));
+    ASSERT_TRUE(module.moving());
+    EXPECT_EQ(plan(intent::RunAtVelocity{kOne, kGentle, false}, module).error(), Refusal::RunNeedsStop);
+    EXPECT_TRUE(plan(intent::RunAtVelocity{kOne, kGentle, true}, module).has_value());
+}
+
+TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
+    ModuleState module = limited();
+    module.travel.fastest = 1.0;
+    EXPECT_TRUE(plan(to(1'400), module).has_value());
+    intent::GoTo fast = to(1'400);
+    fast.velocity = CountsPerTick((1 << 16) + 2);
+    EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast);
+    EXPECT_EQ(travelProblem(fast, module)->fastest, 1.0);
+    EXPECT_EQ(plan(intent::RunAtVelocity{fast.velocity, kGentle, true}, module).error(), Refusal::TooFast);
+    EXPECT_EQ(plan(intent::StepBy{10, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
+    HomingRecipe recipe = firstRecipe(module.info.identity);
+    EXPECT_FALSE(whyNotHome(recipe, module));
+    recipe.velocity = 1.01;
+    EXPECT_EQ(whyNotHome(recipe, module), Refusal::TooFast);
+    bus::HoldToMove hold;
+    hold.velocity = fast.velocity;
+    EXPECT_EQ(withinTravel(hold, module).error().refusal, Refusal::TooFast);
+    module.home.forget();
+    EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast) << "home has nothing to do with it";
+}
+
+TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {
+    const ModuleState module = limited();
+    bus::HoldToMove hold;
+    hold.velocity = kOne;
+    EXPECT_EQ(withinTravel(hold, module)->goal, 1'500);
+    hold.reverse = true;
+    EXPECT_EQ(withinTravel(hold, module)->goal, 800);
+    ModuleState open = module;
+    open.home.forget();
+    EXPECT_FALSE(withinTravel(hold, open)->goal);
+    EXPECT_EQ(withinTravel(hold, limited(802)).error().refusal, Refusal::AtTravelEnd);
+}
+
+TEST(Travel, PwmAndPushesAreRefusedAtTheEnd) {
+    ModuleState module = limited(1'500);
+    module.apply(executedAt(1, stopWith(servo::StopManner::MotorOff, false)));
+    module.apply(sampleOf(1.1, kMoveDone | kPower | kPosError, 0, 1'500));
+    EXPECT_EQ(plan(intent::DrivePwm{20, false}, module).error(), Refusal::AtTravelEnd);
+    EXPECT_TRUE(plan(intent::DrivePwm{20, true}, module).has_value());
+    EXPECT_TRUE(plan(intent::DrivePwm{0, false}, module).has_value());
+    EXPECT_EQ(plan(intent::CheckDirection{250}, module).error(), Refusal::BeyondTravel);
+    module.travel.highest = 800;
+    EXPECT_TRUE(plan(intent::CheckDirection{250}, module).has_value());
+}
+
+// 2 counts/tick are 3906.25 counts/s; 131 / 65536 counts/tick^2 slow down by 7624.6 counts/s^2, in 1000.6
+// counts (v^2 / 2a). In 0.1 s it goes 390.6 counts.
+TEST(Travel, WhatDoesNotEndByItselfIsStoppedInTime) {
+    const auto needsStop = [&](std::int32_t position) {
+        ModuleState there = limited(position);
+        there.travel.lowest.reset();
+        there.apply(executedAt(1, velocityMode(2 << 16, 131)));
+        there.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn | kAccelDone, position));
+        return stopBeforeLimit(there, std::chrono::milliseconds(100)).has_value();
+    };
+    EXPECT_FALSE(needsStop(1'500 - 1'395));
+    EXPECT_TRUE(needsStop(1'500 - 1'385));
+    EXPECT_TRUE(needsStop(1'600));
+    ModuleState bounded = limited();
+    bounded.apply(executedAt(1, trapezoid(1'500, 2 << 16, 131)));
+    bounded.apply(executedAt(1, StartMotion{}));
+    bounded.apply(sampleOf(1.1, kPower, kServoOn, 1'400));
+    EXPECT_FALSE(stopBeforeLimit(bounded, std::chrono::milliseconds(100))) << "the chip ends it";
+}
+
+// ---- backlash ----
+
+TEST(Backlash, AMoveFromTheWrongSideTurnsRoundBeyondItsGoal) {
+    ModuleState module = holdingServo();
+    EXPECT_FALSE(turningPoint(1'000, 0, module)) << "not set";
+    module.backlash.distance = 50;
+    EXPECT_EQ(turningPoint(1'000, 0, module), -50);
+    EXPECT_FALSE(turningPoint(0, 50, module));
+    EXPECT_FALSE(turningPoint(0, 1'000, module));
+    EXPECT_EQ(turningPoint(0, 49, module), -1) << "shorter than the play: it may not have taken it up";
+    EXPECT_FALSE(turningPoint(7, 7, module));
+    module.backlash.fromAbove = true;
+    EXPECT_EQ(turningPoint(0, 1'000, module), 1'050);
+    EXPECT_FALSE(turningPoint(1'000, 0, module));
+}
+
+TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
+    ModuleState module = limited(1'200);
+    module.backlash.distance = 50;
+    EXPECT_TRUE(plan(to(850), module).has_value()) << "turns at 800";
+    EXPECT_EQ(plan(to(849), module).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(travelProblem(to(849), module)->limit, 850)
+        << "the nearest goal that can be come to from below";
+    EXPECT_EQ(travelProblem(to(700), module)->limit, 850);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Limits of travel and of speed, as a person sets and meets them.
+#include <QAbstractButton>
+
+#include "tests/model/stepfixture.h"
+#include "widgets/common/askdialog.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class TravelPanel : public WindowTest {
+protected:
+    TravelPanel() {
+        window->resize(1500, 1100);
+        standAt(0);
+    }
+    /// A servo that holds there; home is where the counter is 0, if that is known.
+    void standAt(std::int32_t position, bool homed = true) {
+        ModuleState module = Servo{.position = position, .millisecond = m_millisecond += 10}.state();
+        if (homed)
+            module.home.found(0, module.latestTime);
+        window->showLink(connectedTo({module}));
+    }
+    void setLimits() {
+        type(u"lowestField"_s, u"-500"_s);
+        type(u"highestField"_s, u"1500"_s);
+    }
+    [[nodiscard]] const TravelSettings& kept() const { return machine.axes.at(0).travel; }
+    template <typename T>
+    [[nodiscard]] T lastIntent() {
+        EXPECT_FALSE(intents.isEmpty());
+        return std::get<T>(intents.last().at(1).value<Intent>());
+    }
+    QString whyNot(const QString& name) {
+        auto* control = button(name);
+        EXPECT_FALSE(control->isEnabled()) << name.toStdString();
+        return control->toolTip();
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    int m_millisecond = 0;
+};
+
+TEST_F(TravelPanel, WhatIsTypedIsKeptWithTheAxisAndSendsNothing) {
+    setLimits();
+    type(u"fastestField"_s, u"1.5"_s);
+    EXPECT_EQ(kept(), (TravelSettings{-500, 1'500, 1.5}));
+    type(u"highestField"_s, u" "_s);
+    type(u"fastestField"_s, u" "_s);
+    EXPECT_EQ(kept(), (TravelSettings{-500, std::nullopt, 0.0})) << "empty is no limit";
+    EXPECT_TRUE(intents.isEmpty());
+}
+
+TEST_F(TravelPanel, ItSaysWhetherTheyAreInForceAndWhyNot) {
+    EXPECT_TRUE(text(u"travelState"_s).contains(u"No limits of travel are set"_s));
+    setLimits();
+    EXPECT_EQ(text(u"travelState"_s), u"● In force: from −500 counts to 1\u202f500 counts."_s);
+    EXPECT_EQ(text(u"headTravel"_s), QString());
+    standAt(0, false);
+    EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force: home is not known"_s));
+    EXPECT_TRUE(text(u"headTravel"_s).contains(u"not in force"_s));
+    EXPECT_EQ(kept().highest, 1'500);
+}
+
+TEST_F(TravelPanel, ARestartOfTheModuleTakesThemOutOfForce) {
+    setLimits();
+    ModuleState module = Servo{.position = 0, .millisecond = 500}.state();
+    module.home.found(0, module.latestTime);
+    module.restarted();
+    window->showLink(connectedTo({module}));
+    EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force"_s));
+}
+
+TEST_F(TravelPanel, LimitsThatCrossStayInTheirFieldsAndTheOldOnesInForce) {
+    setLimits();
+    type(u"lowestField"_s, u"1500"_s);
+    EXPECT_EQ(kept().lowest, -500);
+    EXPECT_TRUE(text(u"travelHint"_s).contains(u"below the highest"_s));
+    EXPECT_EQ(field(u"lowestField"_s)->text(), u"1500"_s);
+    type(u"lowestField"_s, u"x"_s);
+    EXPECT_EQ(kept().lowest, -500);
+}
+
+TEST_F(TravelPanel, AGoalBeyondIsRefusedAndTheNearestOneOffered) {
+    setLimits();
+    type(u"goalField"_s, u"1600"_s);
+    EXPECT_EQ(whyNot(u"goButton"_s),
+              u"That is beyond the limits of travel: the highest position to go to is 1\u202f500 counts."_s);
+    EXPECT_TRUE(text(u"motionHint"_s).contains(u"1\u202f500 counts"_s));
+    whyNot(u"loadButton"_s);
+    QTest::keyClick(field(u"goalField"_s), Qt::Key_Return);
+    EXPECT_TRUE(intents.isEmpty()) << "nor by Enter";
+    ASSERT_TRUE(button(u"nearestGoalButton"_s)->isVisible());
+    EXPECT_EQ(button(u"nearestGoalButton"_s)->text(), u"Take 1\u202f500 counts"_s);
+    click(u"nearestGoalButton"_s);
+    EXPECT_EQ(field(u"goalField"_s)->value(), 1'500);
+    EXPECT_FALSE(button(u"nearestGoalButton"_s)->isVisible());
+    EXPECT_TRUE(intents.isEmpty()) << "it moves nothing";
+    click(u"goButton"_s);
+    EXPECT_EQ(lastIntent<intent::GoTo>().position.value(), 1'500);
+}
+
+TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
+    setLimits();
+    standAt(1'500);
+    EXPECT_EQ(text(u"headTravel"_s), u"● At the highest position"_s);
+    const QString reason =
+        u"The highest position of this axis is 1\u202f500 counts: there is no way on forward."_s;
+    EXPECT_EQ(whyNot(u"runForwardButton"_s), reason);
+    EXPECT_EQ(whyNot(u"holdForwardButton"_s), reason);
+    whyNot(u"stepForwardButton"_s);
+    EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"holdReverseButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"stepReverseButton"_s)->isEnabled());
+    standAt(1'700);
+    EXPECT_EQ(text(u"headTravel"_s), u"▲ Above the highest position"_s);
+    EXPECT_TRUE(button(u"runReverseButton"_s)->isEnabled());
+}
+
+TEST_F(TravelPanel, NoFieldTakesMoreThanTheHighestVelocity) {
+    type(u"fastestField"_s, u"1.5"_s);
+    for (const auto& [velocity, act] : {std::pair(u"velocityField"_s, u"goButton"_s),
+                                        std::pair(u"runVelocityField"_s, u"runForwardButton"_s),
+                                        std::pair(u"holdVelocityField"_s, u"holdForwardButton"_s)}) {
+        type(velocity, u"1.6"_s);
+        EXPECT_TRUE(whyNot(act).contains(u"to 1.5 counts/tick"_s)) << whyNot(act).toStdString();
+        type(velocity, u"1.5"_s);
+        EXPECT_TRUE(button(act)->isEnabled());
+    }
+    click(u"runForwardButton"_s);
+    EXPECT_EQ(lastIntent<intent::RunAtVelocity>().velocity.value(), 98'304U);
+}
+
+TEST_F(TravelPanel, ThePresentPositionBecomesALimit) {
+    standAt(1'234);
+    click(u"highestHereButton"_s);
+    EXPECT_EQ(kept().highest, 1'234);
+    standAt(0, false);
+    EXPECT_TRUE(whyNot(u"lowestHereButton"_s).contains(u"home"_s)) << "there is nothing to count from";
+}
+
+TEST_F(TravelPanel, ThePositionIsDeclaredRightAfterAQuestion) {
+    setLimits();
+    standAt(700, false);
+    click(u"declarePositionButton"_s);
+    auto* question = window->findChild<AskDialog*>(u"declarePositionDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->findChild<QLabel*>(u"closeText"_s)->text().contains(u"700 counts"_s));
+    EXPECT_TRUE(intents.isEmpty());
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"positionIsRightButton"_s), Qt::LeftButton);
+    EXPECT_TRUE(lastIntent<intent::DeclarePosition>().right);
+    standAt(700);
+    click(u"doubtPositionButton"_s);
+    EXPECT_FALSE(lastIntent<intent::DeclarePosition>().right);
+}
+
+TEST_F(TravelPanel, AStepperHasTheSamePage) {
+    testing_support::Stepper stepper = testing_support::Stepper::holding();
+    stepper.module.home.found(0, stepper.time);
+    window->showLink(connectedTo({stepper.module}));
+    type(u"stepHighestField"_s, u"300"_s);
+    type(u"stepGoalField"_s, u"301"_s);
+    EXPECT_TRUE(whyNot(u"stepGoButton"_s).contains(u"300 steps"_s));
+    click(u"stepNearestGoalButton"_s);
+    click(u"stepGoButton"_s);
+    const auto move = std::get<stepmotion::Trapezoid>(lastIntent<stepintent::Move>().motion);
+    EXPECT_EQ(move.position, 300);
+    EXPECT_FALSE(move.relative);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/travelwords.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(TravelTexts)
+};
+
+QString speed(double native, const AxisScale& scale) {
+    return readout(scale.velocity(native), 6) + u' ' + velocityUnitOf(scale);
+}
+
+}  // namespace
+
+QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
+    if (problem.refusal == Refusal::TooFast)
+        return Texts::tr("That is %1; this axis goes at most %2 (page Axis).")
+            .arg(speed(problem.velocity, scale), speed(problem.fastest, scale));
+    const QString limit = position(scale, problem.limit);
+    if (problem.refusal == Refusal::AtTravelEnd)
+        return problem.lowest
+                   ? Texts::tr("The lowest position of this axis is %1: there is no way on in reverse.")
+                         .arg(limit)
+                   : Texts::tr("The highest position of this axis is %1: there is no way on forward.")
+                         .arg(limit);
+    return problem.lowest
+               ? Texts::tr("That is beyond the limits of travel: the lowest position to go to is %1.")
+                     .arg(limit)
+               : Texts::tr("That is beyond the limits of travel: the highest position to go to is %1.")
+                     .arg(limit);
+}
+
+QString refusal(Refusal reason, const Intent& intent, const ModuleState& module, const AxisScale& scale) {
+    const auto problem = nmc::travelProblem(intent, module);
+    return problem && problem->refusal == reason ? travelProblem(*problem, scale) : refusal(reason);
+}
+
+QString travelState(const ModuleState& module, const AxisScale& scale) {
+    switch (travelForce(module)) {
+        case TravelForce::NotSet:
+            return u"○ "_s + Texts::tr("No limits of travel are set.");
+        case TravelForce::HomeUnknown:
+            return u"▲ "_s +
+                   Texts::tr(
+                       "Not in force: home is not known. Search for it, save it, or declare the position "
+                       "right.");
+        case TravelForce::InForce:
+            break;
+    }
+    const TravelRange range = travelRange(module).value_or(TravelRange{});
+    if (!range.highest)
+        return u"● "_s + Texts::tr("In force: not below %1.").arg(position(scale, *range.lowest));
+    if (!range.lowest)
+        return u"● "_s + Texts::tr("In force: not above %1.").arg(position(scale, *range.highest));
+    return u"● "_s + Texts::tr("In force: from %1 to %2.")
+                         .arg(position(scale, *range.lowest), position(scale, *range.highest));
+}
+
+QString travelSign(const ModuleState& module) {
+    if (travelForce(module) == TravelForce::HomeUnknown)
+        return u"▲ "_s + Texts::tr("Limits of travel not in force");
+    switch (travelPlace(module)) {
+        case TravelPlace::Within:
+            break;
+        case TravelPlace::AtLowest:
+            return u"● "_s + Texts::tr("At the lowest position");
+        case TravelPlace::AtHighest:
+            return u"● "_s + Texts::tr("At the highest position");
+        case TravelPlace::BelowLowest:
+            return u"▲ "_s + Texts::tr("Below the lowest position");
+        case TravelPlace::AboveHighest:
+            return u"▲ "_s + Texts::tr("Above the highest position");
+    }
+    return {};
+}
+
+QString declareQuestion(const ModuleState& module, const AxisScale& scale) {
+    if (!module.latest || !module.latest->position)
+        return {};
+    return Texts::
+        tr("Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in "
+           "force from there. If it is not, they protect the wrong places. Look at the axis itself "
+           "first.")
+            .arg(moduleName(module.info.index), position(scale, *module.latest->position));
+}
+
+}  // namespace nmc::texts

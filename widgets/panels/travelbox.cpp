@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/travelbox.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QSignalBlocker>
+#include <utility>
+
+#include "model/machinefile/machinelayout.h"
+#include "model/module/servodefaults.h"
+#include "widgets/common/askdialog.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/travelwords.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
+    : QGroupBox(tr("Limits of travel and speed"), parent), m_context(context) {
+    look::name(this, named(u"travelBox"_s), tr("Limits of travel and speed"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    buildLimit(grid, Lowest);
+    buildLimit(grid, Highest);
+    buildFastest(grid, 2);
+    m_state = new QLabel(this);
+    look::nameText(m_state, named(u"travelState"_s), tr("State of the limits of travel"));
+    m_hint = new QLabel(this);
+    m_hint->setObjectName(named(u"travelHint"_s));
+    for (QLabel* label : {m_state, m_hint}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    if (!m_context.state().isStepper())
+        buildBacklash(grid, 3);
+    grid->addWidget(m_hint, 4, 0, 1, 5);
+    grid->addWidget(m_state, 5, 0, 1, 5);
+    buildWord(grid, 6);
+    grid->setColumnStretch(3, 1);
+    m_context.whenSeen(this, [this] { showModule(); });
+}
+
+QString TravelBox::named(const QString& name) const {
+    return m_context.state().isStepper() ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+}
+
+void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
+    const bool lowest = limit == Lowest;
+    auto* field = new QuantityField(QuantityField::Kind::Position, this);
+    field->setName(named(lowest ? u"lowestField"_s : u"highestField"_s),
+                   lowest ? tr("Lowest position") : tr("Highest position"));
+    field->setQuantity(lowest ? tr("The lowest position") : tr("The highest position"));
+    field->setNativeRange(layout::kPlace.min, layout::kPlace.max);
+    field->setNativeStep(100);
+    field->setMeaning(
+        tr("Counted from home. No motion goes beyond it while home is known. Empty: no limit."));
+    auto* label = new QLabel(lowest ? tr("Lowest position") : tr("Highest position"), this);
+    label->setBuddy(field);
+    m_limits[limit] = field;
+    m_here[limit] = new Command({.name = named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
+                                 .icon = {},
+                                 .text = tr("Here"),
+                                 .accessible = lowest ? tr("Make the present position the lowest")
+                                                      : tr("Make the present position the highest")},
+                                this, [this, limit] { takePosition(limit); });
+    const int line = static_cast<int>(limit);
+    grid->addWidget(label, line, 0);
+    grid->addWidget(field, line, 1);
+    grid->addWidget(field->unitLabel(), line, 2);
+    grid->addWidget(field->otherView(), line, 3);
+    grid->addWidget(m_here[limit]->button(), line, 4);
+    connect(field, &QuantityField::nativeEdited, this, &TravelBox::keep);
+}
+
+void TravelBox::buildFastest(QGridLayout* grid, int line) {
+    m_fastest = new QuantityField(QuantityField::Kind::Velocity, this);
+    m_fastest->setName(named(u"fastestField"_s), tr("Highest velocity"));
+    m_fastest->setQuantity(tr("The highest velocity"));
+    m_fastest->setMeaning(
+        tr("Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as "
+           "fast as the module can."));
+    auto* label = new QLabel(tr("Highest velocity"), this);
+    label->setBuddy(m_fastest);
+    grid->addWidget(label, line, 0);
+    grid->addWidget(m_fastest, line, 1);
+    grid->addWidget(m_fastest->unitLabel(), line, 2);
+    grid->addWidget(m_fastest->otherView(), line, 3);
+    connect(m_fastest, &QuantityField::nativeEdited, this, &TravelBox::keep);
+}
+
+void TravelBox::buildBacklash(QGridLayout* grid, int line) {
+    m_backlash = new QuantityField(QuantityField::Kind::Position, this);
+    m_backlash->setName(u"backlashField"_s, tr("Backlash"));
+    m_backlash->setQuantity(tr("The backlash"));
+    m_backlash->setNativeRange(1, layout::kPlace.max);
+    m_backlash->setMeaning(
+        tr("Somewhat more than the play between motor and load. A move from the wrong side then "
+           "goes beyond its goal by as much first, and comes back. Empty: none."));
+    m_side = new QComboBox(this);
+    look::name(m_side, u"backlashSideBox"_s, tr("Side from which every goal is come to"));
+    m_side->addItem(tr("from below"), false);
+    m_side->addItem(tr("from above"), true);
+    m_side->setToolTip(
+        tr("Go to, Go home and Step come to their goal from this side. A loaded move goes straight."));
+    auto* label = new QLabel(tr("Backlash"), this);
+    label->setBuddy(m_backlash);
+    grid->addWidget(label, line, 0);
+    grid->addWidget(m_backlash, line, 1);
+    grid->addWidget(m_backlash->unitLabel(), line, 2);
+    grid->addWidget(m_backlash->otherView(), line, 3);
+    grid->addWidget(m_side, line, 4);
+    connect(m_backlash, &QuantityField::nativeEdited, this, &TravelBox::keepBacklash);
+    connect(m_side, &QComboBox::currentIndexChanged, this, &TravelBox::keepBacklash);
+}
+
+void TravelBox::keepBacklash() {
+    BacklashSettings backlash = m_context.settings().backlash;
+    if (usable(*m_backlash))
+        backlash.distance = m_backlash->native().value_or(0.0);
+    backlash.fromAbove = m_side->currentData().toBool();
+    m_shownBacklash = backlash;
+    m_context.edit([backlash](AxisSettings& axis) { axis.backlash = backlash; });
+    refresh();
+}
+
+void TravelBox::buildWord(QGridLayout* grid, int line) {
+    m_declare = new Command({.name = named(u"declarePositionButton"_s),
+                             .icon = {},
+                             .text = tr("Declare position right…"),
+                             .accessible = tr("Declare that the position is right")},
+                            this, [this] { askToDeclare(); });
+    m_doubt = new Command({.name = named(u"doubtPositionButton"_s),
+                           .icon = {},
+                           .text = tr("Position in doubt"),
+                           .accessible = tr("Say that the position may be wrong")},
+                          this, [this] { m_context.ask(intent::DeclarePosition{false}); });
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    buttons->addStretch(1);
+    buttons->addWidget(m_doubt->button());
+    buttons->addWidget(m_declare->button());
+    grid->addLayout(buttons, line, 0, 1, 5);
+}
+
+std::optional<std::int32_t>& TravelBox::of(TravelSettings& travel, Limit limit) {
+    return limit == Lowest ? travel.lowest : travel.highest;
+}
+
+bool TravelBox::usable(const QuantityField& field) {
+    return field.native() || field.problem() == NumberField::Problem::Empty;
+}
+
+bool TravelBox::crossed() const {
+    const auto lowest = m_limits[Lowest]->native();
+    const auto highest = m_limits[Highest]->native();
+    return lowest && highest && *lowest >= *highest;
+}
+
+/// What the user types is kept with the axis; what makes no sense stays in its field, and what was there
+/// before stays in force.
+void TravelBox::keep() {
+    const bool makesSense = usable(*m_limits[Lowest]) && usable(*m_limits[Highest]) && !crossed();
+    TravelSettings travel = m_context.settings().travel;
+    for (const Limit limit : {Lowest, Highest})
+        if (const auto native = m_limits[limit]->native(); makesSense)
+            of(travel, limit) = native ? std::optional(static_cast<std::int32_t>(*native)) : std::nullopt;
+    if (usable(*m_fastest))
+        travel.fastest = m_fastest->native().value_or(0.0);
+    m_shown = travel;
+    m_context.edit([travel](AxisSettings& axis) { axis.travel = travel; });
+    refresh();
+}
+
+void TravelBox::takePosition(Limit limit) {
+    const ModuleState& module = m_context.state();
+    if (!module.home.place() || !module.latest || !module.latest->position)
+        return;
+    m_limits[limit]->showNative(countsBetween(module.home.place()->counts, *module.latest->position));
+    keep();
+}
+
+void TravelBox::askToDeclare() {
+    // As long as its module is in sight, and stands.
+    const auto text = [self = QPointer(this)] {
+        const bool stands = self && self->parentWidget()->isVisible() && self->m_declare->isEnabled();
+        return stands ? texts::declareQuestion(self->m_context.state(), self->m_context.scale()) : QString();
+    };
+    const auto go = [self = QPointer(this)] {
+        if (self)
+            self->m_context.ask(intent::DeclarePosition{true});
+    };
+    AskDialog::ask({.name = u"declarePositionDialog"_s,
+                    .title = tr("Declare the position right"),
+                    .text = text,
+                    .stay = tr("&Cancel"),
+                    .stayName = u"stayDeclareButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("It &is right"), u"positionIsRightButton"_s, go}}, window());
+}
+
+void TravelBox::showField(QuantityField& field, std::optional<double> native) {
+    if (field.native() == native && field.problem() != NumberField::Problem::OutOfRange)
+        return;
+    if (native)
+        field.showNative(*native);
+    else
+        field.showNothing();
+}
+
+void TravelBox::showModule() {
+    const AxisScale scale = m_context.scale();
+    for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
+        if (field != nullptr)
+            field->setScale(scale);
+    const bool steps = m_context.state().isStepper();
+    m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
+                              steps ? layout::kMaxStepSpeed : servodefaults::kLargest);
+    // What is being typed is not touched.
+    const TravelSettings& travel = m_context.settings().travel;
+    if (m_shown != travel) {
+        showField(*m_limits[Lowest], travel.lowest);
+        showField(*m_limits[Highest], travel.highest);
+        showField(*m_fastest, travel.fastest > 0 ? std::optional(travel.fastest) : std::nullopt);
+        m_shown = travel;
+    }
+    const BacklashSettings& backlash = m_context.settings().backlash;
+    if (m_backlash != nullptr && m_shownBacklash != backlash) {
+        showField(*m_backlash, backlash.distance > 0 ? std::optional(backlash.distance) : std::nullopt);
+        const QSignalBlocker blocker(m_side);
+        m_side->setCurrentIndex(backlash.fromAbove ? 1 : 0);
+        m_shownBacklash = backlash;
+    }
+    refresh();
+}
+
+void TravelBox::refresh() {
+    const ModuleState& module = m_context.state();
+    QString hint;
+    for (const QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest})
+        if (hint.isEmpty() && !usable(*field))
+            hint = field->problemText();
+    if (hint.isEmpty() && m_backlash != nullptr && !usable(*m_backlash))
+        hint = m_backlash->problemText();
+    if (hint.isEmpty() && crossed())
+        hint = tr("The lowest position has to be below the highest. What was set before stays.");
+    look::setText(m_hint, hint);
+    m_hint->setVisible(!hint.isEmpty());
+    look::setText(m_state, texts::travelState(module, m_context.scale()));
+    QString noPlace;
+    if (!m_context.connected())
+        noPlace = texts::refusal(Refusal::NotConnected);
+    else if (!module.home.place())
+        noPlace = texts::refusal(Refusal::HomeUnknown);
+    else if (!module.latest || !module.latest->position)
+        noPlace = texts::refusal(Refusal::PositionUnknown);
+    m_here[Lowest]->setPossible(noPlace, tr("The axis goes no lower than where it is now."));
+    m_here[Highest]->setPossible(noPlace, tr("The axis goes no higher than where it is now."));
+    m_declare->setPossible(
+        m_context.reasonNow(Request::DeclarePosition),
+        tr("Takes your word that the position is right: home is where it is 0. Asks first."));
+    QString certain = m_context.reasonNow(Request::DeclarePosition);
+    if (certain.isEmpty() && !module.home.place())
+        certain = texts::refusal(Refusal::HomeUnknown);
+    m_doubt->setPossible(certain,
+                         tr("Home is not known any more, and the limits of travel are not in force until "
+                            "it is."));
+}
+
+}  // namespace nmc

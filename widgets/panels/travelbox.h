@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGroupBox>
+#include <array>
+
+#include "widgets/panels/modulecontext.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+
+namespace nmc {
+
+class Command;
+class QuantityField;
+
+/// How far and how fast an axis may go (model/intent/travel.h): its limits of travel, counted from home,
+/// whether they are in force, and the user's word on its position where no search can tell. Of a servo its
+/// backlash, too.
+class TravelBox : public QGroupBox {
+    Q_OBJECT
+
+public:
+    /// The names of a stepper's controls begin with "step".
+    TravelBox(ModuleContext& context, QWidget* parent);
+
+private:
+    enum Limit : std::size_t { Lowest, Highest };
+
+    [[nodiscard]] QString named(const QString& name) const;
+    void buildLimit(QGridLayout* grid, Limit limit);
+    void buildFastest(QGridLayout* grid, int line);
+    void buildBacklash(QGridLayout* grid, int line);
+    void keepBacklash();
+    void buildWord(QGridLayout* grid, int line);
+    [[nodiscard]] static std::optional<std::int32_t>& of(TravelSettings& travel, Limit limit);
+    /// Empty, or a number within its range.
+    [[nodiscard]] static bool usable(const QuantityField& field);
+    [[nodiscard]] bool crossed() const;
+    void keep();
+    void takePosition(Limit limit);
+    void askToDeclare();
+    void showModule();
+    void showField(QuantityField& field, std::optional<double> native);
+    void refresh();
+
+    ModuleContext& m_context;
+    std::array<QuantityField*, 2> m_limits{};
+    std::array<Command*, 2> m_here{};
+    QuantityField* m_fastest = nullptr;
+    QuantityField* m_backlash = nullptr;  ///< of a servo
+    QComboBox* m_side = nullptr;
+    QLabel* m_state = nullptr;
+    Command* m_declare = nullptr;
+    Command* m_doubt = nullptr;
+    QLabel* m_hint = nullptr;
+    std::optional<TravelSettings> m_shown;
+    std::optional<BacklashSettings> m_shownBacklash;
+};
+
+}  // namespace nmc
