@@ -58,6 +58,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         m_messages.tellOf(texts::notPossible(index, steps.error()));
         return;
     }
+    if (std::holds_alternative<intent::ResetModule>(intent))
+        return m_worker.resetModule(index);
     const bus::OperationId id = submit(std::move(*steps));
     m_machine.noteSent(index, intent);
     if (stops)

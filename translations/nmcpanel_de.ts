@@ -5097,6 +5097,34 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.</source>
         <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Wäre sie inzwischen beendet, liefe der Motor bis zum Stopp.</translation>
     </message>
+    <message>
+        <source>Reset module…</source>
+        <translation>Modul zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>Reset this module</source>
+        <translation>Dieses Modul zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Takes this module back to its power-up state, and gives it its address again. The others stay as they are.</source>
+        <translation>Setzt dieses Modul in den Einschaltzustand zurück und gibt ihm seine Adresse wieder. Die anderen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Reset module</source>
+        <translation>Modul zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset %1? Its motor goes off, and it forgets its position, its settings and its group. The other modules stay as they are.</source>
+        <translation>%1 zurücksetzen? Sein Motor geht aus, und es vergisst Position, Einstellungen und Gruppe. Die anderen Module bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reset the module</source>
+        <translation>Modul zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GainsBox</name>

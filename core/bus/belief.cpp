@@ -69,7 +69,10 @@ struct Belief::Executed {
         if (!load.startNow)
             b.m_stepLoad = load;
     }
-    void operator()(const step::SetParameters&) const { b.m_parametersSet = true; }
+    void operator()(const step::SetParameters& parameters) const {
+        b.m_parametersSet = true;
+        b.m_parameters = parameters;
+    }
     void operator()(const StartMotion&) const {
         if (b.m_starting)
             b.started(*b.m_starting);
@@ -151,6 +154,7 @@ void Belief::setRestarted() {
     m_info.group = GroupPlace{};
     m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_parametersSet =
         false;
+    m_parameters.reset();
     m_stepLoad.reset();
     m_loaded.reset();
     m_starting.reset();

@@ -88,6 +88,8 @@ public:
     [[nodiscard]] bool runsReverse() const { return m_stepReverse; }
     /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
     [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
+    /// As answered in this connection.
+    [[nodiscard]] const std::optional<step::SetParameters>& parameters() const { return m_parameters; }
 
 private:
     struct Sent;
@@ -115,6 +117,7 @@ private:
     bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
     bool m_homingStops = false;   ///< the chip itself stops when home is found
     bool m_parametersSet = false;
+    std::optional<step::SetParameters> m_parameters;
     bool m_stepReverse = false;
     std::optional<StepMode> m_stepGoal;  ///< of what may run
     std::optional<step::LoadTrajectory> m_stepLoad;

@@ -76,8 +76,12 @@ struct Judge {
         // Without the start bit it has no effect whatsoever (DS-S 5.1).
         return load.startNow ? mayStart(load) : Verdict::Allowed;
     }
-    /// In motion the chip ignores speed mode and minimum speed (DS-S 5.1).
-    Verdict operator()(const step::SetParameters&) const { return Verdict::Allowed; }
+    /// In motion the chip ignores a change of the speed mode and of the minimum speed (DS-S 5.1): nobody
+    /// would know which are in force.
+    Verdict operator()(const step::SetParameters& parameters) const {
+        const auto& now = belief.parameters();
+        return now && step::sameInMotion(*now, parameters) ? Verdict::Allowed : onlyAtStandstill(belief);
+    }
     Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }

@@ -58,6 +58,11 @@ struct SetParameters {
     bool operator==(const SetParameters&) const = default;
 };
 
+/// One may replace the other in motion: the chip would ignore what differs otherwise (DS-S 5.1).
+[[nodiscard]] constexpr bool sameInMotion(const SetParameters& a, const SetParameters& b) {
+    return a.speedMode == b.speedMode && a.minimumProfileSpeed == b.minimumProfileSpeed;
+}
+
 enum class StopManner : std::uint8_t { AmplifierOnly, Abruptly, Smoothly };
 
 struct StopMotor {

@@ -249,7 +249,12 @@ TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
 TEST(StepPlan, DoesNotSetThePositionToZeroInMotion) {
     const Stepper stepper = Stepper::running();
     EXPECT_EQ(refusalOf(intent::ResetPosition{}, stepper.module), Refusal::NeedsStop);
-    EXPECT_EQ(refusalOf(stepintent::SetParameters{}, stepper.module), std::nullopt);
+    step::SetParameters parameters = Stepper::parameters();
+    parameters.runCurrent = 90;
+    EXPECT_EQ(refusalOf(stepintent::SetParameters{parameters}, stepper.module), std::nullopt);
+    parameters.minimumProfileSpeed = 9;
+    EXPECT_EQ(refusalOf(stepintent::SetParameters{parameters}, stepper.module), Refusal::NeedsStop)
+        << "the chip would ignore it (DS-S 5.1)";
     EXPECT_EQ(refusalOf(intent::SaveAsHome{}, stepper.module), std::nullopt);
 }
 

@@ -245,14 +245,20 @@ TEST_F(StepPanelTest, KeepsUnfinishedEditsPerModule) {
 
 /// DS-S 5.1 Set Parameters: in motion "any changes to the speed mode bits and minimum profile speed will be
 /// ignored".
-TEST_F(StepPanelTest, SendsParametersInMotionAndSaysWhatTheChipIgnores) {
+TEST_F(StepPanelTest, SendsParametersInMotionButForThoseThatTheChipIgnores) {
     show(Stepper::running());
     type(u"stepRunCurrentField"_s, u"90"_s);
-    EXPECT_TRUE(button(u"stepApplyParametersButton"_s)->toolTip().contains(u"ignores the speed mode"_s));
     click(u"stepApplyParametersButton"_s);
     const auto set = asked<stepintent::SetParameters>();
     ASSERT_TRUE(set);
     EXPECT_EQ(set->parameters.runCurrent, 90);
+}
+
+TEST_F(StepPanelTest, TheMinimumSpeedWaitsForStandstill) {
+    show(Stepper::running());
+    type(u"stepMinimumSpeedField"_s, u"9"_s);
+    EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"stepApplyParametersButton"_s)->toolTip(), texts::refusal(Refusal::NeedsStop));
 }
 
 TEST_F(StepPanelTest, TheWheelDoesNothingToAChoiceWithoutFocus) {

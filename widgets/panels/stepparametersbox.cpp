@@ -7,8 +7,10 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "model/intent/stepplan.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
+#include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/steprampbox.h"
 #include "widgets/panels/stepwords.h"
@@ -349,15 +351,15 @@ void StepParametersBox::refresh() {
     else if (problem.isEmpty() && m_ignoreLimits->isChecked())
         hint = tr("With this the limit switches do not stop the motor.");
     look::setText(m_hint, hint);
-    const QString reason = m_context.reasonFor(Request::SetParameters);
+    QString reason = m_context.reasonFor(Request::SetParameters);
+    if (const auto parameters = entered(); parameters && reason.isEmpty())
+        if (const auto refusal = whyNotSet(*parameters, m_context.state()))
+            reason = texts::refusal(*refusal);
     m_apply->setPossible(
         !reason.isEmpty()    ? reason
         : !problem.isEmpty() ? problem
                              : m_context.whyBusy(),
-        m_context.state().moving() ? tr("Sends all parameters at once. While the motor moves, the chip "
-                                        "ignores the speed mode and the "
-                                        "minimum speed.")
-        : m_context.state().driveOn()
+        m_context.state().driveOn()
             ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
                  "immediately.")
             : tr("Sends all parameters at once. The motor does not move."));

@@ -69,8 +69,8 @@ struct WhyNot {
     std::optional<Refusal> operator()(const step::SetHoming&) const {
         return whyNotTold(Request::Home, module);
     }
-    std::optional<Refusal> operator()(const step::SetParameters&) const {
-        return whyNot(Request::SetParameters, module);
+    std::optional<Refusal> operator()(const step::SetParameters& parameters) const {
+        return whyNotSet(parameters, module);
     }
     std::optional<Refusal> operator()(const step::SetOutputs&) const {
         return whyNot(Request::SetOutputs, module);

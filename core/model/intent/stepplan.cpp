@@ -172,8 +172,7 @@ struct Planner {
                        [this] { return stepsFor(module, StartMotion{}); });
     }
     Plan operator()(const stepintent::SetParameters& set) const {
-        return allowed(whyNotStep(Request::SetParameters, module),
-                       [&] { return stepsFor(module, set.parameters); });
+        return allowed(whyNotSet(set.parameters, module), [&] { return stepsFor(module, set.parameters); });
     }
     Plan operator()(const stepintent::SetOutputs& set) const {
         return allowed(whyNotStep(Request::SetOutputs, module),
@@ -196,7 +195,9 @@ struct Planner {
     }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
     /// plan() has answered that for both chips.
-    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct> auto&) const { return Steps{}; }
+    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
+        return Steps{};
+    }
     Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                                 intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                                 intent::ControlIo, intent::StepBy, intent::StepResponse,
@@ -248,6 +249,7 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::StartLoaded:
             return whyNotStart(module);
         case Request::ResetPosition:
+        case Request::ResetModule:
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
         case Request::StopMotion:
         case Request::MotorOff:
@@ -298,6 +300,14 @@ std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& modul
     return mayFollow(stepper.mode(), *stepper.runsReverse(), loadFor(motion, module))
                ? std::nullopt
                : std::optional(Refusal::NeedsStop);
+}
+
+std::optional<Refusal> whyNotSet(const step::SetParameters& parameters, const ModuleState& module) {
+    if (const auto refusal = whyNotStep(Request::SetParameters, module))
+        return refusal;
+    const auto& now = module.stepper.parameters();
+    const bool inMotion = now && step::sameInMotion(*now, parameters);
+    return module.moving() && !inMotion ? std::optional(Refusal::NeedsStop) : std::nullopt;
 }
 
 std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load, const ModuleState& module) {

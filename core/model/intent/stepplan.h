@@ -18,6 +18,10 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion,
                                                           const ModuleState& module);
 
+/// Why these cannot be set now: some of them not in motion.
+[[nodiscard]] std::optional<Refusal> whyNotSet(const step::SetParameters& parameters,
+                                               const ModuleState& module);
+
 /// Why a load cannot be started now.
 [[nodiscard]] std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load,
                                                    const ModuleState& module);

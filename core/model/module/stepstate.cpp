@@ -134,16 +134,10 @@ struct StepState::Executed {
             s.started(*s.m_waiting, time);
     }
     void operator()(const step::SetParameters& parameters) const {
-        const std::optional<step::SetParameters> before = s.m_parameters;
-        s.m_parameters = parameters;
-        if (before && s.moving()) {
-            // The chip ignores these in motion (DS-S 5.1).
-            s.m_parameters->speedMode = before->speedMode;
-            s.m_parameters->minimumProfileSpeed = before->minimumProfileSpeed;
-        }
         // Integer speeds mean something else in another speed mode.
-        if (!before || before->speedMode != s.m_parameters->speedMode)
+        if (!s.m_parameters || s.m_parameters->speedMode != parameters.speedMode)
             s.m_waiting.reset();
+        s.m_parameters = parameters;
     }
     void operator()(const step::SetOutputs& set) const { s.m_outputs = set.outputs; }
     void operator()(const step::StopMotor& stop) const { s.stopped(stop, time); }
