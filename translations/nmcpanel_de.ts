@@ -3563,6 +3563,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Probelauf: er würde nicht gestartet.</translation>
     </message>
     <message>
+        <source>Dry run: the simulated copy was not ready. Try again.</source>
+        <translation>Probelauf: die simulierte Kopie war nicht bereit. Noch einmal versuchen.</translation>
+    </message>
+    <message>
         <source>Dry run: it takes longer than %1 s and was not followed any farther.</source>
         <translation>Probelauf: er dauert länger als %1 s und wurde nicht weiter verfolgt.</translation>
     </message>

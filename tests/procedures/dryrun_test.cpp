@@ -104,6 +104,15 @@ TEST_F(DryRuns, TakeHomeWhereItIsKnown) {
     EXPECT_EQ(foreseen.axes[0].highest, 120);
 }
 
+/// A PIC-I/O module, of which there is no data sheet here and nothing in the simulator.
+TEST_F(DryRuns, LeaveOutAModuleThatIsNotKnownHere) {
+    ModuleState other;
+    other.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Io, 1}};
+    bench.modules.push_back(other);
+    EXPECT_TRUE(dry("Main").done());
+    bench.modules.pop_back();
+}
+
 TEST_F(DryRuns, EndWhenNobodyWantsThemAnyMore) {
     bench.machine.program.sequences = {{"Main", {action::Wait{86'400}, action::Repeat{0, 1'000'000}}}};
     const DryRun longOne = dry("Main");

@@ -248,6 +248,8 @@ QString foreseen(const DryRun& dryRun, const ScaleOfAxis& scale) {
             lines << sequenceProblem(problem);
         return lines.join(u'\n');
     }
+    if (dryRun.report.places.empty())
+        return Texts::tr("Dry run: the simulated copy was not ready. Try again.");
     const QString seconds = readout(dryRun.seconds, 3);
     if (dryRun.tooLong)
         lines

@@ -92,10 +92,12 @@ private:
     std::uint32_t m_lastId = 0;
 };
 
+/// A module without a data sheet here takes no part; something stands in its place in the chain.
 std::vector<ModuleIdentity> identitiesOf(const std::vector<ModuleState>& modules) {
     std::vector<ModuleIdentity> identities;
     for (const ModuleState& module : modules)
-        identities.push_back(module.info.identity);
+        identities.push_back(module.isServo() || module.isStepper() ? module.info.identity
+                                                                    : ModuleIdentity{ModuleType::Servo, 4});
     return identities;
 }
 
