@@ -100,8 +100,8 @@ private:
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
     void watchDrift(const bus::Sample& sample, bool wasOn);
-    void watchHome(const bus::Sample& sample);
-    void watchLimits(bool wasMoving, const HomeWatch& before);
+    [[nodiscard]] bool watchHome(const bus::Sample& sample);
+    void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();
     void noteCommand(TimePoint time, int direction, double velocity);
