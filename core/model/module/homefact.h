@@ -17,11 +17,17 @@ namespace nmc {
 /// not known any more after all that may have set the counter unseen.
 class HomeFact {
 public:
-    enum class Source : std::uint8_t { Search, Saved };
+    enum class Source : std::uint8_t {
+        Search,
+        Saved,
+        Remembered,  ///< from where the axis was seen last, before its module restarted; nobody has checked
+                     ///< it
+    };
     struct Place {
         std::int32_t counts = 0;
         TimePoint since;  ///< when it was found or saved
         Source source = Source::Search;
+        [[nodiscard]] bool verified() const { return source != Source::Remembered; }
         bool operator==(const Place&) const = default;
     };
 
@@ -30,6 +36,13 @@ public:
 
     /// A search has read it from the chip, twice.
     void found(std::int32_t counts, TimePoint time);
+    /// Where home is if what was remembered of the axis is still true (model/module/positionmemory.h);
+    /// nothing as long as nobody has taken it. It goes along with the counter as a place does.
+    [[nodiscard]] const std::optional<std::int32_t>& offered() const { return m_offered; }
+    void offer(std::int32_t counts);
+    /// The user has taken it.
+    void takeOffer(TimePoint time);
+    void dropOffer() { m_offered.reset(); }
     void forget();
     void apply(const bus::CommandExecuted& executed);
     void apply(const bus::Sample& sample);
@@ -44,6 +57,7 @@ private:
     };
 
     std::optional<Place> m_place;
+    std::optional<std::int32_t> m_offered;
     /// Save as home was carried out then; where that was, the register tells, in two looks that agree.
     std::optional<TimePoint> m_saved;
     std::optional<std::int32_t> m_reading;
