@@ -46,7 +46,8 @@ inline Machine mill() {
     return {"Mill",
             115'200,
             {servoAxis(), stepAxis()},
-            {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}}};
+            {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}},
+            OperatorRights{.moves = true}};
 }
 
 inline double pick(double min, double max) {

@@ -45,6 +45,7 @@ bool hasFields(MachinePart part) {
         case MachinePart::AccelerationTime:
             return false;
         case MachinePart::Groups:
+        case MachinePart::OperatorRights:
         case MachinePart::Unit:
         case MachinePart::Motion:
         case MachinePart::Homing:

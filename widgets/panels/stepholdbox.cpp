@@ -69,6 +69,8 @@ StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
             m_typed = speed;
         refresh();
     });
+    m_forward->setWay(HoldButton::Way::Forward);
+    m_reverse->setWay(HoldButton::Way::Reverse);
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse}) {
@@ -140,7 +142,7 @@ QString StepHoldBox::reasonFor(bool reverse) const {
     const auto wanted = motion(reverse);
     if (!wanted)
         return m_speed->problemText();
-    const auto refusal = whyNot(StepMotion(*wanted), m_context.state());
+    const auto refusal = whyNot(StepMotion(*wanted), m_context.state(), Request::Hold);
     return refusal ? texts::refusal(*refusal) : QString();
 }
 

@@ -189,6 +189,34 @@ void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
         m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
 }
 
+void BusStore::offerHome(ModuleIndex module, std::int32_t counts) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.offer(counts);
+    emit linkChanged();
+}
+
+void BusStore::takeHome(ModuleIndex module) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.takeOffer(m_link.modules[module.value()].latestTime);
+    emit linkChanged();
+}
+
+void BusStore::dropHome(ModuleIndex module) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.dropOffer();
+    emit linkChanged();
+}
+
+void BusStore::setRights(const std::optional<OperatorRights>& rights) {
+    m_link.rights = rights;
+    for (ModuleState& module : m_link.modules)
+        module.rights = rights;
+    emit linkChanged();
+}
+
 void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
@@ -215,6 +243,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     module = {};
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
+    module.rights = m_link.rights;
 }
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {
@@ -278,6 +307,7 @@ void BusStore::note(const bus::ChainFound& chain) {
         ModuleState module;
         module.info = info;
         module.readOnly = chain.readOnly;
+        module.rights = m_link.rights;
         if (chain.attached)
             module.attached();
         module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();

@@ -55,9 +55,9 @@ struct GoalOf {
 }
 
 /// What keeps it from moving at all, whatever is asked for.
-[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module) {
+[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, Request as) {
     const StepState& stepper = module.stepper;
-    if (const auto refusal = whyNotTold(Request::Move, module))
+    if (const auto refusal = whyNotTold(as, module))
         return refusal;
     if (!stepper.powered())
         return Refusal::NoPower;
@@ -192,7 +192,7 @@ struct Planner {
     const StepState& stepper = module.stepper;
     if (!stepper.waiting())
         return Refusal::NothingLoaded;
-    if (const auto refusal = whyNoMotion(module))
+    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
         return refusal;
     const step::LoadTrajectory& load = *stepper.waiting();
     const bool reverse =
@@ -230,12 +230,12 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::SetAmplifier:
             return whyNotEnable(module);
         case Request::Move:
-            if (const auto refusal = whyNoMotion(module))
+            if (const auto refusal = whyNoMotion(module, request))
                 return refusal;
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
         case Request::Run:
         case Request::Hold:
-            return whyNoMotion(module);
+            return whyNoMotion(module, request);
         case Request::StartLoaded:
             return whyNotStart(module);
         case Request::ResetPosition:
@@ -261,8 +261,8 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module) {
-    if (const auto refusal = whyNoMotion(module))
+std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module, Request as) {
+    if (const auto refusal = whyNoMotion(module, as))
         return refusal;
     if (const auto refusal = whyNotThatFar(motion, module))
         return refusal;
@@ -272,8 +272,8 @@ std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const Modu
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module) {
-    if (const auto refusal = whyNotFromStandstill(motion, module))
+std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module, Request as) {
+    if (const auto refusal = whyNotFromStandstill(motion, module, as))
         return refusal;
     const StepState& stepper = module.stepper;
     if (!stepper.moving())

@@ -19,7 +19,8 @@ constexpr MachinePart kAxisParts[] = {MachinePart::AxisName,   MachinePart::Unit
                                       MachinePart::Analog,     MachinePart::PinNames,
                                       MachinePart::Gains,      MachinePart::Io,
                                       MachinePart::Parameters, MachinePart::AccelerationTime};
-constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups};
+constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups,
+                                         MachinePart::OperatorRights};
 
 bool isSent(MachinePart part) {
     return part == MachinePart::Gains || part == MachinePart::Io || part == MachinePart::Parameters;
@@ -65,6 +66,8 @@ Fields machineFields(const Machine& machine, MachinePart part) {
         list.whole("rate_bd", machine.baud, {});
     else if (part == MachinePart::Groups)
         return groupFields(machine.groups);
+    else if (part == MachinePart::OperatorRights)
+        return layout::listed(machine.operatorRights);
     return list.fields();
 }
 
@@ -99,6 +102,7 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::MachineName:
         case MachinePart::Rate:
         case MachinePart::Groups:
+        case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
     }
@@ -293,6 +297,7 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
         case MachinePart::MachineName:
         case MachinePart::Rate:
         case MachinePart::Groups:
+        case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
     }
@@ -305,6 +310,8 @@ void take(MachinePart part, const Machine& from, Machine& into) {
         into.baud = from.baud;
     else if (part == MachinePart::Groups)
         into.groups = from.groups;
+    else if (part == MachinePart::OperatorRights)
+        into.operatorRights = from.operatorRights;
 }
 
 void makeRoom(Machine& machine, std::size_t axes) {

@@ -17,6 +17,7 @@ enum class MachinePart : std::uint8_t {
     MachineName,
     Rate,
     Groups,
+    OperatorRights,
     Hardware,  ///< which module the file is for; applying changes nothing
     AxisName,
     Unit,

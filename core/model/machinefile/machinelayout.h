@@ -217,13 +217,25 @@ void fields(Form& form, T& group) {
     form.module("leader", leader);
 }
 
+template <typename Form, As<OperatorRights> T>
+void fields(Form& form, T& rights) {
+    auto& [enable, jog, points, moves, homing, outputs] = rights;
+    form.flag("enable", enable);
+    form.flag("jog", jog);
+    form.flag("points", points);
+    form.flag("moves", moves);
+    form.flag("homing", homing);
+    form.flag("outputs", outputs);
+}
+
 template <typename Form, As<Machine> T>
 void fields(Form& form, T& machine) {
-    auto& [name, baud, axes, groups] = machine;
+    auto& [name, baud, axes, groups, operatorRights] = machine;
     form.text("name", name);
     form.whole("rate_bd", baud, {0, 1'000'000}, Need::Optional);
     form.list("axes", axes, kMaxAxes);
     form.list("groups", groups, kMaxGroups);
+    form.part("operator", operatorRights);
 }
 
 }  // namespace nmc::layout

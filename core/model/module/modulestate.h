@@ -14,6 +14,7 @@
 #include "model/module/measuredspeed.h"
 #include "model/module/stepstate.h"
 #include "model/module/tripwatch.h"
+#include "model/settings/operatorrights.h"
 
 namespace nmc {
 
@@ -34,6 +35,8 @@ struct ModuleState {
     bool hasRestarted = false;
     /// Of a read-only connection: it is told nothing (faults.md H-02).
     bool readOnly = false;
+    /// What an operator may ask of it; empty: the panel is not locked.
+    std::optional<OperatorRights> rights;
     /// What it was asked for last by this panel, as long as that has not ended; stops apart.
     std::optional<bus::OperationId> awaited;
     /// Gains as last confirmed; empty: unknown.

@@ -9,6 +9,7 @@
 
 #include "base/strong.h"
 #include "model/settings/axisscale.h"
+#include "model/settings/operatorrights.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
 #include "protocol/stepcommands.h"
@@ -99,6 +100,7 @@ struct Machine {
     std::uint32_t baud = 0;          ///< the rate it is used at; 0: not said
     std::vector<AxisSettings> axes;  ///< by ModuleIndex: the module farthest from the host first
     std::vector<GroupSettings> groups;
+    std::optional<OperatorRights> operatorRights;  ///< not said: as they are by themselves
 
     /// The settings of a module that may not have any yet.
     [[nodiscard]] const AxisSettings& axis(ModuleIndex module) const {
