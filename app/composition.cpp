@@ -14,6 +14,8 @@
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/texts.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 
 namespace nmc {
 
@@ -72,8 +74,10 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
       m_ports(std::move(places)),
       m_machine(settings, m_window, m_store, dataFolder, disk),
       m_recordings(m_window, m_store, disk),
-      m_motionMarker(markerFolder(dataFolder, settings), disk) {
+      m_motionMarker(markerFolder(dataFolder, settings), disk),
+      m_log(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("log"))) {
     m_worker.addGuard(m_guardian);
+    keepMessages();
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -158,6 +162,24 @@ void Composition::wireWindow() {
     // The end of the session: at once, while the program may still run, and without a question.
     connect(
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
+}
+
+void Composition::keepMessages() {
+    MessagePanel& messages = m_window.messages();
+    const auto keep = [this, &messages](const QString& line) {
+        const QDateTime now = QDateTime::currentDateTime();
+        m_log.write(line.toStdString(), now);
+        messages.showLogFile(m_log.file(now));
+    };
+    connect(&messages.list(), &MessageList::told, this,
+            [keep](const MessageEntry& entry) { keep(messageLine(entry)); });
+    connect(&messages.list(), &MessageList::ended, this,
+            [keep](const MessageEntry& entry) { keep(overLine(entry)); });
+    connect(&m_log, &DayLog::failed, this, [this, &messages](const FileError& error) {
+        m_messages.tell(texts::messagesNotKept(error));
+        messages.showLogFile({});
+    });
+    messages.showLogFile(m_log.file(QDateTime::currentDateTime()));
 }
 
 void Composition::wireStore() {

@@ -24,6 +24,7 @@
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
 #include "link/connection/sleepinhibitor.h"
+#include "link/files/daylog.h"
 #include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -70,6 +71,8 @@ private:
     void wireWindow();
     void wireChain();
     void wireStore();
+    /// What is told outlives the session.
+    void keepMessages();
     void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
     void connectAnyway(const ConnectTarget& target);
@@ -144,6 +147,7 @@ private:
     RecordingController m_recordings;
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
+    DayLog m_log;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;

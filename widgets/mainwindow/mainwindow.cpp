@@ -28,6 +28,7 @@
 #include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/response/stepresponsedock.h"
@@ -161,12 +162,13 @@ void MainWindow::connectParts() {
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(&m_scope->files(), &ScopeFiles::saveRequested, this, &MainWindow::saveRequested);
     connect(m_monitor, &MonitorDock::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_messages, &MessagePanel::saveRequested, this, &MainWindow::saveRequested);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);
         m_messages->reveal(key);
     });
-    connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+    connect(&m_messages->list(), &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -201,7 +203,7 @@ void MainWindow::showPhase(LinkPhase before) {
         m_preparing.start(kPrepareInterval);
     showSession();
     m_banner->review(link);
-    m_messages->review(link);
+    m_messages->list().review(link);
 }
 
 void MainWindow::showModules() {
@@ -319,12 +321,12 @@ void MainWindow::showMessage(const Message& news) {
 
 void MainWindow::amendMessage(const Message& news) {
     const Message message = ofThisConnection(news);
-    m_messages->amendMessage(message);
+    m_messages->list().amendMessage(message);
     m_banner->amendMessage(message);
 }
 
 void MainWindow::endMessage(const QString& key) {
-    m_messages->endMessage(key);
+    m_messages->list().endMessage(key);
     m_banner->endMessage(key);
 }
 

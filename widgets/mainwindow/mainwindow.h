@@ -36,7 +36,7 @@ class FocusKeeper;
 class LinkBar;
 class ChainMenu;
 class MachineMenu;
-class MessageList;
+class MessagePanel;
 class ModulePanel;
 class MonitorDock;
 class Ribbon;
@@ -99,6 +99,7 @@ public:
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
+    [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Recording, opening a recording, and what is exported.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
@@ -204,7 +205,7 @@ private:
     ModulePanel* m_panel = nullptr;
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
-    MessageList* m_messages = nullptr;
+    MessagePanel* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;
