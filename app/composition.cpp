@@ -105,6 +105,8 @@ void Composition::show(const Start& start) {
     tellOfSessionsBefore();
     checkSettings();
     m_machine.start();
+    if (start.machine)
+        m_machine.open(QFileInfo(*start.machine).absoluteFilePath());
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
