@@ -11,8 +11,10 @@
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
 #include "link/guardian/guardreport.h"
+#include "model/module/modulescale.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagepanel.h"
@@ -75,9 +77,12 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
       m_machine(settings, m_window, m_store, dataFolder, disk),
       m_recordings(m_window, m_store, disk),
       m_motionMarker(markerFolder(dataFolder, settings), disk),
-      m_log(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("log"))) {
+      m_log(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("log"))),
+      m_positions(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("positions")), m_store,
+                  disk) {
     m_worker.addGuard(m_guardian);
     keepMessages();
+    keepPositions();
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -184,6 +189,28 @@ void Composition::keepMessages() {
     messages.showLogFile(m_log.file(QDateTime::currentDateTime()));
 }
 
+void Composition::keepPositions() {
+    connect(&m_store, &BusStore::linkChanged, &m_positions, &PositionKeeper::look);
+    connect(&m_positions, &PositionKeeper::offered, this, [this](const PositionMemory::Offer& offer) {
+        const ModuleState* module = m_store.module(offer.module);
+        m_messages.tell(
+            texts::positionRemembered(offer, scaleOf(*module, m_machine.machine().axis(offer.module))));
+    });
+    connect(&m_positions, &PositionKeeper::over, this,
+            [this](ModuleIndex module) { m_messages.end(texts::key::position(module)); });
+}
+
+/// As a search that finds it would, which may not be left to who stands there.
+void Composition::takePosition(ModuleIndex module) {
+    const ModuleState* state = m_store.module(module);
+    if (state == nullptr)
+        return;
+    if (const auto refusal = whyNotTold(Request::SaveAsHome, *state))
+        m_messages.tellOf(texts::notPossible(module, *refusal));
+    else
+        m_store.takeHome(module);
+}
+
 void Composition::wireStore() {
     m_linkTimer.setSingleShot(true);
     connect(&m_linkTimer, &QTimer::timeout, this, &Composition::showLink);
@@ -243,6 +270,8 @@ void Composition::openNow(const ConnectTarget& target) {
     }
     m_messages.end(texts::key::port());
     m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
+    m_positions.begin(port, QString::fromStdString(m_machine.machine().name),
+                      !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
@@ -307,6 +336,10 @@ void Composition::act(const Message& message, MessageAction action) {
             carryOut(*message.module, intent::MotorOff{});
             carryOut(*message.module, intent::ClearStickyBits{});
             return;  // over when it is
+        case MessageAction::TakePosition:
+            return takePosition(*message.module);  // over when it is taken
+        case MessageAction::ForgetPosition:
+            return m_store.dropHome(*message.module);  // likewise
         case MessageAction::RestoreWork:
             m_machine.restoreWork();
             break;

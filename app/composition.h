@@ -18,6 +18,7 @@
 #include "app/messagecontroller.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
+#include "app/positionkeeper.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
 #include "link/connection/busstore.h"
@@ -73,6 +74,8 @@ private:
     void wireStore();
     /// What is told outlives the session.
     void keepMessages();
+    void keepPositions();
+    void takePosition(ModuleIndex module);
     void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
     void connectAnyway(const ConnectTarget& target);
@@ -148,6 +151,7 @@ private:
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     DayLog m_log;
+    PositionKeeper m_positions;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;

@@ -45,6 +45,7 @@ void Composition::told(const bus::OwedStopConfirmed& confirmed) {
 void Composition::told(const bus::ChainFound& found) {
     m_messages.chainFound();
     m_motionMarker.found(monotonicNow());
+    m_positions.found(found);
     if (m_troublePort == m_target->port) {
         m_troublePort.reset();
         m_messages.end(texts::key::gone());
@@ -112,6 +113,7 @@ void Composition::told(const bus::HealthChanged& changed) {
 }
 
 void Composition::told(const bus::Readdressed& readdressed) {
+    m_positions.restarted(readdressed.module.index);
     m_messages.end(texts::key::unaddressed());
     m_messages.tell(texts::readdressed(readdressed));
 }
