@@ -16,6 +16,7 @@
 #include "sim/chainspec.h"
 #include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
+#include "widgets/mainwindow/operatorlock.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagepanel.h"
 
@@ -156,6 +157,10 @@ void Composition::wireWindow() {
         m_procedures.cancel(hold.module);
     });
     wireChain();
+    OperatorLock& lock = m_window.operatorLock();
+    connect(&lock, &OperatorLock::rightsEdited, &m_machine, &MachineController::setOperatorRights);
+    connect(&lock, &OperatorLock::changed, &m_store, [this, &lock] { m_store.setRights(lock.rights()); });
+    m_store.setRights(lock.rights());
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);

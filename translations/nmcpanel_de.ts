@@ -162,6 +162,10 @@
         <source>With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.</source>
         <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
     </message>
+    <message>
+        <source>A machine file, opened at the start.</source>
+        <translation>Eine Maschinendatei, die beim Start geöffnet wird.</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -312,6 +316,14 @@
         <source>What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.</source>
         <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
     </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>Referenz: %1, nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: it was taken from where the axis was seen last, %2 min ago. A search verifies it.</source>
+        <translation>Die Referenz ist bei %1, nicht bestätigt: Sie wurde vor %2 min daraus übernommen, wo die Achse zuletzt gesehen wurde. Eine Suche bestätigt sie.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -386,6 +398,21 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>&amp;Find a command…</source>
         <translation>Befehl &amp;finden…</translation>
+    </message>
+</context>
+<context>
+    <name>MessageLines</name>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>over at %1</source>
+        <translation>vorbei um %1</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>Vorbei: %1</translation>
     </message>
 </context>
 <context>
@@ -3258,6 +3285,74 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Motor state unknown: %1 were moving.</source>
         <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
+    <message>
+        <source>Left to the operator</source>
+        <translation>Dem Bediener überlassen</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Fahrten</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>Module %1 stood %2 from home when it was seen last.</source>
+        <translation>Modul %1 stand %2 von der Referenz entfernt, als es zuletzt gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>That was on %1; a search had found that home. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <translation>Das war am %1; die Referenz hatte eine Suche gefunden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+    </message>
+    <message>
+        <source>That was on %1; that home had been saved. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <translation>Das war am %1; die Referenz war gespeichert worden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+    </message>
+    <message>
+        <source>Take home from that</source>
+        <translation>Referenz daraus übernehmen</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Messages are not kept beyond this session.</source>
+        <translation>Meldungen werden nicht über diese Sitzung hinaus aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Everything else works; the list of messages has an export.</source>
+        <translation>%1 kann nicht geschrieben werden. Alles andere geht; die Liste der Meldungen lässt sich exportieren.</translation>
+    </message>
+    <message>
+        <source>Limit %1 of module %2 stopped its motor.</source>
+        <translation>Endschalter %1 von Modul %2 hat seinen Motor angehalten.</translation>
+    </message>
+    <message>
+        <source>The E-stop input of module %1 is active: its motor is on, and does not move.</source>
+        <translation>Der E-Stop-Eingang von Modul %1 ist aktiv: Sein Motor ist an und bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Release the input; nothing moves by that.</source>
+        <translation>Geben Sie den Eingang frei; dadurch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>The panel is in operator mode, and this is not left to the operator.</source>
+        <translation>Das Programm ist im Bedienermodus, und dies ist dem Bediener nicht überlassen.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3450,6 +3545,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Read all…</source>
         <translation>Alles lesen…</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Bell</name>
+    <message>
+        <source>S&amp;ounds</source>
+        <translation>&amp;Töne</translation>
+    </message>
+    <message>
+        <source>A sound at each fault, and at the end of a search for home or of moves by N.</source>
+        <translation>Ein Ton bei jedem Fehler und am Ende einer Referenzfahrt oder von Schritten um N.</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4672,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Each member captures its present position as home, in the same tick. Nothing moves.</source>
         <translation>Jedes Mitglied erfasst im selben Takt seine jetzige Position als Referenz. Nichts bewegt sich.</translation>
     </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>Name der Gruppe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What you call this group. Kept with the machine; nothing is sent.</source>
+        <translation>Wie Sie diese Gruppe nennen. Steht bei der Maschine; nichts wird gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::HomingBox</name>
@@ -5412,6 +5530,54 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Enter shows it on the page of its module; nothing is sent.</source>
         <translation>Eingabe zeigt ihn auf der Seite seines Moduls; es wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>Bedienermodus</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only what is left to the operator can be done. STOP ALL acts.</source>
+        <translation>BEDIENERMODUS — es geht nur, was dem Bediener überlassen ist. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Leave it…</source>
+        <translation>Verlassen…</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Fragt nach der PIN.</translation>
+    </message>
+    <message>
+        <source>Keyboard pendant</source>
+        <translation>Tastatur als Handgerät</translation>
+    </message>
+    <message>
+        <source>End it</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Arrow keys move nothing any more.</source>
+        <translation>Pfeiltasten bewegen nichts mehr.</translation>
+    </message>
+    <message>
+        <source>There is no module that could be moved.</source>
+        <translation>Es gibt kein Modul, das bewegt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Shift with ◂ or ▸ moves it while both are held. Esc ends this.</source>
+        <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden. Esc beendet das.</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>Nicht bewegt: %1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>HANDGERÄT — %1. %2</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
 </context>
 <context>
     <name>nmc::MessageList</name>
@@ -5422,6 +5588,97 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>No messages. What goes wrong, and when it is over, is told here.</source>
         <translation>Keine Meldungen. Was misslingt und wann es vorbei ist, steht hier.</translation>
+    </message>
+    <message>
+        <source>None of the messages passes the filter above.</source>
+        <translation>Der Filter oben lässt keine der Meldungen durch.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MessagePanel</name>
+    <message>
+        <source>Messages and their filter</source>
+        <translation>Meldungen und ihr Filter</translation>
+    </message>
+    <message>
+        <source>Kind of messages shown</source>
+        <translation>Art der gezeigten Meldungen</translation>
+    </message>
+    <message>
+        <source>Which kind of messages is shown.</source>
+        <translation>Welche Art von Meldungen gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>News</source>
+        <translation>Neuigkeiten</translation>
+    </message>
+    <message>
+        <source>Module whose messages are shown</source>
+        <translation>Modul, dessen Meldungen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Of which module messages are shown.</source>
+        <translation>Von welchem Modul Meldungen gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Alle Module</translation>
+    </message>
+    <message>
+        <source>&amp;Not over</source>
+        <translation>&amp;Nicht vorbei</translation>
+    </message>
+    <message>
+        <source>Only messages that are not over</source>
+        <translation>Nur Meldungen, die nicht vorbei sind</translation>
+    </message>
+    <message>
+        <source>Shows only what is not over.</source>
+        <translation>Zeigt nur, was nicht vorbei ist.</translation>
+    </message>
+    <message>
+        <source>Words of the messages shown</source>
+        <translation>Wörter der gezeigten Meldungen</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>Shows only messages with these words.</source>
+        <translation>Zeigt nur Meldungen mit diesen Wörtern.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Export the messages shown</source>
+        <translation>Die gezeigten Meldungen exportieren</translation>
+    </message>
+    <message>
+        <source>Writes the messages that are shown to a text file.</source>
+        <translation>Schreibt die gezeigten Meldungen in eine Textdatei.</translation>
+    </message>
+    <message>
+        <source>Kept for this session only.</source>
+        <translation>Nur für diese Sitzung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Aufbewahrt in %1</translation>
+    </message>
+    <message>
+        <source>Export messages</source>
+        <translation>Meldungen exportieren</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -5858,6 +6115,104 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::OperatorDialog</name>
+    <message>
+        <source>Operator mode</source>
+        <translation>Bedienermodus</translation>
+    </message>
+    <message>
+        <source>Choose what is left to the operator. STOP ALL, Esc, each motor&apos;s stops and disconnecting always work. This keeps hands off by mistake; it is no security: who gets at the files of this computer gets around it.</source>
+        <translation>Wählen Sie, was dem Bediener überlassen bleibt. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Das schützt vor Versehen; es ist keine Sicherheit: Wer an die Dateien dieses Rechners kommt, kommt daran vorbei.</translation>
+    </message>
+    <message>
+        <source>&amp;Enable motors, clear faults</source>
+        <translation>Motoren &amp;einschalten, Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>&amp;Jog</source>
+        <translation>&amp;Tippen</translation>
+    </message>
+    <message>
+        <source>&amp;Points and sequences</source>
+        <translation>&amp;Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>&amp;Moves: go to, run, by N</source>
+        <translation>&amp;Fahrten: zu einem Ziel, dauernd, um N</translation>
+    </message>
+    <message>
+        <source>&amp;Homing</source>
+        <translation>&amp;Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>&amp;Outputs</source>
+        <translation>Aus&amp;gänge</translation>
+    </message>
+    <message>
+        <source>P&amp;IN to leave it, 4 characters at least</source>
+        <translation>P&amp;IN zum Verlassen, mindestens 4 Zeichen</translation>
+    </message>
+    <message>
+        <source>The same &amp;again</source>
+        <translation>Die&amp;selbe noch einmal</translation>
+    </message>
+    <message>
+        <source>&amp;Begin operator mode</source>
+        <translation>Bedienermodus be&amp;ginnen</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>&amp;Leave operator mode</source>
+        <translation>Bedienermodus &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation>Lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>The PIN is too short: it needs 4 characters.</source>
+        <translation>Die PIN ist zu kurz: Sie braucht 4 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The two PINs differ. Type the same one twice.</source>
+        <translation>Die beiden PINs sind verschieden. Tippen Sie zweimal dieselbe.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. %1</source>
+        <translation>Das ist nicht die PIN. %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::OperatorLock</name>
+    <message>
+        <source>If it is forgotten, close the panel and remove the part &quot;operator&quot; from %1.</source>
+        <translation>Ist sie vergessen, schließen Sie das Programm und entfernen Sie den Abschnitt „operator“ aus %1.</translation>
+    </message>
+    <message>
+        <source>Leave o&amp;perator mode…</source>
+        <translation>&amp;Bedienermodus verlassen…</translation>
+    </message>
+    <message>
+        <source>O&amp;perator mode…</source>
+        <translation>&amp;Bedienermodus…</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Fragt nach der PIN.</translation>
+    </message>
+    <message>
+        <source>Leaves to an operator only what you choose, until somebody has the PIN.</source>
+        <translation>Überlässt einem Bediener nur, was Sie wählen, bis jemand die PIN hat.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PacketModel</name>
     <message>
         <source>Time (s)</source>
@@ -6222,6 +6577,17 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::Pendant</name>
+    <message>
+        <source>&amp;Keyboard pendant</source>
+        <translation>&amp;Tastatur als Handgerät</translation>
+    </message>
+    <message>
+        <source>Shift with an arrow key moves the motor while both are held. (F12)</source>
+        <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden. (F12)</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -6329,6 +6695,18 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Tells every module the new rate, and asks each there.</source>
         <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
+    </message>
+    <message>
+        <source>Some modules do not answer, and would be left behind at the old rate: %1.</source>
+        <translation>Einige Module antworten nicht und blieben bei der alten Rate zurück: %1.</translation>
+    </message>
+    <message>
+        <source>The groups of some modules are not known, so they might not hear it: %1. Choose a group for them on the page Groups, or none.</source>
+        <translation>Die Gruppen einiger Module sind nicht bekannt, sie würden es also vielleicht nicht hören: %1. Wählen Sie auf der Seite Gruppen eine für sie, oder keine.</translation>
+    </message>
+    <message>
+        <source>A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.</source>
+        <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
     </message>
 </context>
 <context>

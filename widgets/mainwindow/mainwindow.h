@@ -30,6 +30,7 @@ class QSettings;
 namespace nmc {
 
 class Banner;
+class Bell;
 class ChainView;
 class ConnectionBar;
 class FocusKeeper;
@@ -39,6 +40,8 @@ class MachineMenu;
 class MessagePanel;
 class ModulePanel;
 class MonitorDock;
+class OperatorLock;
+class Pendant;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
@@ -99,6 +102,8 @@ public:
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
+    [[nodiscard]] Bell& bell() { return *m_bell; }
+    [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Recording, opening a recording, and what is exported.
     [[nodiscard]] ScopeFiles& scopeFiles();
@@ -185,6 +190,8 @@ private:
     void addOtherModules(std::vector<CommandPalette::Entry>& entries);
     void showPhase(LinkPhase before);
     void showScopeModules();
+    void showPendant();
+    void showOperator();
     void requestStop();
     void askBeforeDisconnect();
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
@@ -201,6 +208,11 @@ private:
     ConnectionBar* m_bar = nullptr;
     Ribbon* m_simulatorRibbon = nullptr;
     Ribbon* m_readOnlyRibbon = nullptr;
+    Ribbon* m_pendantRibbon = nullptr;
+    Ribbon* m_operatorRibbon = nullptr;
+    Pendant* m_pendant = nullptr;
+    OperatorLock* m_operator = nullptr;
+    Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;
     ChainView* m_chain = nullptr;
