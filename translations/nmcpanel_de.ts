@@ -3353,6 +3353,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The panel is in operator mode, and this is not left to the operator.</source>
         <translation>Das Programm ist im Bedienermodus, und dies ist dem Bediener nicht überlassen.</translation>
     </message>
+    <message>
+        <source>A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.</source>
+        <translation>Eine Trapezfahrt wird zuerst geladen und dann mit „Starten“ gestartet, damit ein gestörter Ladebefehl nie etwas bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3514,6 +3518,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 in 1 %2</source>
         <translation>%1 in 1 %2</translation>
+    </message>
+    <message>
+        <source>Work it out…</source>
+        <translation>Berechnen…</translation>
+    </message>
+    <message>
+        <source>Work it out from encoder, gear and screw</source>
+        <translation>Aus Encoder, Getriebe und Spindel berechnen</translation>
+    </message>
+    <message>
+        <source>Works the unit out from what stands on the labels of encoder, gear and screw. Sends nothing.</source>
+        <translation>Berechnet die Einheit aus den Angaben auf den Typenschildern von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -4227,6 +4243,41 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::DirectBox</name>
+    <message>
+        <source>%1 as set here</source>
+        <translation>%1 wie hier eingestellt</translation>
+    </message>
+    <message>
+        <source>What the chip will do</source>
+        <translation>Was der Chip tun wird</translation>
+    </message>
+    <message>
+        <source>The command&apos;s bytes</source>
+        <translation>Bytes des Befehls</translation>
+    </message>
+    <message>
+        <source>A bit of %1: %2</source>
+        <translation>Ein Bit von %1: %2</translation>
+    </message>
+    <message>
+        <source>Bits of %1: %2</source>
+        <translation>Bits von %1: %2</translation>
+    </message>
+    <message>
+        <source>Data of %1: %2</source>
+        <translation>Daten von %1: %2</translation>
+    </message>
+    <message>
+        <source>Load: %1</source>
+        <translation>Laden: %1</translation>
+    </message>
+    <message>
+        <source>Without it the chip keeps the value that was loaded before.</source>
+        <translation>Ohne ihn behält der Chip den zuvor geladenen Wert.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::DirectionCheckBox</name>
     <message>
         <source>Direction</source>
@@ -4378,6 +4429,261 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>From now on the modules that are there are the expected ones.</source>
         <translation>Von nun an sind die vorhandenen Module die erwarteten.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ExpertBox</name>
+    <message>
+        <source>Capture only</source>
+        <translation>Nur erfassen</translation>
+    </message>
+    <message>
+        <source>Stop abruptly</source>
+        <translation>Sofort stoppen</translation>
+    </message>
+    <message>
+        <source>Stop smoothly</source>
+        <translation>Sanft stoppen</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>Motor aus</translation>
+    </message>
+    <message>
+        <source>The chip no longer watches for home.</source>
+        <translation>Der Chip sucht keine Referenz mehr.</translation>
+    </message>
+    <message>
+        <source>At the first of these events the chip stores its position in the home register and stops by itself. Start the motion with your own command.</source>
+        <translation>Beim ersten dieser Ereignisse speichert der Chip seine Position im Referenzregister und stoppt von selbst. Die Bewegung mit einem eigenen Befehl starten.</translation>
+    </message>
+    <message>
+        <source>At the first of these events the chip stores its position in the home register. The motion goes on.</source>
+        <translation>Beim ersten dieser Ereignisse speichert der Chip seine Position im Referenzregister. Die Bewegung geht weiter.</translation>
+    </message>
+    <message>
+        <source>Load Trajectory</source>
+        <translation>Load Trajectory</translation>
+    </message>
+    <message>
+        <source>Send load</source>
+        <translation>Laden senden</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Trapezoidal</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>Position (counts)</source>
+        <translation>Position (Inkremente)</translation>
+    </message>
+    <message>
+        <source>Velocity (counts/tick × 65536)</source>
+        <translation>Geschwindigkeit (Inkr./Takt × 65536)</translation>
+    </message>
+    <message>
+        <source>Acceleration (counts/tick² × 65536)</source>
+        <translation>Beschleunigung (Inkr./Takt² × 65536)</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation>PWM-Wert</translation>
+    </message>
+    <message>
+        <source>Reverse (velocity and PWM)</source>
+        <translation>Rückwärts (Geschwindigkeit und PWM)</translation>
+    </message>
+    <message>
+        <source>Start motion now</source>
+        <translation>Bewegung sofort starten</translation>
+    </message>
+    <message>
+        <source>Stop Motor</source>
+        <translation>Stop Motor</translation>
+    </message>
+    <message>
+        <source>Send stop</source>
+        <translation>Stopp senden</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Amplifier only</source>
+        <translation>Nur Verstärker</translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation>Sofort</translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>At a position</source>
+        <translation>An einer Position</translation>
+    </message>
+    <message>
+        <source>Amplifier enabled</source>
+        <translation>Verstärker ein</translation>
+    </message>
+    <message>
+        <source>Only AMP_EN is switched. The servo stays as it is.</source>
+        <translation>Nur AMP_EN wird geschaltet. Der Servo bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>The servo is switched off. The motor is free to turn.</source>
+        <translation>Der Servo wird abgeschaltet. Der Motor ist frei drehbar.</translation>
+    </message>
+    <message>
+        <source>The motor stops at once and holds.</source>
+        <translation>Der Motor stoppt sofort und hält.</translation>
+    </message>
+    <message>
+        <source>The servo is switched ON and holds its position.</source>
+        <translation>Der Servo wird EINGESCHALTET und hält seine Position.</translation>
+    </message>
+    <message>
+        <source>The motor slows down with the loaded acceleration and holds.</source>
+        <translation>Der Motor bremst mit der geladenen Beschleunigung und hält.</translation>
+    </message>
+    <message>
+        <source>The motor goes to this position without a profile, as fast as the gains drive it, and holds there.</source>
+        <translation>Der Motor fährt ohne Profil zu dieser Position, so schnell die Reglerwerte ihn treiben, und hält dort.</translation>
+    </message>
+    <message>
+        <source>Set Homing Mode</source>
+        <translation>Set Homing Mode</translation>
+    </message>
+    <message>
+        <source>Send homing mode</source>
+        <translation>Referenzmodus senden</translation>
+    </message>
+    <message>
+        <source>Change of limit 1</source>
+        <translation>Wechsel an Grenze 1</translation>
+    </message>
+    <message>
+        <source>Change of limit 2</source>
+        <translation>Wechsel an Grenze 2</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Regelabweichung</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
+    </message>
+    <message>
+        <source>Table 4 has no mode for this, from what the motor does now.</source>
+        <translation>Tabelle 4 kennt dafür keinen Modus aus dem, was der Motor jetzt tut.</translation>
+    </message>
+    <message>
+        <source>Position (steps)</source>
+        <translation>Position (Schritte)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration time (0.25 ms)</source>
+        <translation>Beschleunigungszeit (0,25 ms)</translation>
+    </message>
+    <message>
+        <source>Initial timer count</source>
+        <translation>Anfangszählerstand</translation>
+    </message>
+    <message>
+        <source>Nearest integer speed</source>
+        <translation>Nächste ganze Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Reverse (without a position)</source>
+        <translation>Rückwärts (ohne Position)</translation>
+    </message>
+    <message>
+        <source>Only AMP_EN is switched. A motion goes on counting.</source>
+        <translation>Nur AMP_EN wird geschaltet. Eine Bewegung zählt weiter.</translation>
+    </message>
+    <message>
+        <source>The steps end at once.</source>
+        <translation>Die Schritte enden sofort.</translation>
+    </message>
+    <message>
+        <source>The motor slows down with its acceleration time.</source>
+        <translation>Der Motor bremst mit seiner Beschleunigungszeit.</translation>
+    </message>
+    <message>
+        <source>Change of the home switch</source>
+        <translation>Wechsel am Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Commands as the data sheet has them</source>
+        <translation>Befehle, wie das Datenblatt sie hat</translation>
+    </message>
+    <message>
+        <source>Commands as the data sheet has them, in the chip&apos;s own numbers. STOP ALL and Esc act as ever.</source>
+        <translation>Befehle, wie das Datenblatt sie hat, in den Zahlen des Chips. ALLES STOPP und Esc wirken wie immer.</translation>
+    </message>
+    <message>
+        <source>%1 Waits for Start Motion; the next load overwrites it.</source>
+        <translation>%1 Wartet auf Start Motion; der nächste Ladebefehl überschreibt es.</translation>
+    </message>
+    <message>
+        <source>The servo is off and the PWM value drives the motor. No limit applies.</source>
+        <translation>Der Servo ist aus, und der PWM-Wert treibt den Motor. Keine Grenze gilt.</translation>
+    </message>
+    <message>
+        <source>The motor runs until it is stopped.</source>
+        <translation>Der Motor läuft bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>A trapezoidal move to the position. Start it from standstill only.</source>
+        <translation>Eine Trapezfahrt zur Position. Nur aus dem Stillstand starten.</translation>
+    </message>
+    <message>
+        <source>A trapezoidal move to the position.</source>
+        <translation>Eine Trapezfahrt zur Position.</translation>
+    </message>
+    <message>
+        <source>A ramp to the speed. The motor runs until it is stopped.</source>
+        <translation>Eine Rampe zur Geschwindigkeit. Der Motor läuft bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>One speed from the first step to the position.</source>
+        <translation>Eine einzige Geschwindigkeit vom ersten Schritt bis zur Position.</translation>
+    </message>
+    <message>
+        <source>One speed from the first step. The motor runs until it is stopped.</source>
+        <translation>Eine einzige Geschwindigkeit vom ersten Schritt an. Der Motor läuft bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.</source>
+        <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Wäre sie inzwischen beendet, liefe der Motor bis zum Stopp.</translation>
     </message>
 </context>
 <context>
@@ -7001,6 +7307,10 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SignalsDialog</name>
@@ -7711,10 +8021,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Stopp, warten: %1</translation>
     </message>
     <message>
-        <source>The chip does not allow this change in motion. Stops smoothly, waits until the motor stands, then: %1</source>
-        <translation>Der Chip lässt diese Änderung in der Bewegung nicht zu. Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
-    </message>
-    <message>
         <source>Sends the motion without starting it.</source>
         <translation>Sendet die Bewegung, ohne sie zu starten.</translation>
     </message>
@@ -7766,6 +8072,10 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>No ramp.</source>
         <translation>Keine Rampe.</translation>
     </message>
+    <message>
+        <source>Stops smoothly, waits until the motor stands, then: %1</source>
+        <translation>Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepPanel</name>
@@ -7796,6 +8106,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Details</source>
         <translation>Details</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
     </message>
 </context>
 <context>
@@ -7895,6 +8209,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Empties the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Sends all parameters at once. While the motor moves, the chip ignores the speed mode and the minimum speed.</source>
+        <translation>Sendet alle Parameter auf einmal. Solange der Motor sich bewegt, ignoriert der Chip Geschwindigkeitsmodus und Mindestgeschwindigkeit.</translation>
     </message>
 </context>
 <context>
@@ -8321,6 +8639,117 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>triggered %1</source>
         <translation>ausgelöst um %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::UnitDialog</name>
+    <message>
+        <source>Work out the unit</source>
+        <translation>Einheit berechnen</translation>
+    </message>
+    <message>
+        <source>What the axis does</source>
+        <translation>Was die Achse tut</translation>
+    </message>
+    <message>
+        <source>turns, in turns</source>
+        <translation>dreht sich, in Umdrehungen</translation>
+    </message>
+    <message>
+        <source>turns, in degrees</source>
+        <translation>dreht sich, in Grad</translation>
+    </message>
+    <message>
+        <source>moves along a line, in millimetres</source>
+        <translation>fährt geradeaus, in Millimetern</translation>
+    </message>
+    <message>
+        <source>What you want to read this axis in.</source>
+        <translation>Worin diese Achse abgelesen werden soll.</translation>
+    </message>
+    <message>
+        <source>The axis</source>
+        <translation>Die Achse</translation>
+    </message>
+    <message>
+        <source>Full steps of the motor for one turn</source>
+        <translation>Vollschritte des Motors je Umdrehung</translation>
+    </message>
+    <message>
+        <source>200 for a motor with 1.8 degrees a step.</source>
+        <translation>200 bei einem Motor mit 1,8 Grad je Schritt.</translation>
+    </message>
+    <message>
+        <source>Microsteps for each full step</source>
+        <translation>Mikroschritte je Vollschritt</translation>
+    </message>
+    <message>
+        <source>As the driver is set; 1 for none, 2 for half steps.</source>
+        <translation>Wie am Treiber eingestellt; 1 für keine, 2 für Halbschritte.</translation>
+    </message>
+    <message>
+        <source>Lines of the encoder for one turn</source>
+        <translation>Striche des Encoders je Umdrehung</translation>
+    </message>
+    <message>
+        <source>As its label says: lines, CPR or PPR. The chip counts four for each line.</source>
+        <translation>Wie auf seinem Typenschild: Striche, CPR oder PPR. Der Chip zählt vier je Strich.</translation>
+    </message>
+    <message>
+        <source>Gear: turns of the motor</source>
+        <translation>Getriebe: Umdrehungen des Motors</translation>
+    </message>
+    <message>
+        <source>For a gear of 50 : 1 enter 50 here; without a gear 1.</source>
+        <translation>Bei einem Getriebe 50 : 1 hier 50 eingeben; ohne Getriebe 1.</translation>
+    </message>
+    <message>
+        <source>Gear: make turns of the output</source>
+        <translation>Getriebe: ergeben Umdrehungen am Abtrieb</translation>
+    </message>
+    <message>
+        <source>For a gear of 50 : 1 enter 1 here.</source>
+        <translation>Bei einem Getriebe 50 : 1 hier 1 eingeben.</translation>
+    </message>
+    <message>
+        <source>Travel for one turn of the output (mm)</source>
+        <translation>Weg je Umdrehung am Abtrieb (mm)</translation>
+    </message>
+    <message>
+        <source>Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch of the belt. Rack: teeth of the pinion times the pitch of the rack.</source>
+        <translation>Spindel: Steigung mal Gangzahl. Riemen: Zähne der Scheibe mal Teilung des Riemens. Zahnstange: Zähne des Ritzels mal Teilung der Zahnstange.</translation>
+    </message>
+    <message>
+        <source>The unit that follows</source>
+        <translation>Die Einheit, die sich ergibt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Use this unit</source>
+        <translation>Diese Einheit übernehmen</translation>
+    </message>
+    <message>
+        <source>Enter a number above 0 in each field.</source>
+        <translation>In jedes Feld eine Zahl über 0 eingeben.</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Inkremente</translation>
+    </message>
+    <message>
+        <source>1 %1 is %2 %3. The smallest step is %4 %1.</source>
+        <translation>1 %1 sind %2 %3. Der kleinste Schritt ist %4 %1.</translation>
+    </message>
+    <message>
+        <source>Takes it as the unit of this axis. Keeps every amount, and sends nothing.</source>
+        <translation>Übernimmt sie als Einheit dieser Achse. Behält jeden Betrag und sendet nichts.</translation>
     </message>
 </context>
 </TS>

@@ -210,12 +210,10 @@ StepMode Belief::stepMode() const {
 }
 
 void Belief::mayStart(const step::LoadTrajectory& load) {
-    const auto goal = goalMode(load);
-    // With a timer count alone, a motion that ends at a goal still does.
-    const bool keepsGoal = goal == StepMode::Unprofiled && stepMode() == StepMode::UnprofiledWithStop;
-    if (keepsGoal)
+    m_stepGoal = goalMode(stepMode(), load);
+    // With a timer count alone, a motion that ends at a goal still does, and keeps its direction.
+    if (m_stepGoal == StepMode::UnprofiledWithStop && !load.position)
         return;
-    m_stepGoal = goal;
     // Where a goal is loaded the chip takes the direction from it, not from the bit (DS-S 5.1).
     m_stepReverse = load.position ? load.position->value() < m_position.value_or(0) : load.reverse;
 }

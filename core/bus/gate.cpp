@@ -21,6 +21,11 @@ using servo::ProfileMode;
     return Verdict::Allowed;
 }
 
+/// Some mode of Table 4 knows what is loaded.
+[[nodiscard]] bool inTable(const step::LoadTrajectory& load) {
+    return goalMode(StepMode::Stopped, load) || goalMode(StepMode::Trapezoidal, load);
+}
+
 [[nodiscard]] bool trapezoidal(const servo::LoadTrajectory& load) {
     return load.servo && load.profile == ProfileMode::Trapezoidal;
 }
@@ -40,15 +45,14 @@ struct Judge {
         if (!belief.loaded())
             return Verdict::Never;
         if (const auto& load = belief.stepLoad())
-            return (*this)(*load);
+            return mayStart(*load);
         const auto& load = belief.servoLoad();
         return load && trapezoidal(*load) ? onlyAtStandstill(belief) : Verdict::Allowed;
     }
 
     Verdict operator()(const servo::LoadTrajectory& load) const {
-        if (!trapezoidal(load))
-            return Verdict::Allowed;
-        return load.startNow ? Verdict::Never : onlyAtStandstill(belief);
+        // Until it is started a load changes nothing (DS-V 5.1, note 1).
+        return trapezoidal(load) && load.startNow ? Verdict::Never : Verdict::Allowed;
     }
     Verdict operator()(const servo::SetGain& gain) const {
         return gain.db && belief.info().identity.version < servo::kDeadbandVersion ? Verdict::Never
@@ -67,18 +71,23 @@ struct Judge {
     Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
 
     Verdict operator()(const step::LoadTrajectory& load) const {
-        if (!goalMode(load) || !belief.parametersSet())
+        if (!inTable(load) || !belief.parametersSet())
             return Verdict::Never;
+        // Without the start bit it has no effect whatsoever (DS-S 5.1).
+        return load.startNow ? mayStart(load) : Verdict::Allowed;
+    }
+    /// In motion the chip ignores speed mode and minimum speed (DS-S 5.1).
+    Verdict operator()(const step::SetParameters&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
+    Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
+
+    [[nodiscard]] Verdict mayStart(const step::LoadTrajectory& load) const {
         if (!belief.fresh())
             return Verdict::NeedsStatus;
         return mayFollow(belief.stepMode(), belief.runsReverse(), load) ? Verdict::Allowed
                                                                         : Verdict::InMotion;
     }
-    /// In motion the chip ignores some of them (DS-S 5.1).
-    Verdict operator()(const step::SetParameters&) const { return onlyAtStandstill(belief); }
-    Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
-    Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
-    Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
 };
 
 [[nodiscard]] bool safeForAnyType(CommandCode code) {

@@ -15,8 +15,8 @@ enum class Verdict : std::uint8_t {
     Never,        ///< not for this chip, or not in this form
 };
 
-/// The rules of DS-V 4.4 and 5.1, DS-S 5.1, and of link.md: a trapezoidal move is loaded and started from
-/// standstill only, and never by the same command, so that a garbled load never moves anything; Start Motion
+/// The rules of DS-V 4.4 and 5.1, DS-S 5.1, and of link.md: a trapezoidal move is started from standstill
+/// only, and never by the command that loads it, so that a garbled load never moves anything; Start Motion
 /// only after a load that was answered; addresses, rate and reset belong to the engine. Pure.
 [[nodiscard]] Verdict judge(const Belief& belief, const ModuleCommand& command);
 

@@ -25,8 +25,10 @@ struct MotionWatch::Sent {
         w.m_loaded = load;
         if (load.position)
             w.m_goal = load.position->value();
-        // A trapezoidal move is loaded at standstill; changed on its way, the load may start by itself.
-        if (load.startNow || load.profile == servo::ProfileMode::Trapezoidal)
+        // Changed on its way, the load of a trapezoidal move may start by itself; but what moves already is
+        // watched as what it is.
+        const bool underWay = w.m_velocity != 0 && (w.m_corridor || w.m_heading);
+        if (load.startNow || (load.profile == servo::ProfileMode::Trapezoidal && !underWay))
             w.started();
     }
     void operator()(const StartMotion&) const { w.started(); }

@@ -3,35 +3,31 @@
 
 namespace nmc::bus {
 
-std::optional<StepMode> goalMode(const step::LoadTrajectory& load) {
-    if (!load.timer)
-        return load.position ? StepMode::Trapezoidal : StepMode::VelocityProfile;
-    if (load.speed || load.accelerationTime)
+std::optional<StepMode> goalMode(StepMode from, const step::LoadTrajectory& load) {
+    const bool profile = load.speed || load.accelerationTime;
+    if (from == StepMode::Stopped) {
+        if (!load.timer)
+            return load.position ? StepMode::Trapezoidal : StepMode::VelocityProfile;
+        if (profile)
+            return std::nullopt;
+        return load.position ? StepMode::UnprofiledWithStop : StepMode::Unprofiled;
+    }
+    if (load.position || from == StepMode::Unknown)
         return std::nullopt;
-    return load.position ? StepMode::UnprofiledWithStop : StepMode::Unprofiled;
+    if (from == StepMode::Trapezoidal) {
+        if (!load.timer)
+            return std::nullopt;
+        return profile ? StepMode::VelocityProfile : StepMode::UnprofiledWithStop;
+    }
+    if (!load.timer)
+        return StepMode::VelocityProfile;
+    if (profile)
+        return std::nullopt;
+    return from == StepMode::UnprofiledWithStop ? from : StepMode::Unprofiled;
 }
 
 bool mayFollow(StepMode mode, bool runsReverse, const step::LoadTrajectory& load) {
-    const auto goal = goalMode(load);
-    if (!goal)
-        return false;
-    if (mode == StepMode::Stopped)
-        return true;
-    // A goal position cannot change in motion, nor can the direction.
-    if (load.position || load.reverse != runsReverse)
-        return false;
-    switch (mode) {
-        case StepMode::VelocityProfile:
-        case StepMode::Unprofiled:
-            return true;
-        case StepMode::UnprofiledWithStop:
-            return true;  // with a timer count alone it keeps its goal
-        case StepMode::Stopped:
-        case StepMode::Trapezoidal:
-        case StepMode::Unknown:
-            break;
-    }
-    return false;
+    return goalMode(mode, load) && (mode == StepMode::Stopped || load.reverse == runsReverse);
 }
 
 }  // namespace nmc::bus

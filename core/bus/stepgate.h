@@ -18,11 +18,12 @@ enum class StepMode : std::uint8_t {
     Unknown,     ///< it moves, and another host told it how
 };
 
-/// The mode that a load leads to from standstill; nothing where Table 4 has no such cell.
-[[nodiscard]] std::optional<StepMode> goalMode(const step::LoadTrajectory& load);
+/// The mode that a load leads to from that mode; nothing where Table 4 has no such cell. With a timer count
+/// alone, a move to a position keeps its goal: the sheet allows no unprofiled run from there.
+[[nodiscard]] std::optional<StepMode> goalMode(StepMode from, const step::LoadTrajectory& load);
 
-/// Whether a load may be given to a PIC-STEP in that mode. What the table leaves open while it moves, and a
-/// change of direction, is refused (DS-S 4.1). Pure.
+/// Whether a load may be started on a PIC-STEP in that mode; a change of direction in motion is refused (DS-S
+/// 4.1). Pure.
 [[nodiscard]] bool mayFollow(StepMode mode, bool runsReverse, const step::LoadTrajectory& load);
 
 }  // namespace nmc::bus

@@ -85,7 +85,7 @@ TEST(Attach, ForbidsATrapezoidalMoveUntilAStopWasAnswered) {
     VirtualBus& bus = left.bus;
     ASSERT_TRUE(bus.connect());
     bus.runFor(300ms);
-    EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Forbidden);
     EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
     ASSERT_EQ(bus.perform({enable(0)}), Outcome::Done) << "an abrupt stop";
     EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Done);
@@ -99,7 +99,7 @@ TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     bus.newHost();
     ASSERT_TRUE(bus.connect());
-    EXPECT_EQ(bus.perform({loadMove(0, 1'000)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Forbidden);
     bus.engine.stopAll(bus.now);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
     EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Done);

@@ -35,6 +35,12 @@ public:
     }
     void unanswered(const Step& step) { belief.onSent(step.command, m_now += 1ms); }
     [[nodiscard]] Verdict judge(const Step& step) const { return bus::judge(belief, step.command); }
+    /// Of the start of a trapezoidal move that has been loaded.
+    [[nodiscard]] Verdict judgeMove() const {
+        Module loaded = *this;
+        loaded.executed(loadMove(0, 10));
+        return loaded.judge(start(0));
+    }
     [[nodiscard]] Verdict judge(ServoCommand command) const { return bus::judge(belief, command); }
 
     Belief belief;
@@ -59,11 +65,11 @@ TEST(Gate, LetsAStandingServoLoadAndStart) {
 
 TEST(Gate, WantsToSeeAStatusFirst) {
     Module module;
-    EXPECT_EQ(module.judge(loadMove(0, 10)), Verdict::NeedsStatus);
+    EXPECT_EQ(module.judgeMove(), Verdict::NeedsStatus);
     EXPECT_EQ(module.judge(ResetPosition{}), Verdict::NeedsStatus);
     module = standing();
     module.executed(enable(0));
-    EXPECT_EQ(module.judge(loadMove(0, 10)), Verdict::NeedsStatus) << "older than the last motion command";
+    EXPECT_EQ(module.judgeMove(), Verdict::NeedsStatus) << "older than the last motion command";
 }
 
 TEST(Gate, ForbidsWhatMustNotHappenInAMove) {
@@ -71,36 +77,49 @@ TEST(Gate, ForbidsWhatMustNotHappenInAMove) {
     module.executed(loadMove(0, 10));
     module.executed(start(0));
     module.status(kPower, kServoOn);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     EXPECT_EQ(module.judge(ResetPosition{}), Verdict::InMotion);
     EXPECT_EQ(module.judge(loadVelocity(0, 10, true)), Verdict::Allowed);
     module.status(kMoveDone | kPower, kServoOn);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
     EXPECT_EQ(module.judge(ResetPosition{}), Verdict::Allowed);
     EXPECT_EQ(module.judge(start(0)), Verdict::Never) << "used up";
+}
+
+/// DS-V 5.1, note 1; DS-S 5.1 Load Trajectory.
+TEST(Gate, LetsALoadWaitForItsStartWhateverMoves) {
+    Module module = standing();
+    module.executed(loadMove(0, 10));
+    module.executed(start(0));
+    module.status(kPower, kServoOn, 1);
+    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+    module.executed(loadMove(0, 20));
+    EXPECT_EQ(module.judge(start(0)), Verdict::InMotion);
+    module.status(kMoveDone | kPower, kServoOn, 0);
+    EXPECT_EQ(module.judge(start(0)), Verdict::Allowed);
 }
 
 TEST(Gate, KnowsThatMoveDoneSaysNothingAtConstantVelocity) {
     Module module = standing();
     module.executed(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower, kServoOn, 1);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     module.executed(loadVelocity(0, 0, true));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
 }
 
 TEST(Gate, CountsAnUnansweredStartAsMoving) {
     Module module = standing();
     module.unanswered(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     module.unanswered(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::InMotion) << "nor was the stop answered";
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion) << "nor was the stop answered";
     module.executed(enable(0));
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 20)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
 }
 
 TEST(Gate, DoesNotStartALoadThatWasNotAnswered) {
@@ -122,19 +141,19 @@ TEST(Gate, ForbidsTrapezoidalStartNow) {
 TEST(Gate, TakesACoastingMotorForMoving) {
     Module module;
     module.status(kMoveDone | kPower, 0, 3);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
 }
 
 TEST(Gate, TakesAPwmOutputForMoving) {
     Module module = standing();
     module.executed(loadPwm(0, 60));
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     module.executed(motorOff(0));
     module.status(kMoveDone | kPower, 0, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
 }
 
 TEST(Gate, KnowsThatHomingStopsByItself) {
@@ -145,9 +164,9 @@ TEST(Gate, KnowsThatHomingStopsByItself) {
     module.executed(toServo(0, homing));
     module.executed(loadVelocity(0, 65'536, true));
     module.status(kMoveDone | kPower | kHoming, kServoOn, 1);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::InMotion);
+    EXPECT_EQ(module.judgeMove(), Verdict::InMotion);
     module.status(kMoveDone | kPower, kServoOn, 0);
-    EXPECT_EQ(module.judge(loadMove(0, 5)), Verdict::Allowed);
+    EXPECT_EQ(module.judgeMove(), Verdict::Allowed);
 }
 
 TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
@@ -183,10 +202,14 @@ TEST(Gate, HoldsASteppersTrapezoidBackWhileItMoves) {
     stepper.status(kMoving | kPower | 0x04, 0);
     EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Never) << "before Set Parameters";
     stepper.belief.onExecuted(StepCommand(step::SetParameters{}));
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::InMotion);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Allowed) << "it is only loaded";
+    stepper.belief.onSent(StepCommand(load), TimePoint{});
+    stepper.belief.onExecuted(StepCommand(load));
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(StartMotion{})), Verdict::InMotion);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(step::SetParameters{})), Verdict::Allowed);
     EXPECT_EQ(bus::judge(stepper.belief, StepCommand(ResetPosition{})), Verdict::InMotion);
     stepper.status(kPower | 0x04, 0);
-    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(load)), Verdict::Allowed);
+    EXPECT_EQ(bus::judge(stepper.belief, StepCommand(StartMotion{})), Verdict::Allowed);
 }
 
 TEST(Belief, RemembersThatAServoMayBeOn) {

@@ -241,15 +241,15 @@ TEST(Operations, AreForbiddenWhileATrapezoidalMoveRuns) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 4000), start(0)}), Outcome::Done);
-    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Forbidden);
     EXPECT_EQ(bus.perform({toServo(0, ResetPosition{})}), Outcome::Forbidden);
-    EXPECT_EQ(bus.sends("AA 01 D4"), 1U);
+    EXPECT_EQ(bus.sends("AA 01 05"), 1U) << "Start Motion";
     EXPECT_EQ(bus.sends("AA 01 00"), 0U);
     // Velocity mode may be entered from a trapezoidal move.
     EXPECT_EQ(bus.perform({loadVelocity(0, 32'768, true)}), Outcome::Done);
-    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden);
+    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Forbidden);
     bus.runFor(3s);
-    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Forbidden)
+    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Forbidden)
         << "still at speed, although move_done is set";
     ASSERT_EQ(bus.perform({toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}})}),
               Outcome::Done);

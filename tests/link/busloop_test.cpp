@@ -113,6 +113,60 @@ TEST(BusLoop, TellsOnceThatTheMachineSleptAndStopsTheMotors) {
     EXPECT_EQ(rig.count<MachineSlept>(), 1U);
 }
 
+/// Somebody presses STOP in the moment in which the last byte of an answer arrives; what is sent then is
+/// written down. How long an answer is, the one before to the same packet tells.
+class StopWithAnAnswer : public SimulatorTransport {
+public:
+    StopWithAnAnswer(LoopRig& rig, std::atomic<bool>& armed, std::vector<std::uint8_t>& commands)
+        : SimulatorTransport(servoChain(2)), m_rig(rig), m_armed(armed), m_commands(commands) {}
+
+    tl::expected<void, PortError> send(ByteSpan bytes) override {
+        if (m_pressed)
+            m_commands.push_back(bytes[2]);
+        m_answers[m_sent] = m_heard;
+        m_sent.assign(bytes.begin(), bytes.end());
+        m_heard = 0;
+        return SimulatorTransport::send(bytes);
+    }
+    tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
+                                                               int wakeFd) override {
+        auto bytes = SimulatorTransport::receive(until, wakeFd);
+        m_heard += bytes ? bytes->size() : 0;
+        const auto known = m_answers.find(m_sent);
+        if (m_armed && !m_pressed && known != m_answers.end() && known->second == m_heard && m_heard > 0) {
+            m_pressed = true;
+            m_rig.loop.stopAll();
+        }
+        return bytes;
+    }
+
+private:
+    LoopRig& m_rig;
+    std::atomic<bool>& m_armed;
+    std::vector<std::uint8_t>& m_commands;
+    std::map<std::vector<std::uint8_t>, std::size_t> m_answers;
+    std::vector<std::uint8_t> m_sent;
+    std::size_t m_heard = 0;
+    bool m_pressed = false;
+};
+
+TEST(BusLoop, SendsNothingBeforeAStopThatCameWithAnAnswer) {
+    std::atomic<bool> armed{false};
+    std::vector<std::uint8_t> commands;
+    LoopRig rig;
+    rig.loop.open([&] { return std::make_unique<StopWithAnAnswer>(rig, armed, commands); },
+                  simulatorConfig());
+    ASSERT_TRUE(rig.waitFor<bus::ChainFound>());
+    rig.loop.ask(runOn(1));
+    ASSERT_TRUE(rig.waitFor<bus::OperationFinished>());
+    armed = true;
+    ASSERT_TRUE(rig.waitFor<bus::StopFinished>());
+    rig.loop.close();
+    ASSERT_TRUE(rig.waitFor<PortClosed>());
+    ASSERT_FALSE(commands.empty());
+    EXPECT_EQ(commands.front(), 0x17) << "Stop Motor (DS-V 5.2)";
+}
+
 // ---- guards ----
 
 /// What a guard is told and what the port gets, in one order.

@@ -292,5 +292,42 @@ TEST(CommandPosition, AMotorThatMovedWhileItWasSwitchedOnIsHeldSomewhereOnItsWay
     EXPECT_EQ(command.at(atSeconds(1)), (CommandEstimate{95, 90, 100}));
 }
 
+/// At 19 200 Bd with replies lost for 80 ms: the start was carried out, and only its answer was lost. What
+/// the module says meanwhile is not known to be a motion yet, and is not the old one either.
+TEST(CommandPosition, AMotionThatNobodyKnowsOfYetIsAGap) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, velocityMode(44 << 16, 65'536)));
+    command.apply(sampleOf(1.1, kMoveDone | kPower, kServoOn, 8'000));
+    command.apply(executedAt(2, stopWith(servo::StopManner::Smoothly)));
+    command.apply(sampleOf(2.5, kMoveDone | kPower, kServoOn, 87'000));
+    const auto rest = command.at(atSeconds(2.6));
+    ASSERT_TRUE(rest);
+    // Started again at 9, and told so at 9.2.
+    command.apply(sampleOf(9.1, kPower, kServoOn, 87'100));
+    EXPECT_FALSE(command.at(atSeconds(9.1)));
+    command.apply(executedAt(9, velocityMode(44 << 16, 65'536)));
+    command.apply(sampleOf(9.2, kMoveDone | kPower, kServoOn, 103'000));
+    const auto runs = command.at(atSeconds(9.2));
+    ASSERT_TRUE(runs);
+    // 44 counts/tick at 1 count/tick^2: 44 ticks to get there, which cover 44 x 45 / 2 = 990 counts; then
+    // 390.625 - 44 ticks at full speed. The doubt is that of the rest, a tick and a half of the new start and
+    // as much of the status, and two clocks 100 ppm apart.
+    EXPECT_NEAR(runs->position, rest->position + 990 + (0.2 / kTick - 44) * 44, 44);
+    EXPECT_LT(runs->high - runs->low, rest->high - rest->low + 3 * 44 + 4);
+}
+
+TEST(CommandPosition, IsLostAfterAMotionThatNobodyEverExplains) {
+    CommandPosition command = holdingAt100();
+    command.apply(sampleOf(1, kPower, kServoOn, 200));
+    EXPECT_FALSE(command.at(atSeconds(1)));
+    command.apply(executedAt(2, stopWith(servo::StopManner::Abruptly)));
+    command.apply(sampleOf(2.1, kMoveDone | kPower, kServoOn, 300));
+    EXPECT_FALSE(command.at(atSeconds(2.1))) << "it stands, and nobody knows where";
+    command.apply(executedAt(3, trapezoid(1'000, 65'536, 65'536)));
+    command.apply(executedAt(3.1, StartMotion{}));
+    command.apply(sampleOf(5, kMoveDone | kPower, kServoOn, 1'000));
+    EXPECT_EQ(command.at(atSeconds(5)), exactly(1'000));
+}
+
 }  // namespace
 }  // namespace nmc

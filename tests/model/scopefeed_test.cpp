@@ -110,6 +110,25 @@ TEST(ScopeFeed, AStandingMotorHasAnExactErrorAndAMovingOneABand) {
     EXPECT_NEAR(late->error - late->errorLow, prompt->error - prompt->errorLow, 8);
 }
 
+/// DS-V 4.3: beyond EL the servo switches itself off, so while it is on the error is within.
+TEST(ScopeFeed, TheErrorOfAServoThatIsOnIsWithinItsLimit) {
+    ScopeFeed feed;
+    static_cast<void>(feed.take(sampleOf(-1, kMoveDone | kPosError | kPower, 0, 0)));
+    servo::SetGain gains;
+    gains.el = 10;
+    feed.apply(executedAt(-0.5, gains));
+    feed.apply(executedAt(0, stopWith(servo::StopManner::Abruptly)));
+    static_cast<void>(feed.take(sampleOf(0.01, kHolds, kServoOn, 0)));
+    feed.apply(executedAt(1, velocityMode(8 << 16, 8 << 16)));
+    // After 1 s it is some 15 625 counts on, known to some 20: wider than twice the limit.
+    const auto sample = feed.take(sampleOf(2, kMoveDone | kPower, kServoOn, 15'620));
+    ASSERT_TRUE(sample->errorKnown());
+    EXPECT_GE(sample->errorLow, -10);
+    EXPECT_LE(sample->errorHigh, 10);
+    EXPECT_FALSE(feed.take(sampleOf(2.1, kMoveDone | kPower, kServoOn, 20'000))->errorKnown())
+        << "it would have tripped, so what is calculated is not so";
+}
+
 TEST(ScopeFeed, CarriesOnWhatABriefReplyDoesNotTell) {
     ScopeFeed feed;
     bus::Sample full = sampleOf(0, kHolds, kServoOn);

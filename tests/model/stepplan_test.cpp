@@ -212,9 +212,8 @@ TEST_P(StepTransitions, AreThoseOfTable4) {
 }
 
 using bus::StepMode;
-// What is stricter here than the sheet: out of a trapezoid everything stops first, because its cells differ
-// between the sheet's copies; and the speed of an unprofiled move is not changed under way, because the same
-// load would run without a stop had the move ended meanwhile.
+// What is stricter here than the sheet, and left to who sends a command himself: the speed of a move is not
+// changed under way, because a timer count alone would run without a stop had the move ended meanwhile.
 INSTANTIATE_TEST_SUITE_P(
     Cells, StepTransitions,
     testing::Values(Transition{"TrapezoidToTrapezoid", StepMode::Trapezoidal, kTrapezoid, false},
@@ -238,10 +237,19 @@ INSTANTIATE_TEST_SUITE_P(
                     Transition{"UnknownToProfile", StepMode::Unknown, kForward, false}),
     [](const auto& one) { return std::string(one.param.name); });
 
-TEST(StepPlan, ChangesNeitherPositionNorParametersInMotion) {
+/// DS-S 5.1 Load Trajectory: without the start bit it has no effect whatsoever.
+TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
+    const Stepper stepper = Stepper::running();
+    EXPECT_EQ(bytesOf(stepintent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
+    EXPECT_EQ(refusalOf(stepintent::LoadMove{stepmotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
+              Refusal::NeedsStop)
+        << "from where?";
+}
+
+TEST(StepPlan, DoesNotSetThePositionToZeroInMotion) {
     const Stepper stepper = Stepper::running();
     EXPECT_EQ(refusalOf(intent::ResetPosition{}, stepper.module), Refusal::NeedsStop);
-    EXPECT_EQ(refusalOf(stepintent::SetParameters{}, stepper.module), Refusal::NeedsStop);
+    EXPECT_EQ(refusalOf(stepintent::SetParameters{}, stepper.module), std::nullopt);
     EXPECT_EQ(refusalOf(intent::SaveAsHome{}, stepper.module), std::nullopt);
 }
 

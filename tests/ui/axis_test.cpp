@@ -2,6 +2,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QDialog>
 #include <QTabWidget>
 
 #include "tests/model/stepfixture.h"
@@ -152,6 +153,36 @@ INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, M
                          [](const auto& chip) {
                              return chip.param == ModuleType::Servo ? "Servo" : "Stepper";
                          });
+
+/// 500 lines are 2000 counts a turn; behind 2 : 1 and a screw of 5 mm that is 800 counts a millimetre.
+TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
+    showPage(u"Axis"_s);
+    click(u"workOutUnitButton"_s);
+    choose(u"unitDialogKind"_s, u"moves along a line, in millimetres"_s);
+    type(u"unitDialogLines"_s, u"500"_s);
+    type(u"unitDialogMotorTurns"_s, u"2"_s);
+    type(u"unitDialogTravel"_s, u"5"_s);
+    EXPECT_EQ(text(u"unitDialogResult"_s), u"1 mm is 800 counts. The smallest step is 0.00125 mm."_s);
+    EXPECT_NE(machine.axis(ModuleIndex(0)).unit.kind, UnitKind::Millimetres) << "not before its button";
+    click(u"unitDialogUse"_s);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, (AxisUnit{UnitKind::Millimetres, 800, {}}));
+    EXPECT_EQ(text(u"positionUnit"_s), u"mm"_s);
+    EXPECT_EQ(text(u"otherPosition"_s), u"= 500 counts"_s) << "every amount is kept";
+    EXPECT_EQ(intents.size(), 0);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(window->findChild<QDialog*>(u"unitDialog"_s), nullptr);
+}
+
+TEST_F(Axis, AUnitIsNotTakenFromHalfALabel) {
+    showPage(u"Axis"_s);
+    click(u"workOutUnitButton"_s);
+    choose(u"unitDialogKind"_s, u"turns, in turns"_s);
+    type(u"unitDialogLines"_s, u"0"_s);
+    EXPECT_FALSE(button(u"unitDialogUse"_s)->isEnabled());
+    EXPECT_EQ(text(u"unitDialogResult"_s), u"Enter a number above 0 in each field."_s);
+    click(u"unitDialogCancel"_s);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, AxisUnit{});
+}
 
 }  // namespace
 }  // namespace nmc

@@ -68,7 +68,8 @@ TEST_F(StepPanelTest, OffersAMoveOutOfARunAsStopWaitGo) {
     EXPECT_EQ(button(u"stepGoButton"_s)->text(), u"Stop, wait: &Go"_s);
     EXPECT_EQ(button(u"stepGoButton"_s)->shortcut(), QKeySequence(Qt::ALT | Qt::Key_G));
     click(u"stepLoadOnlyBox"_s);
-    EXPECT_FALSE(button(u"stepGoButton"_s)->isEnabled()) << "a load does not stop anything";
+    EXPECT_EQ(button(u"stepGoButton"_s)->text(), u"Load"_s) << "a load does not stop anything (DS-S 5.1)";
+    EXPECT_TRUE(button(u"stepGoButton"_s)->isEnabled());
     click(u"stepLoadOnlyBox"_s);
     click(u"stepGoButton"_s);
     const auto change = asked<stepintent::ChangeMotion>();
@@ -242,11 +243,16 @@ TEST_F(StepPanelTest, KeepsUnfinishedEditsPerModule) {
     EXPECT_EQ(field(u"stepRunCurrentField"_s)->text(), u"77"_s);
 }
 
-TEST_F(StepPanelTest, ParametersWaitForStandstill) {
+/// DS-S 5.1 Set Parameters: in motion "any changes to the speed mode bits and minimum profile speed will be
+/// ignored".
+TEST_F(StepPanelTest, SendsParametersInMotionAndSaysWhatTheChipIgnores) {
     show(Stepper::running());
     type(u"stepRunCurrentField"_s, u"90"_s);
-    EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
-    EXPECT_EQ(button(u"stepApplyParametersButton"_s)->toolTip(), texts::refusal(Refusal::NeedsStop));
+    EXPECT_TRUE(button(u"stepApplyParametersButton"_s)->toolTip().contains(u"ignores the speed mode"_s));
+    click(u"stepApplyParametersButton"_s);
+    const auto set = asked<stepintent::SetParameters>();
+    ASSERT_TRUE(set);
+    EXPECT_EQ(set->parameters.runCurrent, 90);
 }
 
 TEST_F(StepPanelTest, TheWheelDoesNothingToAChoiceWithoutFocus) {

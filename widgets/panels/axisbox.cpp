@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalBlocker>
 
 #include "widgets/common/look.h"
@@ -14,6 +15,7 @@
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/servodefaults.h"
+#include "widgets/panels/unitdialog.h"
 
 namespace nmc {
 
@@ -97,6 +99,13 @@ void AxisBox::build() {
                                 tr("How many counts or steps of the chip make one unit."));
     m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
+    auto* workOut = new QPushButton(tr("Work it out…"), this);
+    look::name(workOut, named(u"workOutUnitButton"_s), tr("Work it out from encoder, gear and screw"));
+    workOut->setToolTip(
+        tr("Works the unit out from what stands on the labels of encoder, gear and screw. "
+           "Sends nothing."));
+    connect(workOut, &QPushButton::clicked, this, &AxisBox::workOutUnit);
+    form->addRow(QString(), workOut);
     m_symbol = new QLineEdit(this);
     look::name(m_symbol, named(u"axisSymbolField"_s), tr("Symbol of the unit"));
     m_symbol->setMaxLength(kLongestUnit);
@@ -140,6 +149,15 @@ void AxisBox::buildAnalog(QFormLayout* form) {
     m_analogUnit->setMaxLength(kLongestUnit);
     m_analogUnit->setToolTip(tr("A, V, or what the A/D input measures here."));
     form->addRow(tr("A/D unit"), m_analogUnit);
+}
+
+void AxisBox::workOutUnit() {
+    auto* dialog = findChild<UnitDialog*>();
+    if (dialog == nullptr)
+        dialog = new UnitDialog(m_context, this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
 UnitKind AxisBox::kind() const {

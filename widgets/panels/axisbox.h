@@ -36,6 +36,7 @@ private:
     NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName,
                            const QString& meaning);
     void connectControls();
+    void workOutUnit();
     void edit(const SettingsEdit& change);
     void showModule();
     void refresh();

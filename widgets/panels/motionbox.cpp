@@ -271,12 +271,15 @@ void MotionBox::refreshForecast() {
 
 void MotionBox::refresh() {
     refreshForecast();
-    QString move = reasonNow(Request::Move, {m_goal, m_velocity, m_acceleration});
-    if (move.isEmpty() && !entered())
-        move = tr("The goal is beyond the range of positions.");
-    m_go->setPossible(move, tr("Starts the move to the position, and holds there."));
+    const auto whyNo = [this](Request request) {
+        const QString reason = reasonNow(request, {m_goal, m_velocity, m_acceleration});
+        return reason.isEmpty() && !entered() ? tr("The goal is beyond the range of positions.") : reason;
+    };
+    m_go->setPossible(whyNo(Request::Move), tr("Starts the move to the position, and holds there."));
+    // By a distance: from where, while it moves?
     m_load->setPossible(
-        move, tr("Loads the move and does not start it: Start does, or the start of the module's group."));
+        whyNo(relative() ? Request::Move : Request::Load),
+        tr("Loads the move and does not start it: Start does, or the start of the module's group."));
     m_start->setPossible(m_context.reasonNow(Request::StartLoaded), tr("Starts the move that was loaded."));
     m_goHome->setPossible(reasonNow(Request::GoHome, {m_velocity, m_acceleration}), tr("Goes to home."));
     m_zero->setPossible(m_context.reasonNow(Request::ResetPosition),

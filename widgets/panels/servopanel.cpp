@@ -8,6 +8,7 @@
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/directioncheckbox.h"
+#include "widgets/panels/expertbox.h"
 #include "widgets/panels/gainsbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/iobox.h"
@@ -43,6 +44,7 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     axis->addBelow(new DirectionCheckBox(m_context, axis));
     m_pages->addTab(axis, tr("Axis"));
     m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));
+    m_pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, left, m_pages);
     connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
 }

@@ -93,7 +93,8 @@ QString StepDetailsBox::timer() const {
     if (!module.latest || !module.latest->timerCount)
         return u"–"_s;
     const QString count = texts::grouped(*module.latest->timerCount);
-    if (!module.stepper.parameters())
+    // At rest the count is what the last motion left there.
+    if (!module.stepper.parameters() || !module.moving())
         return count;
     const double rate = StepSpeed(module.stepper.parameters()->speedMode).ofCount(*module.latest->timerCount);
     return tr("%1, stands for %2").arg(count, texts::stepsPerSecond(rate, m_context.scale()));

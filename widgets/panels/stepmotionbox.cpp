@@ -219,7 +219,12 @@ std::optional<Refusal> StepMotionBox::refusalOf(bool reverse) const {
         return Refusal::NotConnected;
     const auto wanted = motion(reverse);
     // Before there is a motion: what any motion needs.
-    return wanted ? whyNot(*wanted, m_context.state()) : m_context.whyNot(Request::Run);
+    if (!wanted)
+        return m_context.whyNot(Request::Run);
+    if (!m_loadOnly->isChecked())
+        return whyNot(*wanted, m_context.state());
+    const auto load = plan(stepintent::LoadMove{*wanted}, m_context.state());
+    return load ? std::nullopt : std::optional(load.error());
 }
 
 bool StepMotionBox::viaStop(bool reverse) const {
@@ -293,8 +298,7 @@ void StepMotionBox::refreshCommand(Command& command, bool reverse, const QString
     const bool stopsFirst = m_context.connected() && viaStop(reverse);
     command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
     command.setPossible(reason.isEmpty() ? m_context.whyBusy() : reason,
-                        stopsFirst ? tr("The chip does not allow this change in motion. Stops smoothly, "
-                                        "waits until the motor stands, then: %1")
+                        stopsFirst ? tr("Stops smoothly, waits until the motor stands, then: %1")
                                          .arg(meaning)
                                    : meaning);
 }

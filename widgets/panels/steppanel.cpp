@@ -6,6 +6,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/panels/axisbox.h"
+#include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/stepdetailsbox.h"
@@ -29,6 +30,7 @@ StepPanel::StepPanel(const PanelView& view, QWidget* parent) : ModulePage(view, 
     pages->addTab(new HomingBox(m_context, this), tr("Homing"));
     pages->addTab(new AxisBox(m_context, this), tr("Axis"));
     pages->addTab(new StepDetailsBox(m_context, this), tr("Details"));
+    pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, motion, pages);
 }
 

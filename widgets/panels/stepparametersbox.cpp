@@ -354,7 +354,10 @@ void StepParametersBox::refresh() {
         !reason.isEmpty()    ? reason
         : !problem.isEmpty() ? problem
                              : m_context.whyBusy(),
-        m_context.state().driveOn()
+        m_context.state().moving() ? tr("Sends all parameters at once. While the motor moves, the chip "
+                                        "ignores the speed mode and the "
+                                        "minimum speed.")
+        : m_context.state().driveOn()
             ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
                  "immediately.")
             : tr("Sends all parameters at once. The motor does not move."));

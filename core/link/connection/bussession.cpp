@@ -46,6 +46,7 @@ std::optional<PortError> BusSession::run() {
 }
 
 std::optional<PortError> BusSession::converse() {
+    std::vector<std::uint8_t> bytes;
     while (true) {
         const TimePoint now = monotonicNow();
         if (const auto heard = hearGuards(now); !heard)
@@ -56,6 +57,10 @@ std::optional<PortError> BusSession::converse() {
             m_engine.stopUnasked(now);
         }
         takeRequests(now);
+        // Behind the requests: an answer sets off the next poll, which would go out before a stop that came
+        // with it.
+        if (!bytes.empty())
+            m_engine.onBytes(bytes, now);
         watchOver(now);
         if (const auto deadline = m_engine.nextDeadline(); deadline && *deadline <= now)
             m_engine.onDeadline(now);
@@ -73,11 +78,10 @@ std::optional<PortError> BusSession::converse() {
 
         const auto until = nextTurn(now);
         publishStatistics(now, until);
-        const auto bytes = m_transport.receive(until, m_channel.requests.wakeFd());
-        if (!bytes)
-            return bytes.error();
-        if (!bytes->empty())
-            m_engine.onBytes(*bytes, monotonicNow());
+        auto received = m_transport.receive(until, m_channel.requests.wakeFd());
+        if (!received)
+            return received.error();
+        bytes = std::move(*received);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "model/intent/intent.h"
 
 #include "base/overloaded.h"
+#include "model/intent/directplan.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
@@ -60,7 +61,7 @@ struct Planner {
     Plan operator()(const intent::LoadMove& load) const {
         if (const auto refusal = lacking(load.move))
             return tl::unexpected(*refusal);
-        return allowed(Request::Move, module, [&] { return stepsFor(module, trajectory(load.move)); });
+        return allowed(Request::Load, module, [&] { return stepsFor(module, trajectory(load.move)); });
     }
 
     Plan operator()(const intent::StartLoaded&) const {
@@ -172,6 +173,8 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
+    /// plan() has answered that for both chips.
+    Plan operator()(const intent::Direct&) const { return Steps{}; }
     Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
                                 stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
@@ -211,9 +214,9 @@ bool isStop(const Intent& intent) {
                            intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
                            intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                           intent::CancelProcedure, intent::ArmLimitStop, stepintent::SetParameters,
-                           stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                           stepintent::ChangeMotion> auto&) { return false; },
+                           intent::CancelProcedure, intent::ArmLimitStop, intent::Direct,
+                           stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                           stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
         },
         intent);
 }
@@ -221,6 +224,13 @@ bool isStop(const Intent& intent) {
 tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& module) {
     if (std::holds_alternative<intent::AskAnew>(intent))
         return stepsFor(module, Nop{});
+    if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
+        if (module.rights)
+            return tl::unexpected(Refusal::OperatorMode);
+        if (const auto refusal = whyNotDirect(direct->command, module))
+            return tl::unexpected(*refusal);
+        return Steps{{module.info.index, direct->command}};
+    }
     if (module.isStepper())
         return planStep(intent, module);
     return std::visit(Planner{module}, intent);
@@ -245,6 +255,8 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             if (!module.servoOn())
                 return Refusal::ServoOff;
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+        case Request::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
+            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case Request::GoHome:
             if (!module.home.place())
                 return Refusal::HomeUnknown;
@@ -311,6 +323,7 @@ namespace {
         case Request::Hold:
             return rights.jog;
         case Request::Move:
+        case Request::Load:
         case Request::GoHome:
         case Request::Run:
         case Request::StartLoaded:

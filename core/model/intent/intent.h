@@ -100,6 +100,10 @@ struct ArmLimitStop {
     bool limit2 = false;
     HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
 };
+/// One command with all that its data bytes can say, for who knows the data sheet (directplan.h).
+struct Direct {
+    bus::ModuleCommand command;
+};
 }  // namespace intent
 
 using Intent =
@@ -108,7 +112,7 @@ using Intent =
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
-                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop, intent::Direct,
                  stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
                  stepintent::ChangeMotion>;
 
@@ -137,6 +141,7 @@ enum class Refusal : std::uint8_t {
     NoSearchLimits,  ///< a search without a travel or a time limit
     LimitActive,     ///< a stop on its change would come when it is left
     LimitIsOutput,   ///< the pin is an output, so it tells nothing
+    StartApart,      ///< a trapezoidal move is not started by the command that loads it
     StepTooShort,    ///< a move by 0 counts
     StepTooLong,     ///< a step response is for a small move
     StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
@@ -163,6 +168,7 @@ enum class Refusal : std::uint8_t {
 enum class Request : std::uint8_t {
     Enable,
     Move,
+    Load,  ///< a move, to be started later
     GoHome,
     Run,
     Hold,

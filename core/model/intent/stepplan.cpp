@@ -83,7 +83,6 @@ struct GoalOf {
 }
 
 struct LoadOf {
-    const ModuleState& module;
     std::int32_t goal;  ///< of those that have one
     bool reverse;
 
@@ -114,6 +113,25 @@ struct LoadOf {
         return load;
     }
 };
+
+[[nodiscard]] bool isRelative(const StepMotion& motion) {
+    return std::visit(
+        [](const auto& move) {
+            if constexpr (requires { move.relative; })
+                return move.relative;
+            else
+                return false;
+        },
+        motion);
+}
+
+/// What is only loaded changes nothing until it is started (DS-S 5.1); but from where it then is, nobody
+/// knows now.
+[[nodiscard]] std::optional<Refusal> whyNotLoaded(const StepMotion& motion, const ModuleState& module) {
+    if (isRelative(motion) && module.stepper.moving())
+        return Refusal::NeedsStop;
+    return whyNotFromStandstill(motion, module);
+}
 
 struct Planner {
     const ModuleState& module;
@@ -166,7 +184,7 @@ struct Planner {
                        [&] { return stepsFor(module, loadFor(move.motion, module), StartMotion{}); });
     }
     Plan operator()(const stepintent::LoadMove& load) const {
-        return allowed(whyNot(load.motion, module),
+        return allowed(whyNotLoaded(load.motion, module),
                        [&] { return stepsFor(module, loadFor(load.motion, module)); });
     }
     /// Takes more than one operation: procedures.h.
@@ -178,7 +196,7 @@ struct Planner {
     }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
     /// plan() has answered that for both chips.
-    Plan operator()(const intent::AskAnew&) const { return Steps{}; }
+    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct> auto&) const { return Steps{}; }
     Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                                 intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                                 intent::ControlIo, intent::StepBy, intent::StepResponse,
@@ -189,19 +207,9 @@ struct Planner {
 
 /// Whether what was loaded may start now.
 [[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
-    const StepState& stepper = module.stepper;
-    if (!stepper.waiting())
+    if (!module.stepper.waiting())
         return Refusal::NothingLoaded;
-    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
-        return refusal;
-    const step::LoadTrajectory& load = *stepper.waiting();
-    const bool reverse =
-        load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
-    if (stepper.limitActs(reverse))
-        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
-    return mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load)
-               ? std::nullopt
-               : std::optional(Refusal::NeedsStop);
+    return whyNotStarted(*module.stepper.waiting(), module);
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotEnable(const ModuleState& module) {
@@ -233,17 +241,18 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
             if (const auto refusal = whyNoMotion(module, request))
                 return refusal;
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+        case Request::Load:
         case Request::Run:
         case Request::Hold:
             return whyNoMotion(module, request);
         case Request::StartLoaded:
             return whyNotStart(module);
         case Request::ResetPosition:
-        case Request::SetParameters:
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
         case Request::StopMotion:
         case Request::MotorOff:
         case Request::SaveAsHome:
+        case Request::SetParameters:
         case Request::SetOutputs:
             return std::nullopt;
         case Request::GoHome:
@@ -282,17 +291,31 @@ std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& modul
     if (!stepper.runsReverse())
         return Refusal::NeedsStop;
     // From a motion that ends at a goal, a timer count alone keeps that goal: it would not run on.
-    if (stepper.mode() == StepMode::UnprofiledWithStop &&
-        std::holds_alternative<stepmotion::UnprofiledRun>(motion))
+    const bool hasGoal =
+        stepper.mode() == StepMode::Trapezoidal || stepper.mode() == StepMode::UnprofiledWithStop;
+    if (hasGoal && std::holds_alternative<stepmotion::UnprofiledRun>(motion))
         return Refusal::NeedsStop;
     return mayFollow(stepper.mode(), *stepper.runsReverse(), loadFor(motion, module))
                ? std::nullopt
                : std::optional(Refusal::NeedsStop);
 }
 
+std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load, const ModuleState& module) {
+    const StepState& stepper = module.stepper;
+    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
+        return refusal;
+    const bool reverse =
+        load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
+    if (stepper.limitActs(reverse))
+        return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
+    return mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load)
+               ? std::nullopt
+               : std::optional(Refusal::NeedsStop);
+}
+
 step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module) {
     const auto goal = static_cast<std::int32_t>(goalOf(motion, module).value_or(0));
-    return std::visit(LoadOf{module, goal, wantsReverse(motion, module)}, motion);
+    return std::visit(LoadOf{goal, wantsReverse(motion, module)}, motion);
 }
 
 bus::Step smoothStop(const ModuleState& module) {

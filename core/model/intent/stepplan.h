@@ -20,6 +20,10 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module,
                                                           Request as = Request::Move);
 
+/// Why a load cannot be started now.
+[[nodiscard]] std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load,
+                                                   const ModuleState& module);
+
 /// The load for a motion, from where the module is; a position that does not change in motion is left out.
 [[nodiscard]] step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module);
 /// Smoothly where the chip knows a ramp, with the amplifier left as it is.

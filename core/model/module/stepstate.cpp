@@ -135,10 +135,16 @@ struct StepState::Executed {
             s.started(*s.m_waiting, time);
     }
     void operator()(const step::SetParameters& parameters) const {
-        // Integer speeds mean something else in another speed mode.
-        if (!s.m_parameters || s.m_parameters->speedMode != parameters.speedMode)
-            s.m_waiting.reset();
+        const std::optional<step::SetParameters> before = s.m_parameters;
         s.m_parameters = parameters;
+        if (before && s.moving()) {
+            // The chip ignores these in motion (DS-S 5.1).
+            s.m_parameters->speedMode = before->speedMode;
+            s.m_parameters->minimumProfileSpeed = before->minimumProfileSpeed;
+        }
+        // Integer speeds mean something else in another speed mode.
+        if (!before || before->speedMode != s.m_parameters->speedMode)
+            s.m_waiting.reset();
     }
     void operator()(const step::SetOutputs& set) const { s.m_outputs = set.outputs; }
     void operator()(const step::StopMotor& stop) const { s.stopped(stop, time); }
@@ -153,11 +159,10 @@ void StepState::apply(const StepCommand& executed, TimePoint time) {
 }
 
 void StepState::started(const step::LoadTrajectory& load, TimePoint time) {
+    m_goalMode = bus::goalMode(mode(), load);
     // With a timer count alone, a motion that ends at a goal still does (DS-S Table 4).
-    const bool keepsGoal =
-        mode() == bus::StepMode::UnprofiledWithStop && load.timer.has_value() && !load.position;
+    const bool keepsGoal = m_goalMode == bus::StepMode::UnprofiledWithStop && !load.position;
     if (!keepsGoal) {
-        m_goalMode = bus::goalMode(load);
         m_goal.reset();
         m_reverse = load.reverse;
         if (load.position) {

@@ -30,7 +30,10 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
                    [&](const StartMotion&) { start(executed); },
                    [&](const servo::StopMotor& stopMotor) { stop(stopMotor, executed); },
                    [&](const ResetPosition&) { zero(executed); },
-                   [&](const servo::SetGain& gains) { setServoRate(gains.sr, executed); },
+                   [&](const servo::SetGain& gains) {
+                       m_errorLimit = gains.el;
+                       setServoRate(gains.sr, executed);
+                   },
                    [&](const servo::SetHoming& homing) { arm(homing, executed); },
                    [](const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::IoControl, SetBaud,
                                   servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) {},
@@ -43,6 +46,7 @@ void CommandPosition::apply(const bus::Sample& sample) {
         m_servoOn = servo::AuxByte{*sample.report.aux}.servoOn();
     const servo::StatusByte status{sample.heard.value_or(sample.report.status)};
     learnHome(sample, status);
+    learnContradiction(sample, status);
     if (!m_servoOn)
         switchedOff();
     else if (m_awaiting == Awaiting::HeldPosition)
@@ -57,11 +61,12 @@ void CommandPosition::forget() {
     m_envelope.reset();
     m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
+    m_strange.reset();
     m_lastPosition.reset();
 }
 
 std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late) const {
-    if (!m_envelope)
+    if (!m_envelope || (m_strange && time >= *m_strange))
         return std::nullopt;
     return m_envelope->at(shown(time, late));
 }
@@ -89,6 +94,7 @@ void CommandPosition::load(const servo::LoadTrajectory& load) {
 }
 
 void CommandPosition::start(const bus::CommandExecuted& executed) {
+    explain(executed);
     m_commanded = executed.time;
     m_effective = executed.time + executed.late + kShowsAfter * m_tick;
     if (!m_loaded.servo)
@@ -111,6 +117,7 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
 
 void CommandPosition::runAt(double velocity, const Moments& when) {
     m_motion = Motion::Velocity;
+    m_runningVelocity = velocity;
     if (m_awaiting == Awaiting::EndOfMove)
         m_awaiting = Awaiting::Nothing;
     if (m_envelope)
@@ -120,6 +127,7 @@ void CommandPosition::runAt(double velocity, const Moments& when) {
 void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed) {
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
+    explain(executed);
     m_commanded = executed.time;
     m_effective = executed.time + executed.late + kShowsAfter * m_tick;
     m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
@@ -183,6 +191,7 @@ void CommandPosition::switchedOff() {
     m_envelope.reset();
     m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
+    m_strange.reset();
     m_servoOn = false;
 }
 
@@ -190,6 +199,7 @@ void CommandPosition::rest(const CommandEstimate& held) {
     m_envelope = CommandEnvelope(held);
     m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
+    m_strange.reset();
 }
 
 /// Stands still where it was then, if that is known.
@@ -236,6 +246,21 @@ void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     rest({(now + before) / 2, std::min(now, before), std::max(now, before)});
 }
 
+/// At rest move_done is set (DS-V 5.3).
+void CommandPosition::learnContradiction(const bus::Sample& sample, servo::StatusByte status) {
+    const bool rests = m_envelope && m_motion == Motion::None;
+    if (rests && !m_strange && !status.moveDone() && sample.time >= m_effective)
+        m_strange = sample.time;
+}
+
+/// A command that was carried out before it began to move strangely is what set it going. Otherwise it has
+/// gone nobody knows where.
+void CommandPosition::explain(const bus::CommandExecuted& executed) {
+    if (m_strange && executed.time >= *m_strange)
+        m_envelope.reset();
+    m_strange.reset();
+}
+
 /// DS-V 5.3: move_done is clear in a trapezoidal move and while one velocity changes into another;
 /// accel_done and slew_done tell of trapezoidal moves only.
 void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux) {
@@ -257,6 +282,11 @@ void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte
         learn(Phase::Slew, aux.slewDone());
     }
     learn(Phase::Last, status.moveDone());
+    // A stop is over: it rests, and what sets it going again is another motion.
+    if (m_motion == Motion::Velocity && m_runningVelocity == 0.0 && status.moveDone()) {
+        const TimePoint stands = now.latest + kShowsAfter * m_tick;
+        rest(m_envelope->at({stands, stands, stands}));
+    }
 }
 
 }  // namespace nmc

@@ -36,6 +36,8 @@ public:
     /// The command position when a status was latched, `time` and `late` as in bus::Sample; empty while
     /// unknown or the servo is off.
     [[nodiscard]] std::optional<CommandEstimate> at(TimePoint time, Duration late = {}) const;
+    /// EL as set in this connection: the servo switches itself off beyond it. Counts.
+    [[nodiscard]] std::optional<int> errorLimit() const { return m_errorLimit; }
 
 private:
     /// What makes the command position known again.
@@ -62,6 +64,8 @@ private:
     void learnHome(const bus::Sample& sample, servo::StatusByte status);
     void learnHeldPosition(const bus::Sample& sample);
     void learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux);
+    void learnContradiction(const bus::Sample& sample, servo::StatusByte status);
+    void explain(const bus::CommandExecuted& executed);
 
     void switchedOff();
     void rest(const CommandEstimate& held);
@@ -77,6 +81,10 @@ private:
     Motion m_motion = Motion::None;
     Awaiting m_awaiting = Awaiting::Nothing;
     std::optional<HomingStop> m_homing;
+    /// Since then it says that it moves, and nothing that is known of has set it going: the answer to a start
+    /// was lost perhaps, and what it did is told later.
+    std::optional<TimePoint> m_strange;
+    std::optional<int> m_errorLimit;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
     TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
     TimePoint m_effective;                 ///< a status from then on shows what came of it
@@ -85,6 +93,7 @@ private:
     double m_velocity = 0;                 ///< counts/tick, >= 0
     double m_acceleration = 0;             ///< counts/tick^2; as loaded
     double m_runningAcceleration = 0;      ///< of the last start
+    double m_runningVelocity = 0;          ///< counts/tick, signed; of Motion::Velocity
     std::optional<double> m_lastPosition;  ///< as reported last
     Duration m_tick = kServoTick;          ///< SR x 0.512 ms
 };

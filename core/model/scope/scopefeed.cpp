@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/scope/scopefeed.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nmc {
 
@@ -32,11 +34,20 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     made.velocity = velocity({made.time, made.position});
     if (const auto command = m_command.at(sample.time, sample.late)) {
         const double error = std::remainder(command->position - made.position, kRange);
-        made.error = static_cast<float>(error);
-        made.errorLow = static_cast<float>(error + (command->low - command->position));
-        made.errorHigh = static_cast<float>(error + (command->high - command->position));
+        setError(made, {error, error + (command->low - command->position),
+                        error + (command->high - command->position)});
     }
     return made;
+}
+
+/// A servo that is on has an error of EL at most (DS-V 4.3): what lies beyond is not so.
+void ScopeFeed::setError(ScopeSample& sample, CommandEstimate error) const {
+    const double most = m_command.errorLimit().value_or(std::numeric_limits<int>::max());
+    if (error.low > most || error.high < -most)
+        return;
+    sample.error = static_cast<float>(std::clamp(error.position, -most, most));
+    sample.errorLow = static_cast<float>(std::max(error.low, -most));
+    sample.errorHigh = static_cast<float>(std::min(error.high, most));
 }
 
 void ScopeFeed::breakHere() {

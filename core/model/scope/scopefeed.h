@@ -36,6 +36,7 @@ private:
     };
     [[nodiscard]] bool missingBefore(const bus::Sample& sample);
     [[nodiscard]] float velocity(const Place& here);
+    void setError(ScopeSample& sample, CommandEstimate error) const;
 
     CommandPosition m_command;
     std::deque<Place> m_recent;  ///< back to kVelocityTime before the last, and one beyond

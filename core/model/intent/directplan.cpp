@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/directplan.h"
+
+#include "base/overloaded.h"
+#include "model/intent/stepplan.h"
+
+namespace nmc {
+
+namespace {
+
+struct WhyNot {
+    const ModuleState& module;
+
+    // ---- PIC-SERVO ----
+
+    std::optional<Refusal> operator()(const servo::LoadTrajectory& load) const {
+        if (!load.startNow)
+            return whyNotTold(Request::Load, module);
+        if (!load.servo)
+            return whyNot(Request::DrivePwm, module);
+        if (load.profile == servo::ProfileMode::Trapezoidal)
+            return Refusal::StartApart;
+        const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded;
+        return ramp ? whyNot(Request::Run, module) : std::optional(Refusal::NoAcceleration);
+    }
+    std::optional<Refusal> operator()(const servo::StopMotor& stop) const {
+        switch (stop.manner) {
+            case servo::StopManner::AmplifierOnly:
+                return whyNot(Request::SetAmplifier, module);
+            case servo::StopManner::MotorOff:
+                return whyNot(Request::MotorOff, module);
+            case servo::StopManner::Smoothly:
+                if (!module.accelerationLoaded)
+                    return Refusal::NoAcceleration;
+                break;
+            case servo::StopManner::Abruptly:
+                break;
+            case servo::StopManner::Here:
+                return whyNot(Request::StopHere, module);
+        }
+        // A servo that is off is switched on by it (DS-V 5.2).
+        return whyNot(module.servoOn() ? Request::StopMotion : Request::Enable, module);
+    }
+    std::optional<Refusal> operator()(const servo::SetHoming& homing) const {
+        const bool stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
+        if (stops && module.info.identity.version < servo::kAutoStopVersion)
+            return Refusal::VersionLacksIt;
+        return whyNotTold(Request::Home, module);
+    }
+    std::optional<Refusal> operator()(const servo::SetGain&) const {
+        return whyNot(Request::ApplyGains, module);
+    }
+    std::optional<Refusal> operator()(const servo::IoControl&) const {
+        return whyNot(Request::ControlIo, module);
+    }
+    std::optional<Refusal> operator()(const servo::ClearStickyBits&) const {
+        return whyNot(Request::ClearStickyBits, module);
+    }
+
+    // ---- PIC-STEP ----
+
+    std::optional<Refusal> operator()(const step::LoadTrajectory& load) const {
+        return load.startNow ? whyNotStarted(load, module) : whyNot(Request::Load, module);
+    }
+    std::optional<Refusal> operator()(const step::StopMotor& stop) const {
+        const bool enables = stop.amplifierEnable && !module.stepper.amplifierOn();
+        return whyNot(enables ? Request::Enable : Request::StopMotion, module);
+    }
+    std::optional<Refusal> operator()(const step::SetHoming&) const {
+        return whyNotTold(Request::Home, module);
+    }
+    std::optional<Refusal> operator()(const step::SetParameters&) const {
+        return whyNot(Request::SetParameters, module);
+    }
+    std::optional<Refusal> operator()(const step::SetOutputs&) const {
+        return whyNot(Request::SetOutputs, module);
+    }
+
+    // ---- both ----
+
+    std::optional<Refusal> operator()(const StartMotion&) const {
+        return whyNot(Request::StartLoaded, module);
+    }
+    std::optional<Refusal> operator()(const ResetPosition&) const {
+        return whyNot(Request::ResetPosition, module);
+    }
+    std::optional<Refusal> operator()(const SaveAsHome&) const { return whyNot(Request::SaveAsHome, module); }
+    /// Addresses, rate, reset and the items of a status belong to the bus.
+    std::optional<Refusal> operator()(
+        const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
+        return whyNotTold(Request::StopMotion, module);
+    }
+};
+
+}  // namespace
+
+std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command, const ModuleState& module) {
+    const bool forStepper = std::holds_alternative<StepCommand>(command);
+    if (forStepper != module.isStepper())
+        return forStepper ? Refusal::NotAStepper : Refusal::NotAServo;
+    return std::visit([&](const auto& chip) { return std::visit(WhyNot{module}, chip); }, command);
+}
+
+}  // namespace nmc

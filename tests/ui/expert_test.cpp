@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every bit of a chip's motion commands has a control on the Expert page, and every control there is one: the
+// control bytes of DS-V 5.2 and DS-S 5.1, as printed.
+#include <QCheckBox>
+#include <QComboBox>
+
+#include "tests/model/stepfixture.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::clickOn;
+using testing_support::Stepper;
+
+/// What one act makes of the first data byte.
+struct Bit {
+    QString control;
+    int choice;  ///< of a list; -1: a check box
+    std::uint8_t mask;
+    std::uint8_t value;
+};
+
+constexpr int kBox = -1;
+
+const std::vector<Bit> kServoBits{
+    {u"expertLoadPositionLoaded"_s, kBox, 0x01, 0x01},
+    {u"expertLoadVelocityLoaded"_s, kBox, 0x02, 0x02},
+    {u"expertLoadAccelerationLoaded"_s, kBox, 0x04, 0x04},
+    {u"expertLoadPwmLoaded"_s, kBox, 0x08, 0x08},
+    {u"expertLoadMode"_s, 0, 0x30, 0x10},
+    {u"expertLoadMode"_s, 1, 0x30, 0x30},
+    {u"expertLoadMode"_s, 2, 0x30, 0x00},
+    {u"expertLoadReverse"_s, kBox, 0x40, 0x40},
+    {u"expertLoadNow"_s, kBox, 0x80, 0x80},
+    {u"expertStopAmplifier"_s, kBox, 0x01, 0x00},  // it is checked at first
+    {u"expertStopManner"_s, 0, 0x1E, 0x00},
+    {u"expertStopManner"_s, 1, 0x1E, 0x02},
+    {u"expertStopManner"_s, 2, 0x1E, 0x04},
+    {u"expertStopManner"_s, 3, 0x1E, 0x08},
+    {u"expertStopManner"_s, 4, 0x1E, 0x10},
+    {u"expertHomingLimit1"_s, kBox, 0x01, 0x01},
+    {u"expertHomingLimit2"_s, kBox, 0x02, 0x02},
+    {u"expertHomingIndex"_s, kBox, 0x08, 0x08},
+    {u"expertHomingPositionError"_s, kBox, 0x40, 0x40},
+    {u"expertHomingCurrentLimit"_s, kBox, 0x80, 0x80},
+    {u"expertHomingManner"_s, 0, 0x34, 0x00},
+    {u"expertHomingManner"_s, 1, 0x34, 0x10},
+    {u"expertHomingManner"_s, 2, 0x34, 0x20},
+    {u"expertHomingManner"_s, 3, 0x34, 0x04},
+};
+
+const std::vector<Bit> kStepBits{
+    {u"expertLoadPositionLoaded"_s, kBox, 0x01, 0x01},
+    {u"expertLoadSpeedLoaded"_s, kBox, 0x02, 0x02},
+    {u"expertLoadAccelerationLoaded"_s, kBox, 0x04, 0x04},
+    {u"expertLoadTimerLoaded"_s, kBox, 0x08, 0x08},
+    {u"expertLoadReverse"_s, kBox, 0x10, 0x10},
+    {u"expertLoadNow"_s, kBox, 0x80, 0x80},
+    {u"expertStopAmplifier"_s, kBox, 0x01, 0x00},
+    {u"expertStopManner"_s, 0, 0x0C, 0x00},
+    {u"expertStopManner"_s, 1, 0x0C, 0x04},
+    {u"expertStopManner"_s, 2, 0x0C, 0x08},
+    {u"expertHomingLimit1"_s, kBox, 0x01, 0x01},
+    {u"expertHomingLimit2"_s, kBox, 0x02, 0x02},
+    {u"expertHomingHomeSwitch"_s, kBox, 0x08, 0x08},
+    {u"expertHomingManner"_s, 0, 0x34, 0x00},
+    {u"expertHomingManner"_s, 1, 0x34, 0x10},
+    {u"expertHomingManner"_s, 2, 0x34, 0x20},
+    {u"expertHomingManner"_s, 3, 0x34, 0x04},
+};
+
+class Expert : public WindowTest {
+protected:
+    Expert() { window->resize(1500, 1100); }
+
+    void showStepper(const Stepper& stepper) { window->showLink(connectedTo({stepper.module})); }
+
+    /// "expertLoad" of "expertLoadMode".
+    static QString boxOf(const QString& control) {
+        for (const QString& box : {u"expertLoad"_s, u"expertStop"_s, u"expertHoming"_s})
+            if (control.startsWith(box))
+                return box;
+        return {};
+    }
+    QByteArray bytes(const QString& box) { return QByteArray::fromHex(text(box + u"Bytes"_s).toLatin1()); }
+    void choose(const QString& control, int choice) {
+        auto* list = find<QComboBox>(control);
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Home);
+        for (int i = 0; i < choice; ++i)
+            QTest::keyClick(list, Qt::Key_Down);
+        ASSERT_EQ(list->currentIndex(), choice) << control.toStdString();
+    }
+    void act(const Bit& bit) {
+        if (bit.choice == kBox)
+            clickOn(*find<QCheckBox>(bit.control));
+        else
+            choose(bit.control, bit.choice);
+    }
+    void expectEveryBit(const std::vector<Bit>& bits) {
+        for (const Bit& bit : bits) {
+            SCOPED_TRACE(bit.control.toStdString() + " " + std::to_string(bit.choice));
+            const auto before = static_cast<std::uint8_t>(bytes(boxOf(bit.control)).at(3));
+            act(bit);
+            const auto after = static_cast<std::uint8_t>(bytes(boxOf(bit.control)).at(3));
+            EXPECT_EQ(after & bit.mask, bit.value);
+            EXPECT_EQ(after & ~bit.mask, before & ~bit.mask) << "another bit has changed";
+            if (bit.choice == kBox)
+                act(bit);
+        }
+        for (const auto* control : find(u"expertBox"_s)->findChildren<QWidget*>()) {
+            const bool chooses = qobject_cast<const QCheckBox*>(control) != nullptr ||
+                                 qobject_cast<const QComboBox*>(control) != nullptr;
+            EXPECT_TRUE(!chooses ||
+                        std::any_of(bits.begin(), bits.end(),
+                                    [&](const Bit& bit) { return bit.control == control->objectName(); }))
+                << control->objectName().toStdString() << " is in no data sheet";
+        }
+    }
+    QByteArray sent(int number = 0) {
+        if (intents.size() <= number)
+            return {};
+        const auto intent = intents.at(number).at(1).value<Intent>();
+        const auto& command = std::get<intent::Direct>(intent).command;
+        const Payload payload = std::visit([](const auto& chip) { return encode(chip); }, command);
+        const PacketBytes packet = toPacket({BusAddress(1), payload});
+        return {reinterpret_cast<const char*>(packet.data()), static_cast<qsizetype>(packet.size())};
+    }
+
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(Expert, ReachesEveryBitOfAServo) {
+    showServo();
+    expectEveryBit(kServoBits);
+    EXPECT_EQ(intents.size(), 0) << "nothing is sent by setting it up";
+}
+
+TEST_F(Expert, ReachesEveryBitOfAStepper) {
+    showStepper(Stepper::holding());
+    expectEveryBit(kStepBits);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+/// The example of DS-V 5.2 Load Trajectory: "the command byte would be 0x94, the control byte would be 0x15".
+TEST_F(Expert, SendsTheDataSheetsExample) {
+    showServo();
+    clickOn(*find<QCheckBox>(u"expertLoadPositionLoaded"_s));
+    type(u"expertLoadPosition"_s, u"1000"_s);
+    clickOn(*find<QCheckBox>(u"expertLoadAccelerationLoaded"_s));
+    type(u"expertLoadAcceleration"_s, u"2"_s);
+    click(u"expertLoadButton"_s);
+    EXPECT_EQ(sent().toHex(' ').toUpper(), "AA 01 94 15 E8 03 00 00 02 00 00 00 97");
+}
+
+TEST_F(Expert, CapturesHomeWithoutAStop) {
+    showServo();
+    clickOn(*find<QCheckBox>(u"expertHomingIndex"_s));
+    click(u"expertHomingButton"_s);
+    EXPECT_EQ(sent().toHex(' ').toUpper(), "AA 01 19 08 22");
+    EXPECT_TRUE(text(u"expertHomingMeaning"_s).contains(u"The motion goes on"_s));
+}
+
+TEST_F(Expert, DoesNotStartATrapezoidWithItsLoad) {
+    showServo();
+    clickOn(*find<QCheckBox>(u"expertLoadNow"_s));
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->toolTip().isEmpty());
+    choose(u"expertLoadMode"_s, 1);
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "no acceleration was ever loaded";
+    clickOn(*find<QCheckBox>(u"expertLoadAccelerationLoaded"_s));
+    type(u"expertLoadAcceleration"_s, u"131"_s);
+    EXPECT_TRUE(button(u"expertLoadButton"_s)->isEnabled());
+}
+
+TEST_F(Expert, SaysWhichNumberIsWrong) {
+    showServo();
+    clickOn(*find<QCheckBox>(u"expertLoadPwmLoaded"_s));
+    type(u"expertLoadPwm"_s, u"256"_s);
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled());
+    EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"255"_s));
+}
+
+/// Table 4: from a trapezoid, the timer count alone keeps the position; with a speed it becomes a ramp.
+TEST_F(Expert, NamesTheModeOfTable4) {
+    Stepper stepper = Stepper::holding();
+    step::LoadTrajectory move = Stepper::trapezoid(900);
+    move.startNow = true;
+    stepper.was(move);
+    stepper.says(testing_support::kStepPower | testing_support::kAmplifier | testing_support::kMoving |
+                 testing_support::kTrapezoidalMode);
+    showStepper(stepper);
+    clickOn(*find<QCheckBox>(u"expertLoadNow"_s));
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "needs a timer count";
+    clickOn(*find<QCheckBox>(u"expertLoadTimerLoaded"_s));
+    EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"goes on to its position"_s));
+    EXPECT_TRUE(button(u"expertLoadButton"_s)->isEnabled());
+    clickOn(*find<QCheckBox>(u"expertLoadSpeedLoaded"_s));
+    EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"A ramp"_s));
+    clickOn(*find<QCheckBox>(u"expertLoadPositionLoaded"_s));
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "a goal does not change in motion";
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/directbox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "model/intent/directplan.h"
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+bool DirectBox::Value::sent() const {
+    return loaded == nullptr || loaded->isChecked();
+}
+
+double DirectBox::Value::value() const {
+    return field->value().value_or(0);
+}
+
+DirectBox::DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent)
+    : QGroupBox(spec.title, parent),
+      m_context(context),
+      m_name(spec.name),
+      m_grid(new QGridLayout(this)),
+      m_meaning(new QLabel(this)),
+      m_bytes(look::newMutedLabel({}, this)),
+      m_send(new Command({.name = named(u"Button"_s),
+                          .icon = {},
+                          .text = spec.send,
+                          .accessible = tr("%1 as set here").arg(spec.send),
+                          .key = {}},
+                         this, [this] { m_context.ask(intent::Direct{m_command()}); })) {
+    look::name(this, named(u"Box"_s), spec.title);
+    look::nameText(m_meaning, named(u"Meaning"_s), tr("What the chip will do"));
+    look::nameText(m_bytes, named(u"Bytes"_s), tr("The command's bytes"));
+    m_meaning->setWordWrap(true);
+    m_meaning->setTextFormat(Qt::PlainText);
+    m_bytes->setFont(look::tabular(font()));
+    m_bytes->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_grid->setHorizontalSpacing(look::gridUnit(this));
+    m_grid->setVerticalSpacing(look::gridUnit(this) / 3);
+    m_grid->setColumnStretch(1, 1);
+}
+
+QString DirectBox::named(const QString& name) const {
+    return m_name + name;
+}
+
+void DirectBox::addRow(QWidget* left, QWidget* right) {
+    const int row = m_grid->rowCount();
+    if (right == nullptr)
+        return m_grid->addWidget(left, row, 0, 1, 2);
+    m_grid->addWidget(left, row, 0);
+    m_grid->addWidget(right, row, 1, Qt::AlignLeft);
+}
+
+QCheckBox* DirectBox::addFlag(const QString& name, const QString& text) {
+    auto* box = new QCheckBox(text, this);
+    look::name(box, named(name), text);
+    box->setToolTip(tr("A bit of %1: %2").arg(title(), text));
+    connect(box, &QCheckBox::toggled, this, &DirectBox::refresh);
+    addRow(box, nullptr);
+    return box;
+}
+
+QComboBox* DirectBox::addChoice(const QString& name, const QString& label, const QStringList& choices) {
+    auto* box = new QComboBox(this);
+    look::name(box, named(name), label);
+    box->addItems(choices);
+    box->setToolTip(tr("Bits of %1: %2").arg(title(), label));
+    connect(box, &QComboBox::currentIndexChanged, this, &DirectBox::refresh);
+    auto* words = new QLabel(label, this);
+    words->setBuddy(box);
+    addRow(words, box);
+    return box;
+}
+
+DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, double min, double max,
+                                     bool optional) {
+    Value value;
+    value.field = new NumberField(0, this);
+    look::name(value.field, named(name), text);
+    value.field->setRange(min, max);
+    value.field->setWords(text, {});
+    value.field->setMeaning(tr("Data of %1: %2").arg(title(), text));
+    value.field->showValue(std::max(min, 0.0));
+    connect(value.field, &NumberField::edited, this, &DirectBox::refresh);
+    QWidget* left = nullptr;
+    if (optional) {
+        value.loaded = new QCheckBox(text, this);
+        look::name(value.loaded, named(name) + u"Loaded"_s, tr("Load: %1").arg(text));
+        value.loaded->setToolTip(tr("Without it the chip keeps the value that was loaded before."));
+        connect(value.loaded, &QCheckBox::toggled, value.field, &QWidget::setEnabled);
+        connect(value.loaded, &QCheckBox::toggled, this, &DirectBox::refresh);
+        value.field->setEnabled(false);
+        left = value.loaded;
+    } else {
+        auto* words = new QLabel(text, this);
+        words->setBuddy(value.field);
+        left = words;
+    }
+    addRow(left, value.field);
+    m_values.push_back(value);
+    return value;
+}
+
+void DirectBox::setCommand(std::function<bus::ModuleCommand()> command,
+                           std::function<QString(const bus::ModuleCommand&)> meaning) {
+    m_command = std::move(command);
+    m_tell = std::move(meaning);
+    addRow(m_meaning, nullptr);
+    const int row = m_grid->rowCount();
+    m_grid->addWidget(m_bytes, row, 0);
+    m_grid->addWidget(m_send->button(), row, 1, Qt::AlignRight);
+    m_context.whenSeen(this, [this] { refresh(); });
+}
+
+QString DirectBox::problem() const {
+    for (const Value& value : m_values)
+        if (value.sent() && value.field->problem() != NumberField::Problem::None)
+            return value.field->problemText();
+    return {};
+}
+
+void DirectBox::refresh() {
+    if (!m_command)
+        return;
+    const bus::ModuleCommand command = m_command();
+    const auto meaning = m_tell(command);
+    QString reason = problem();
+    const auto refusal = m_context.connected() ? whyNotDirect(command, m_context.state())
+                                               : std::optional(Refusal::NotConnected);
+    if (reason.isEmpty() && refusal)
+        reason = texts::refusal(*refusal);
+    look::setText(m_meaning, reason.isEmpty() ? meaning : reason);
+    const Payload payload = std::visit([](const auto& chip) { return encode(chip); }, command);
+    const PacketBytes packet = toPacket({m_context.state().info.address, payload});
+    QByteArray bytes(reinterpret_cast<const char*>(packet.data()), static_cast<qsizetype>(packet.size()));
+    look::setText(m_bytes, problem().isEmpty() ? QString::fromLatin1(bytes.toHex(' ').toUpper()) : QString());
+    m_send->setPossible(reason.isEmpty() ? m_context.whyBusy() : reason, meaning);
+}
+
+}  // namespace nmc

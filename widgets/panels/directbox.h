@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGroupBox>
+#include <functional>
+#include <optional>
+
+#include "widgets/panels/modulecontext.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+
+namespace nmc {
+
+class Command;
+class NumberField;
+
+/// One command with everything that its data bytes can say: a check box for each bit, a field for each
+/// number, what the chip will do, the bytes, and a button that sends them. What a control does not offer, the
+/// chip has not.
+class DirectBox : public QGroupBox {
+    Q_OBJECT
+
+public:
+    struct Spec {
+        QString name;   ///< of the box and, as a beginning, of all in it: "expertLoad"
+        QString title;  ///< the command's name in the data sheet
+        QString send;   ///< on the button
+    };
+    DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent);
+
+    QCheckBox* addFlag(const QString& name, const QString& text);
+    QComboBox* addChoice(const QString& name, const QString& label, const QStringList& choices);
+    /// A value that is sent where its box is checked, or, without a box, always.
+    struct Value {
+        QCheckBox* loaded = nullptr;
+        NumberField* field = nullptr;
+
+        [[nodiscard]] bool sent() const;
+        /// Of one that is sent; 0 while there is none.
+        [[nodiscard]] double value() const;
+    };
+    Value addValue(const QString& name, const QString& text, double min, double max, bool optional);
+
+    /// The command as it stands, and what the chip does with it. Asked for whenever something changes.
+    void setCommand(std::function<bus::ModuleCommand()> command,
+                    std::function<QString(const bus::ModuleCommand&)> meaning);
+
+private:
+    [[nodiscard]] QString named(const QString& name) const;
+    void addRow(QWidget* left, QWidget* right);
+    [[nodiscard]] QString problem() const;
+    void refresh();
+
+    ModuleContext& m_context;
+    QString m_name;
+    QGridLayout* m_grid;
+    QLabel* m_meaning;
+    QLabel* m_bytes;
+    Command* m_send;
+    std::vector<Value> m_values;
+    std::function<bus::ModuleCommand()> m_command;
+    std::function<QString(const bus::ModuleCommand&)> m_tell;
+};
+
+}  // namespace nmc

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/expertbox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/common/look.h"
+#include "widgets/panels/directbox.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Value = DirectBox::Value;
+
+std::uint32_t whole(const Value& value) {
+    return static_cast<std::uint32_t>(value.value());
+}
+
+template <typename T, typename Make>
+std::optional<T> loadedAs(const Value& value, Make make) {
+    std::optional<T> loaded;
+    if (value.sent())
+        loaded.emplace(make(value.value()));
+    return loaded;
+}
+
+std::optional<Counts> counts(const Value& value) {
+    return loadedAs<Counts>(value, [](double number) { return static_cast<std::int32_t>(number); });
+}
+
+std::optional<std::uint8_t> byte(const Value& value) {
+    return loadedAs<std::uint8_t>(value, [](double number) { return static_cast<std::uint8_t>(number); });
+}
+
+/// What a homing command makes of the chosen manner: none is a capture without a stop.
+template <typename SetHoming>
+void takeManner(SetHoming& homing, int choice) {
+    homing.stopAbruptly = choice == 1;
+    homing.stopSmoothly = choice == 2;
+    homing.motorOff = choice == 3;
+}
+
+QStringList homingManners() {
+    return {ExpertBox::tr("Capture only"), ExpertBox::tr("Stop abruptly"), ExpertBox::tr("Stop smoothly"),
+            ExpertBox::tr("Motor off")};
+}
+
+template <typename SetHoming>
+QString homingMeaning(const SetHoming& homing, bool watches) {
+    if (!watches)
+        return ExpertBox::tr("The chip no longer watches for home.");
+    const bool stops = homing.stopAbruptly || homing.stopSmoothly || homing.motorOff;
+    return stops ? ExpertBox::tr(
+                       "At the first of these events the chip stores its position in the home "
+                       "register and stops by itself. Start the motion with your own command.")
+                 : ExpertBox::tr(
+                       "At the first of these events the chip stores its position in the home "
+                       "register. The motion goes on.");
+}
+
+QString startMeaning(bool startNow, const QString& meaning) {
+    return startNow ? meaning
+                    : ExpertBox::tr("%1 Waits for Start Motion; the next load overwrites it.").arg(meaning);
+}
+
+// ---- PIC-SERVO ----
+
+DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertLoad"_s, ExpertBox::tr("Load Trajectory"), ExpertBox::tr("Send load")}, parent);
+    const auto range = [](const ValueRange& r) {
+        return std::pair(static_cast<double>(r.min), static_cast<double>(r.max));
+    };
+    const auto [lowest, highest] = range(servo::kPositionRange);
+    const auto [slowest, fastest] = range(servo::kVelocityRange);
+    QComboBox* mode =
+        box->addChoice(u"Mode"_s, ExpertBox::tr("Mode"),
+                       {ExpertBox::tr("Trapezoidal"), ExpertBox::tr("Velocity"), ExpertBox::tr("PWM")});
+    const Value position =
+        box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"), lowest, highest, true);
+    const Value velocity =
+        box->addValue(u"Velocity"_s, ExpertBox::tr("Velocity (counts/tick × 65536)"), slowest, fastest, true);
+    const Value acceleration = box->addValue(
+        u"Acceleration"_s, ExpertBox::tr("Acceleration (counts/tick² × 65536)"), slowest, fastest, true);
+    const Value pwm = box->addValue(u"Pwm"_s, ExpertBox::tr("PWM value"), 0, 255, true);
+    QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (velocity and PWM)"));
+    QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            servo::LoadTrajectory load;
+            load.position = counts(position);
+            if (velocity.sent())
+                load.velocity = CountsPerTick(whole(velocity));
+            if (acceleration.sent())
+                load.acceleration = CountsPerTickSquared(whole(acceleration));
+            load.pwm = byte(pwm);
+            load.servo = mode->currentIndex() != 2;
+            load.profile =
+                mode->currentIndex() == 1 ? servo::ProfileMode::Velocity : servo::ProfileMode::Trapezoidal;
+            load.reverse = reverse->isChecked();
+            load.startNow = now->isChecked();
+            return ServoCommand(load);
+        },
+        [](const bus::ModuleCommand& command) {
+            const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
+            if (!load.servo)
+                return startMeaning(load.startNow,
+                                    ExpertBox::tr("The servo is off and the PWM value drives the motor. No "
+                                                  "limit applies."));
+            if (load.profile == servo::ProfileMode::Velocity)
+                return startMeaning(load.startNow, ExpertBox::tr("The motor runs until it is stopped."));
+            return startMeaning(load.startNow, ExpertBox::tr("A trapezoidal move to the position. Start it "
+                                                             "from standstill only."));
+        });
+    return box;
+}
+
+DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertStop"_s, ExpertBox::tr("Stop Motor"), ExpertBox::tr("Send stop")}, parent);
+    QComboBox* manner = box->addChoice(
+        u"Manner"_s, ExpertBox::tr("How"),
+        {ExpertBox::tr("Amplifier only"), ExpertBox::tr("Motor off"), ExpertBox::tr("Abruptly"),
+         ExpertBox::tr("Smoothly"), ExpertBox::tr("At a position")});
+    const Value here = box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"),
+                                     static_cast<double>(servo::kPositionRange.min),
+                                     static_cast<double>(servo::kPositionRange.max), false);
+    QCheckBox* amplifier = box->addFlag(u"Amplifier"_s, ExpertBox::tr("Amplifier enabled"));
+    amplifier->setChecked(true);
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            return ServoCommand(servo::StopMotor{amplifier->isChecked(),
+                                                 static_cast<servo::StopManner>(manner->currentIndex()),
+                                                 *counts(here)});
+        },
+        [&context](const bus::ModuleCommand& command) {
+            switch (std::get<servo::StopMotor>(std::get<ServoCommand>(command)).manner) {
+                case servo::StopManner::AmplifierOnly:
+                    return ExpertBox::tr("Only AMP_EN is switched. The servo stays as it is.");
+                case servo::StopManner::MotorOff:
+                    return ExpertBox::tr("The servo is switched off. The motor is free to turn.");
+                case servo::StopManner::Abruptly:
+                    return context.state().servoOn()
+                               ? ExpertBox::tr("The motor stops at once and holds.")
+                               : ExpertBox::tr("The servo is switched ON and holds its position.");
+                case servo::StopManner::Smoothly:
+                    return ExpertBox::tr("The motor slows down with the loaded acceleration and holds.");
+                case servo::StopManner::Here:
+                    return ExpertBox::tr(
+                        "The motor goes to this position without a profile, as fast as the "
+                        "gains drive it, and holds there.");
+            }
+            return QString();
+        });
+    return box;
+}
+
+DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
+        parent);
+    QCheckBox* limit1 = box->addFlag(u"Limit1"_s, ExpertBox::tr("Change of limit 1"));
+    QCheckBox* limit2 = box->addFlag(u"Limit2"_s, ExpertBox::tr("Change of limit 2"));
+    QCheckBox* index = box->addFlag(u"Index"_s, ExpertBox::tr("Index"));
+    QCheckBox* error = box->addFlag(u"PositionError"_s, ExpertBox::tr("Position error"));
+    QCheckBox* current = box->addFlag(u"CurrentLimit"_s, ExpertBox::tr("Current limit"));
+    QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            servo::SetHoming homing;
+            homing.onLimit1Change = limit1->isChecked();
+            homing.onLimit2Change = limit2->isChecked();
+            homing.onIndexChange = index->isChecked();
+            homing.onPositionError = error->isChecked();
+            homing.onCurrentLimit = current->isChecked();
+            takeManner(homing, manner->currentIndex());
+            return ServoCommand(homing);
+        },
+        [](const bus::ModuleCommand& command) {
+            const auto& homing = std::get<servo::SetHoming>(std::get<ServoCommand>(command));
+            return homingMeaning(homing, homing.onLimit1Change || homing.onLimit2Change ||
+                                             homing.onIndexChange || homing.onPositionError ||
+                                             homing.onCurrentLimit);
+        });
+    return box;
+}
+
+// ---- PIC-STEP ----
+
+/// By Table 4: what is loaded decides it, and what the motor does now.
+QString stepGoalMeaning(const step::LoadTrajectory& load, bus::StepMode mode) {
+    const auto goal = bus::goalMode(mode, load);
+    if (!goal)
+        return ExpertBox::tr("Table 4 has no mode for this, from what the motor does now.");
+    switch (*goal) {
+        case bus::StepMode::Trapezoidal:
+            return ExpertBox::tr("A trapezoidal move to the position.");
+        case bus::StepMode::VelocityProfile:
+            return ExpertBox::tr("A ramp to the speed. The motor runs until it is stopped.");
+        case bus::StepMode::UnprofiledWithStop:
+            if (load.position)
+                return ExpertBox::tr("One speed from the first step to the position.");
+            return ExpertBox::tr(
+                "The move goes on to its position at this speed. Had it ended meanwhile, "
+                "the motor would run until it is stopped.");
+        case bus::StepMode::Unprofiled:
+            return ExpertBox::tr("One speed from the first step. The motor runs until it is stopped.");
+        case bus::StepMode::Stopped:
+        case bus::StepMode::Unknown:
+            break;
+    }
+    return {};
+}
+
+DirectBox* newStepLoad(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertLoad"_s, ExpertBox::tr("Load Trajectory"), ExpertBox::tr("Send load")}, parent);
+    const auto add = [box](const QString& name, const QString& text, const ValueRange& range) {
+        return box->addValue(name, text, static_cast<double>(range.min), static_cast<double>(range.max),
+                             true);
+    };
+    const Value position = add(u"Position"_s, ExpertBox::tr("Position (steps)"), step::kPositionRange);
+    const Value speed = add(u"Speed"_s, ExpertBox::tr("Speed"), step::kSpeedRange);
+    const Value acceleration =
+        add(u"Acceleration"_s, ExpertBox::tr("Acceleration time (0.25 ms)"), step::kAccelerationTimeRange);
+    const Value timer = add(u"Timer"_s, ExpertBox::tr("Initial timer count"), step::kTimerCountRange);
+    const Value nearest = box->addValue(u"Nearest"_s, ExpertBox::tr("Nearest integer speed"), 1, 250, false);
+    QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (without a position)"));
+    QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            step::LoadTrajectory load;
+            load.position = counts(position);
+            load.speed = byte(speed);
+            load.accelerationTime = byte(acceleration);
+            if (timer.sent())
+                load.timer = step::TimerCount{static_cast<std::uint16_t>(timer.value()),
+                                              static_cast<std::uint8_t>(nearest.value())};
+            load.reverse = reverse->isChecked();
+            load.startNow = now->isChecked();
+            return StepCommand(load);
+        },
+        [&context](const bus::ModuleCommand& command) {
+            const auto& load = std::get<step::LoadTrajectory>(std::get<StepCommand>(command));
+            return startMeaning(load.startNow, stepGoalMeaning(load, context.state().stepper.mode()));
+        });
+    return box;
+}
+
+DirectBox* newStepStop(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertStop"_s, ExpertBox::tr("Stop Motor"), ExpertBox::tr("Send stop")}, parent);
+    QComboBox* manner = box->addChoice(
+        u"Manner"_s, ExpertBox::tr("How"),
+        {ExpertBox::tr("Amplifier only"), ExpertBox::tr("Abruptly"), ExpertBox::tr("Smoothly")});
+    QCheckBox* amplifier = box->addFlag(u"Amplifier"_s, ExpertBox::tr("Amplifier enabled"));
+    amplifier->setChecked(true);
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            return StepCommand(step::StopMotor{amplifier->isChecked(),
+                                               static_cast<step::StopManner>(manner->currentIndex())});
+        },
+        [](const bus::ModuleCommand& command) {
+            switch (std::get<step::StopMotor>(std::get<StepCommand>(command)).manner) {
+                case step::StopManner::AmplifierOnly:
+                    return ExpertBox::tr("Only AMP_EN is switched. A motion goes on counting.");
+                case step::StopManner::Abruptly:
+                    return ExpertBox::tr("The steps end at once.");
+                case step::StopManner::Smoothly:
+                    return ExpertBox::tr("The motor slows down with its acceleration time.");
+            }
+            return QString();
+        });
+    return box;
+}
+
+DirectBox* newStepHoming(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
+        parent);
+    QCheckBox* limit1 = box->addFlag(u"Limit1"_s, ExpertBox::tr("Change of limit 1"));
+    QCheckBox* limit2 = box->addFlag(u"Limit2"_s, ExpertBox::tr("Change of limit 2"));
+    QCheckBox* home = box->addFlag(u"HomeSwitch"_s, ExpertBox::tr("Change of the home switch"));
+    QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            step::SetHoming homing;
+            homing.onLimit1Change = limit1->isChecked();
+            homing.onLimit2Change = limit2->isChecked();
+            homing.onHomeSwitchChange = home->isChecked();
+            takeManner(homing, manner->currentIndex());
+            return StepCommand(homing);
+        },
+        [](const bus::ModuleCommand& command) {
+            const auto& homing = std::get<step::SetHoming>(std::get<StepCommand>(command));
+            return homingMeaning(homing,
+                                 homing.onLimit1Change || homing.onLimit2Change || homing.onHomeSwitchChange);
+        });
+    return box;
+}
+
+}  // namespace
+
+ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent) : QWidget(parent) {
+    look::name(this, u"expertBox"_s, tr("Commands as the data sheet has them"));
+    const int unit = look::gridUnit(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    auto* note = look::newMutedLabel(
+        tr("Commands as the data sheet has them, in the chip's own numbers. STOP ALL and Esc act as ever."),
+        this);
+    note->setWordWrap(true);
+    layout->addWidget(note);
+    const bool steps = context.state().isStepper();
+    layout->addWidget(steps ? newStepLoad(context, this) : newServoLoad(context, this));
+    layout->addWidget(steps ? newStepStop(context, this) : newServoStop(context, this));
+    layout->addWidget(steps ? newStepHoming(context, this) : newServoHoming(context, this));
+    layout->addStretch(1);
+}
+
+}  // namespace nmc

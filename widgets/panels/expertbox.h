@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/panels/modulecontext.h"
+
+namespace nmc {
+
+/// The rarest of what a chip can be told: its motion commands bit by bit, as the data sheet names them, in
+/// the chip's own numbers (DS-V 5.2, DS-S 5.1). Each says what the chip will do, and the bytes.
+class ExpertBox : public QWidget {
+    Q_OBJECT
+
+public:
+    ExpertBox(ModuleContext& context, QWidget* parent);
+};
+
+}  // namespace nmc

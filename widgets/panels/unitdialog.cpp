@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/unitdialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kCountsPerLine = 4;  // DS-V 3: all edges of both channels
+constexpr double kLargest = 1e6;
+constexpr int kDecimals = 6;
+}  // namespace
+
+UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
+    : QDialog(parent), m_context(context), m_form(new QFormLayout(this)), m_kind(new QComboBox(this)) {
+    look::name(this, u"unitDialog"_s, tr("Work out the unit"));
+    setWindowTitle(tr("Work out the unit"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    look::name(m_kind, u"unitDialogKind"_s, tr("What the axis does"));
+    m_kind->addItem(tr("turns, in turns"), static_cast<int>(UnitKind::Turns));
+    m_kind->addItem(tr("turns, in degrees"), static_cast<int>(UnitKind::Degrees));
+    m_kind->addItem(tr("moves along a line, in millimetres"), static_cast<int>(UnitKind::Millimetres));
+    m_kind->setToolTip(tr("What you want to read this axis in."));
+    m_form->addRow(tr("The axis"), m_kind);
+    if (m_context.state().isStepper()) {
+        m_perTurn = addField(u"unitDialogSteps"_s, tr("Full steps of the motor for one turn"), 200,
+                             tr("200 for a motor with 1.8 degrees a step."));
+        m_microsteps = addField(u"unitDialogMicrosteps"_s, tr("Microsteps for each full step"), 1,
+                                tr("As the driver is set; 1 for none, 2 for half steps."));
+    } else {
+        m_perTurn = addField(u"unitDialogLines"_s, tr("Lines of the encoder for one turn"), 500,
+                             tr("As its label says: lines, CPR or PPR. The chip counts four for each line."));
+    }
+    m_motorTurns = addField(u"unitDialogMotorTurns"_s, tr("Gear: turns of the motor"), 1,
+                            tr("For a gear of 50 : 1 enter 50 here; without a gear 1."));
+    m_outputTurns = addField(u"unitDialogOutputTurns"_s, tr("Gear: make turns of the output"), 1,
+                             tr("For a gear of 50 : 1 enter 1 here."));
+    m_travel =
+        addField(u"unitDialogTravel"_s, tr("Travel for one turn of the output (mm)"), 5,
+                 tr("Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch "
+                    "of the belt. Rack: teeth of the pinion times the pitch of the rack."));
+    m_result = new QLabel(this);
+    look::nameText(m_result, u"unitDialogResult"_s, tr("The unit that follows"));
+    m_result->setWordWrap(true);
+    m_form->addRow(m_result);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    look::name(buttons->button(QDialogButtonBox::Cancel), u"unitDialogCancel"_s, tr("Cancel"));
+    m_use = buttons->addButton(tr("Use this unit"), QDialogButtonBox::AcceptRole);
+    look::name(m_use, u"unitDialogUse"_s, tr("Use this unit"));
+    m_form->addRow(buttons);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &UnitDialog::refresh);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(m_use, &QPushButton::clicked, this, &UnitDialog::take);
+    if (const int now = m_kind->findData(static_cast<int>(m_context.settings().unit.kind)); now >= 0)
+        m_kind->setCurrentIndex(now);
+    refresh();
+}
+
+NumberField* UnitDialog::addField(const QString& name, const QString& label, double value,
+                                  const QString& meaning) {
+    auto* field = new NumberField(kDecimals, this);
+    look::name(field, name, label);
+    field->setRange(1 / kLargest, kLargest);
+    field->setWords(label, {});
+    field->setMeaning(meaning);
+    field->showValue(value);
+    connect(field, &NumberField::edited, this, &UnitDialog::refresh);
+    m_form->addRow(label, field);
+    return field;
+}
+
+UnitKind UnitDialog::kind() const {
+    return static_cast<UnitKind>(m_kind->currentData().toInt());
+}
+
+DriveTrain UnitDialog::drive() const {
+    const auto number = [](const NumberField* field) { return field->value().value_or(0); };
+    const double each = m_microsteps != nullptr ? number(m_microsteps) : kCountsPerLine;
+    return {number(m_perTurn) * each, number(m_motorTurns), number(m_outputTurns), number(m_travel)};
+}
+
+void UnitDialog::refresh() {
+    m_form->setRowVisible(m_travel, kind() == UnitKind::Millimetres);
+    const auto counts = countsPerUnit(kind(), drive());
+    QString text = tr("Enter a number above 0 in each field.");
+    if (counts) {
+        const AxisUnit unit{kind(), *counts, {}};
+        const AxisScale scale =
+            m_context.state().isStepper() ? AxisScale::step(unit) : AxisScale::servo(unit, 1);
+        const QString symbol = texts::unitOf(scale);
+        const QString native = m_context.state().isStepper() ? tr("steps") : tr("counts");
+        text = tr("1 %1 is %2 %3. The smallest step is %4 %1.")
+                   .arg(symbol, texts::readout(*counts, 6), native, texts::readout(1 / *counts, 7));
+    }
+    look::setText(m_result, text);
+    look::setPossible(m_use, counts ? QString() : text,
+                      tr("Takes it as the unit of this axis. Keeps every amount, and sends nothing."));
+}
+
+void UnitDialog::take() {
+    if (const auto counts = countsPerUnit(kind(), drive()))
+        m_context.edit([unit = AxisUnit{kind(), *counts, m_context.settings().unit.ownSymbol}](
+                           AxisSettings& axis) { axis.unit = unit; });
+    close();
+}
+
+}  // namespace nmc
