@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where an axis was is offered to a module that has forgotten it, by hand arithmetic.
 #include "model/module/positionmemory.h"
 
