@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "app/knownchain.h"
 #include "link/clock.h"
@@ -127,7 +128,7 @@ void Composition::stopAndQuit() {
     }
     m_quitWhenClosed = true;
     m_openNext.reset();
-    m_procedures.stopAll();
+    endMotions();
     m_worker.close();
 }
 
@@ -147,13 +148,14 @@ void Composition::wireWindow() {
             });
     connect(&m_window, &MainWindow::connectFullyRequested, this, &Composition::connectFully);
     connect(&m_window, &MainWindow::disconnectRequested, this, &Composition::disconnectFromPort);
-    connect(&m_window, &MainWindow::restartNetworkRequested, &m_procedures, &ProcedureController::stopAll);
+    connect(&m_window, &MainWindow::restartNetworkRequested, this, &Composition::endMotions);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
-    connect(&m_window, &MainWindow::stopAllRequested, &m_procedures, &ProcedureController::stopAll);
+    connect(&m_window, &MainWindow::stopAllRequested, this, &Composition::endMotions);
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, this, [this](const bus::HoldToMove& hold) {
         m_motionMarker.held(hold.module, monotonicNow());
+        m_sequences.takeOver(hold.module, false);
         m_procedures.cancel(hold.module);
     });
     wireChain();
@@ -161,6 +163,7 @@ void Composition::wireWindow() {
     connect(&lock, &OperatorLock::rightsEdited, &m_machine, &MachineController::setOperatorRights);
     connect(&lock, &OperatorLock::changed, &m_store, [this, &lock] { m_store.setRights(lock.rights()); });
     m_store.setRights(lock.rights());
+    wireSequences();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, &m_worker, &BusWorker::hold);
@@ -230,7 +233,7 @@ void Composition::wireStore() {
     });
     m_sleep.follow(m_store);
     connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
-    connect(&m_sleep, &SleepInhibitor::stopWanted, &m_procedures, &ProcedureController::stopAll);
+    connect(&m_sleep, &SleepInhibitor::stopWanted, this, &Composition::endMotions);
     connect(&m_store, &BusStore::happened, this, &Composition::tell);
     connect(&m_procedures, &ProcedureController::reported, this, &Composition::showProcedure);
     connect(&m_procedures, &ProcedureController::idle, this, [this] {
@@ -247,7 +250,7 @@ void Composition::connectTo(const ConnectTarget& target) {
 void Composition::connectAnyway(const ConnectTarget& target) {
     m_openNext = target;
     if (m_worker.isOpen()) {
-        m_procedures.stopAll();
+        endMotions();
         m_worker.close();  // PortClosed opens the next
     } else
         openNow(*std::exchange(m_openNext, std::nullopt));
@@ -300,7 +303,7 @@ void Composition::lookFirst(const QString& key) {
 
 void Composition::disconnectFromPort() {
     m_openNext.reset();
-    m_procedures.stopAll();
+    endMotions();
     m_worker.close();
 }
 
@@ -378,7 +381,11 @@ void Composition::endLeft(const QStringList& files) {
 
 void Composition::showFrame() {
     m_window.showPackets(m_worker.takeRecords());
-    if (const std::vector<ModuleIndex> watched = m_window.watchedModules(); watched != m_watched) {
+    std::vector<ModuleIndex> watched = m_window.watchedModules();
+    for (const ModuleIndex module : m_sequences.parts())
+        if (!std::ranges::count(watched, module))
+            watched.push_back(module);  // whose arrival is waited for
+    if (watched != m_watched) {
         m_watched = watched;
         m_worker.watch(watched);
     }

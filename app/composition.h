@@ -21,6 +21,7 @@
 #include "app/positionkeeper.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
+#include "app/sequencecontroller.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] BusWorker& worker() { return m_worker; }
     [[nodiscard]] MainWindow& window() { return m_window; }
     [[nodiscard]] const BusStore& store() const { return m_store; }
+    [[nodiscard]] const Machine& machine() const { return m_machine.machine(); }
 
 private:
     /// What the window's controls follow.
@@ -71,6 +73,7 @@ private:
     void quit();
     void wireWindow();
     void wireChain();
+    void wireSequences();
     void wireStore();
     /// What is told outlives the session.
     void keepMessages();
@@ -90,6 +93,9 @@ private:
     void carryOut(ModuleIndex module, const Intent& intent);
     bus::OperationId submit(std::vector<bus::Step> steps);
     void showProcedure(const ProcedureReport& report);
+    void showSequence(const SequenceReport& report);
+    /// Before a stop of all motors, or an end of the connection that stops them.
+    void endMotions();
     /// Gives the module the bus while its step is recorded, and the window the run when it is over.
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
@@ -144,6 +150,9 @@ private:
     MainWindow m_window;
     ProcedureController m_procedures{
         m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
+    SequenceController m_sequences{m_store, m_procedures,
+                                   [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); },
+                                   this};
     PortController m_ports;
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
@@ -164,7 +173,7 @@ private:
     std::vector<ModuleIndex> m_watched;       ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_troublePort;     ///< where motors' states became unknown
     bool m_quitWhenClosed = false;
-    bool m_scanWhenIdle = false;  ///< as soon as no procedure runs any more
+    bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more
     bool m_enableFaults = false;
     bool m_guardianMissed = false;  ///< and said to be
     std::uint32_t m_lastOperation = 0;

@@ -39,10 +39,12 @@ std::vector<ModuleIndex> Composition::groupMembers(std::uint8_t group) const {
 
 void Composition::scanAgain() {
     if (m_worker.isOpen()) {
-        m_scanWhenIdle = m_procedures.anyRunning();
-        if (m_scanWhenIdle)
-            m_procedures.cancelAll();  // nothing is left running unwatched: their motors stop first
-        else
+        m_scanWhenIdle = m_procedures.anyRunning() || m_sequences.running();
+        if (m_scanWhenIdle) {
+            // Nothing is left running unwatched: their motors stop first.
+            m_sequences.stop();
+            m_procedures.cancelAll();
+        } else
             m_worker.connectAgain();
     } else if (m_target) {
         connectTo(*m_target);

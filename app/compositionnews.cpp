@@ -31,8 +31,10 @@ void Composition::tell(const StoreEvent& event) {
         m_window.endHold();
     if (const auto* operation = std::get_if<bus::OperationFinished>(&event))
         m_motionMarker.ended(operation->id, monotonicNow());
-    // What became of a procedure's operation is for the procedure to say.
-    if (m_procedures.take(event) && std::holds_alternative<bus::OperationFinished>(event))
+    // What became of the operation of a procedure or a sequence is for that to say.
+    const bool ofProcedure = m_procedures.take(event);
+    const bool ofSequence = m_sequences.take(event);
+    if ((ofProcedure || ofSequence) && std::holds_alternative<bus::OperationFinished>(event))
         return;
     std::visit([this](const auto& news) { told(news); }, event);
 }

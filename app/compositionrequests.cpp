@@ -40,6 +40,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     if (module == nullptr)
         return;
     const bool stops = isStop(intent);
+    if (!std::holds_alternative<intent::AskAnew>(intent))
+        m_sequences.takeOver(index, stops);
     if (!stops)
         m_procedures.cancel(index);
     if (std::holds_alternative<intent::CancelProcedure>(intent))
@@ -56,6 +58,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         m_messages.tellOf(texts::notPossible(index, steps.error()));
         return;
     }
+    if (std::holds_alternative<intent::ResetModule>(intent))
+        return m_worker.resetModule(index);
     const bus::OperationId id = submit(std::move(*steps));
     m_machine.noteSent(index, intent);
     if (stops)

@@ -84,6 +84,16 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
     changed();
 }
 
+void MachineController::editProgram(const Program& program) {
+    m_machine.program = program;
+    changed();
+}
+
+void MachineController::editHomeOrder(const std::vector<ModuleIndex>& order) {
+    m_machine.homeOrder = order;
+    changed();
+}
+
 void MachineController::noteSent(ModuleIndex module, const Intent& intent) {
     AxisSettings axis = m_machine.axis(module);
     if (const auto* apply = std::get_if<intent::ApplyGains>(&intent))

@@ -33,6 +33,8 @@ public:
     void start();
     /// The user has changed an axis in its panel.
     void edit(ModuleIndex module, const AxisSettings& settings);
+    void editProgram(const Program& program);
+    void editHomeOrder(const std::vector<ModuleIndex>& order);
     /// Something was sent that belongs to the machine: it cannot be read back, so it is remembered.
     void noteSent(ModuleIndex module, const Intent& intent);
     /// The user has put a module into another group, or out of all.

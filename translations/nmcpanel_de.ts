@@ -3357,6 +3357,334 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.</source>
         <translation>Eine Trapezfahrt wird zuerst geladen und dann mit „Starten“ gestartet, damit ein gestörter Ladebefehl nie etwas bewegt.</translation>
     </message>
+    <message>
+        <source>it has no name.</source>
+        <translation>der Name fehlt.</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is taken already.</source>
+        <translation>der Name „%1“ ist schon vergeben.</translation>
+    </message>
+    <message>
+        <source>module %1 is there twice.</source>
+        <translation>Modul %1 kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>there is no point &quot;%1&quot;.</source>
+        <translation>es gibt keinen Punkt „%1“.</translation>
+    </message>
+    <message>
+        <source>there is no sequence &quot;%1&quot;.</source>
+        <translation>es gibt keinen Ablauf „%1“.</translation>
+    </message>
+    <message>
+        <source>by this row the sequence &quot;%1&quot; would call itself and never end.</source>
+        <translation>mit dieser Zeile würde der Ablauf „%1“ sich selbst aufrufen und nie enden.</translation>
+    </message>
+    <message>
+        <source>a repeat goes back to a row above it.</source>
+        <translation>eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>Order of Home all</source>
+        <translation>Reihenfolge von „Alle referenzieren“</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Sequence %1</source>
+        <translation>Ablauf %1</translation>
+    </message>
+    <message>
+        <source>It has no name.</source>
+        <translation>Der Name fehlt.</translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; is taken already.</source>
+        <translation>Der Name „%1“ ist schon vergeben.</translation>
+    </message>
+    <message>
+        <source>%1 is in point &quot;%2&quot; twice.</source>
+        <translation>%1 kommt im Punkt „%2“ zweimal vor.</translation>
+    </message>
+    <message>
+        <source>There is no point &quot;%1&quot;.</source>
+        <translation>Es gibt keinen Punkt „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no sequence &quot;%1&quot;.</source>
+        <translation>Es gibt keinen Ablauf „%1“.</translation>
+    </message>
+    <message>
+        <source>The sequence &quot;%1&quot; would call itself and never end.</source>
+        <translation>Der Ablauf „%1“ würde sich selbst aufrufen und nie enden.</translation>
+    </message>
+    <message>
+        <source>A repeat goes back to a row above it.</source>
+        <translation>Eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
+    </message>
+    <message>
+        <source>The sequence has no rows.</source>
+        <translation>Der Ablauf hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>Point &quot;%1&quot; has no axes. Teach it again.</source>
+        <translation>Der Punkt „%1“ hat keine Achsen. Ihn neu teachen.</translation>
+    </message>
+    <message>
+        <source>%1 is not in the chain.</source>
+        <translation>%1 ist nicht in der Kette.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 was taught in point &quot;%2&quot; before its home was known, so the place may be another one now. Teach it again.</source>
+        <translation>%1 wurde im Punkt „%2“ geteacht, bevor seine Referenz bekannt war; die Stelle kann jetzt eine andere sein. Den Punkt neu teachen.</translation>
+    </message>
+    <message>
+        <source>%1 has not been told how to find its home. See its page Homing.</source>
+        <translation>Für %1 ist nicht festgelegt, wie die Referenz gesucht wird. Siehe dort die Seite Referenzsuche.</translation>
+    </message>
+    <message>
+        <source>%1 does not have this input or output.</source>
+        <translation>%1 hat diesen Ein- oder Ausgang nicht.</translation>
+    </message>
+    <message>
+        <source>This limit pin of %1 is an output, so it tells nothing.</source>
+        <translation>Dieser Endschalteranschluss von %1 ist ein Ausgang und sagt daher nichts.</translation>
+    </message>
+    <message>
+        <source>This limit pin of %1 is not known to be an output. See its page I/O.</source>
+        <translation>Von diesem Endschalteranschluss von %1 ist nicht bekannt, dass er ein Ausgang ist. Siehe dort die Seite E/A.</translation>
+    </message>
+    <message>
+        <source>The outputs of %1 are not known. Set them once on its page I/O.</source>
+        <translation>Die Ausgänge von %1 sind nicht bekannt. Sie dort einmal auf der Seite E/A setzen.</translation>
+    </message>
+    <message>
+        <source>A run from the top never comes here: a repeat for ever stands above.</source>
+        <translation>Ein Lauf von oben kommt nie hierher: darüber steht eine endlose Wiederholung.</translation>
+    </message>
+    <message>
+        <source>A run from the top would have %1 at its home here. Move it there first.</source>
+        <translation>Bei einem Lauf von oben stünde %1 hier an seiner Referenz. Erst dorthin fahren.</translation>
+    </message>
+    <message>
+        <source>A run from the top would have %1 at point &quot;%2&quot; here. Move it there first.</source>
+        <translation>Bei einem Lauf von oben stünde %1 hier am Punkt „%2“. Erst dorthin fahren.</translation>
+    </message>
+    <message>
+        <source>A run from the top would have set output %1 of %2 otherwise here. Set it first.</source>
+        <translation>Bei einem Lauf von oben wäre Ausgang %1 von %2 hier anders gesetzt. Ihn erst setzen.</translation>
+    </message>
+    <message>
+        <source>You have stopped it.</source>
+        <translation>Sie haben ihn gestoppt.</translation>
+    </message>
+    <message>
+        <source>All motors were stopped.</source>
+        <translation>Alle Motoren wurden gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1 was told something else, or was moved by somebody else.</source>
+        <translation>%1 bekam einen anderen Befehl oder wurde von anderer Seite bewegt.</translation>
+    </message>
+    <message>
+        <source>A limit switch of %1 closed on the way.</source>
+        <translation>Ein Endschalter von %1 schloss unterwegs.</translation>
+    </message>
+    <message>
+        <source>%1 stopped before it was there.</source>
+        <translation>%1 blieb vor dem Ziel stehen.</translation>
+    </message>
+    <message>
+        <source>The motor of %1 went off.</source>
+        <translation>Der Motor von %1 ging aus.</translation>
+    </message>
+    <message>
+        <source>The input of %1 that it waited for did not come in time.</source>
+        <translation>Der Eingang von %1, auf den gewartet wurde, kam nicht rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>%1 has not found its home.</source>
+        <translation>%1 hat die Referenz nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The link was in doubt.</source>
+        <translation>Die Verbindung war zweifelhaft.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer.</source>
+        <translation>%1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>A command to %1 was refused or not answered.</source>
+        <translation>Ein Befehl an %1 wurde abgelehnt oder nicht beantwortet.</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1, round %2</source>
+        <translation>%1, Durchgang %2</translation>
+    </message>
+    <message>
+        <source>Move to &quot;%1&quot;</source>
+        <translation>Fahrt zu „%1“</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>Alle referenzieren</translation>
+    </message>
+    <message>
+        <source>Sequence &quot;%1&quot;</source>
+        <translation>Ablauf „%1“</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3, %4 in all, moves: %5</source>
+        <translation>%1: %2 bis %3, insgesamt %4, Fahrten: %5</translation>
+    </message>
+    <message>
+        <source>move to</source>
+        <translation>fahren zu</translation>
+    </message>
+    <message>
+        <source>wait</source>
+        <translation>warten</translation>
+    </message>
+    <message>
+        <source>wait for arrival</source>
+        <translation>auf Ankunft warten</translation>
+    </message>
+    <message>
+        <source>wait for input</source>
+        <translation>auf Eingang warten</translation>
+    </message>
+    <message>
+        <source>set output</source>
+        <translation>Ausgang setzen</translation>
+    </message>
+    <message>
+        <source>find home</source>
+        <translation>Referenz suchen</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>call</source>
+        <translation>aufrufen</translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation>Endschalter 1</translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation>Endschalter 2</translation>
+    </message>
+    <message>
+        <source>home switch</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>%1: %2 from home</source>
+        <translation>%1: %2 von der Referenz</translation>
+    </message>
+    <message>
+        <source>%1: at %2, home not known</source>
+        <translation>%1: bei %2, Referenz unbekannt</translation>
+    </message>
+    <message>
+        <source>%1, row %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Läuft: %1</translation>
+    </message>
+    <message>
+        <source>Finishes its row, then pauses: %1</source>
+        <translation>Beendet die Zeile und pausiert dann: %1</translation>
+    </message>
+    <message>
+        <source>Paused before: %1</source>
+        <translation>Pausiert vor: %1</translation>
+    </message>
+    <message>
+        <source>Stopping: %1</source>
+        <translation>Stoppt: %1</translation>
+    </message>
+    <message>
+        <source>Paused by a doubt, motors stopped: %1. %2</source>
+        <translation>Aus Zweifel pausiert, Motoren gestoppt: %1. %2</translation>
+    </message>
+    <message>
+        <source>Over: %1. %2</source>
+        <translation>Zu Ende: %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 is done.</source>
+        <translation>%1 ist fertig.</translation>
+    </message>
+    <message>
+        <source>%1 paused, and its motors were told to stop.</source>
+        <translation>%1 pausiert; die Motoren bekamen den Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>%1 has ended, and its motors were told to stop.</source>
+        <translation>%1 wurde beendet; die Motoren bekamen den Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>It was at: %1. Nothing moves again by itself; choose the row to go on from, and run from there.</source>
+        <translation>Stand: %1. Von selbst fährt nichts mehr; die Zeile wählen, bei der es weitergehen soll, und von dort starten.</translation>
+    </message>
+    <message>
+        <source>Nothing was started.</source>
+        <translation>Nichts wurde gestartet.</translation>
+    </message>
+    <message>
+        <source>Dry run: it would not be started.</source>
+        <translation>Probelauf: er würde nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>Dry run: it takes longer than %1 s and was not followed any farther.</source>
+        <translation>Probelauf: er dauert länger als %1 s und wurde nicht weiter verfolgt.</translation>
+    </message>
+    <message>
+        <source>Dry run: done after %1 s.</source>
+        <translation>Probelauf: fertig nach %1 s.</translation>
+    </message>
+    <message>
+        <source>Dry run: it would end after %1 s. %2</source>
+        <translation>Probelauf: er würde nach %1 s enden. %2</translation>
+    </message>
+    <message>
+        <source>Searches for home take longer than here: %1.</source>
+        <translation>Referenzsuchen dauern länger als hier: %1.</translation>
+    </message>
+    <message>
+        <source>Inputs came at once here.</source>
+        <translation>Eingänge kamen hier sofort.</translation>
+    </message>
+    <message>
+        <source>A repeat for ever was done once.</source>
+        <translation>Eine endlose Wiederholung lief einmal.</translation>
+    </message>
+    <message>
+        <source>The motors were the simulator&apos;s; yours may take longer.</source>
+        <translation>Die Motoren waren die des Simulators; Ihre können länger brauchen.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3395,6 +3723,97 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 (%2 of 255)</source>
         <translation>%1 (%2 von 255)</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::AxesPage</name>
+    <message>
+        <source>All axes</source>
+        <translation>Alle Achsen</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Slow jog</source>
+        <translation>Langsam tippen</translation>
+    </message>
+    <message>
+        <source>Fast jog</source>
+        <translation>Schnell tippen</translation>
+    </message>
+    <message>
+        <source>Step of all axes</source>
+        <translation>Schritt aller Achsen</translation>
+    </message>
+    <message>
+        <source>Each axis at its own velocity of hold to move.</source>
+        <translation>Jede Achse mit ihrer eigenen Tippgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Each axis at its own cap of hold to move, which is set on its page Axis.</source>
+        <translation>Jede Achse mit ihrer eigenen Höchstgeschwindigkeit beim Tippen, die auf ihrer Seite Achse steht.</translation>
+    </message>
+    <message>
+        <source>How far one click on Step moves an axis, in its own unit.</source>
+        <translation>Wie weit ein Klick auf Schritt eine Achse fährt, in ihrer eigenen Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 Einheiten</translation>
+    </message>
+    <message>
+        <source>Enable all</source>
+        <translation>Alle einschalten</translation>
+    </message>
+    <message>
+        <source>Enable all motors where they stand</source>
+        <translation>Alle Motoren einschalten, wo sie stehen</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>Alle referenzieren</translation>
+    </message>
+    <message>
+        <source>Find the home of all axes, one after the other</source>
+        <translation>Die Referenz aller Achsen nacheinander suchen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>No axis has a recipe for its home. See the page Homing of each.</source>
+        <translation>Für keine Achse ist festgelegt, wie die Referenz gesucht wird. Siehe jeweils die Seite Referenzsuche.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No module.</source>
+        <translation>Kein Modul.</translation>
+    </message>
+    <message>
+        <source>All motors are enabled.</source>
+        <translation>Alle Motoren sind eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Enables each motor that can be, where it stands.</source>
+        <translation>Schaltet jeden Motor ein, bei dem es möglich ist, wo er steht.</translation>
+    </message>
+    <message>
+        <source>Finds the home of one axis after the other, in the order that stands in the table, by their recipes. Any stop ends it.</source>
+        <translation>Sucht die Referenz einer Achse nach der anderen, in der Reihenfolge der Tabelle und wie jeweils festgelegt. Jeder Stopp beendet es.</translation>
     </message>
 </context>
 <context>
@@ -3530,6 +3949,101 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Works the unit out from what stands on the labels of encoder, gear and screw. Sends nothing.</source>
         <translation>Berechnet die Einheit aus den Angaben auf den Typenschildern von Encoder, Getriebe und Spindel. Sendet nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::AxisRow</name>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>State of %1</source>
+        <translation>Zustand von %1</translation>
+    </message>
+    <message>
+        <source>Position of %1</source>
+        <translation>Position von %1</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ Tippen</translation>
+    </message>
+    <message>
+        <source>Move %1 in reverse while held</source>
+        <translation>%1 rückwärts fahren, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>Tippen ▸</translation>
+    </message>
+    <message>
+        <source>Move %1 forward while held</source>
+        <translation>%1 vorwärts fahren, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Schritt</translation>
+    </message>
+    <message>
+        <source>Move %1 one step in reverse</source>
+        <translation>%1 einen Schritt rückwärts fahren</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Schritt |▸</translation>
+    </message>
+    <message>
+        <source>Move %1 one step forward</source>
+        <translation>%1 einen Schritt vorwärts fahren</translation>
+    </message>
+    <message>
+        <source>Home earlier</source>
+        <translation>Früher referenzieren</translation>
+    </message>
+    <message>
+        <source>Home all takes %1 one place earlier</source>
+        <translation>„Alle referenzieren“ nimmt %1 eine Stelle früher</translation>
+    </message>
+    <message>
+        <source>This step is less than one count of this axis, or more than it can go.</source>
+        <translation>Dieser Schritt ist kleiner als ein Count dieser Achse oder größer, als sie fahren kann.</translation>
+    </message>
+    <message>
+        <source>Moves forward while it is held, then stops.</source>
+        <translation>Fährt vorwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while it is held, then stops.</source>
+        <translation>Fährt rückwärts, solange sie gedrückt ist, und stoppt dann.</translation>
+    </message>
+    <message>
+        <source>Moves forward by the step above, and holds there.</source>
+        <translation>Fährt um den Schritt oben vorwärts und hält dort.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse by the step above, and holds there.</source>
+        <translation>Fährt um den Schritt oben rückwärts und hält dort.</translation>
+    </message>
+    <message>
+        <source>This axis has no recipe for its home. See its page Homing.</source>
+        <translation>Für diese Achse ist nicht festgelegt, wie die Referenz gesucht wird. Siehe ihre Seite Referenzsuche.</translation>
+    </message>
+    <message>
+        <source>Home all begins with this axis.</source>
+        <translation>„Alle referenzieren“ beginnt mit dieser Achse.</translation>
+    </message>
+    <message>
+        <source>Home all finds the home of this axis as number %1; a click makes it one earlier. Nothing moves.</source>
+        <translation>„Alle referenzieren“ sucht die Referenz dieser Achse als Nummer %1; ein Klick nimmt sie eine Stelle früher. Nichts fährt.</translation>
+    </message>
+    <message>
+        <source>Home: %1.</source>
+        <translation>Referenz: %1.</translation>
+    </message>
+    <message>
+        <source>Home: –</source>
+        <translation>Referenz: –</translation>
     </message>
 </context>
 <context>
@@ -4684,6 +5198,34 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.</source>
         <translation>Die Fahrt geht mit dieser Geschwindigkeit bis zu ihrer Position weiter. Wäre sie inzwischen beendet, liefe der Motor bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Reset module…</source>
+        <translation>Modul zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>Reset this module</source>
+        <translation>Dieses Modul zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Takes this module back to its power-up state, and gives it its address again. The others stay as they are.</source>
+        <translation>Setzt dieses Modul in den Einschaltzustand zurück und gibt ihm seine Adresse wieder. Die anderen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Reset module</source>
+        <translation>Modul zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset %1? Its motor goes off, and it forgets its position, its settings and its group. The other modules stay as they are.</source>
+        <translation>%1 zurücksetzen? Sein Motor geht aus, und es vergisst Position, Einstellungen und Gruppe. Die anderen Module bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reset the module</source>
+        <translation>Modul zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -6894,6 +7436,17 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::PointsModel</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PwmBox</name>
     <message>
         <source>Drive reverse</source>
@@ -7013,6 +7566,96 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.</source>
         <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RowDelegate</name>
+    <message>
+        <source>Number of the row</source>
+        <translation>Zahl der Zeile</translation>
+    </message>
+    <message>
+        <source>The number</source>
+        <translation>Die Zahl</translation>
+    </message>
+    <message>
+        <source>Choices of the row</source>
+        <translation>Auswahl der Zeile</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RowsModel</name>
+    <message>
+        <source>from row %1 on</source>
+        <translation>ab Zeile %1</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>zusammen</translation>
+    </message>
+    <message>
+        <source>together, next row at once</source>
+        <translation>zusammen, nächste Zeile sofort</translation>
+    </message>
+    <message>
+        <source>one after the other</source>
+        <translation>nacheinander</translation>
+    </message>
+    <message>
+        <source>one after the other, next row at once</source>
+        <translation>nacheinander, nächste Zeile sofort</translation>
+    </message>
+    <message>
+        <source>%1 active</source>
+        <translation>%1 aktiv</translation>
+    </message>
+    <message>
+        <source>%1 not active</source>
+        <translation>%1 nicht aktiv</translation>
+    </message>
+    <message>
+        <source>output %1 on</source>
+        <translation>Ausgang %1 ein</translation>
+    </message>
+    <message>
+        <source>output %1 off</source>
+        <translation>Ausgang %1 aus</translation>
+    </message>
+    <message>
+        <source>%1 % of its velocity</source>
+        <translation>%1 % der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>within %1 s</source>
+        <translation>binnen %1 s</translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation>endlos</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>insgesamt %1-mal</translation>
+    </message>
+    <message>
+        <source>Do</source>
+        <translation>Tun</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
     </message>
 </context>
 <context>
@@ -7271,6 +7914,373 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SequencesPage</name>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>Rename point</source>
+        <translation>Punkt umbenennen</translation>
+    </message>
+    <message>
+        <source>Change row</source>
+        <translation>Zeile ändern</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Name of the point to teach</source>
+        <translation>Name des Punkts, der geteacht wird</translation>
+    </message>
+    <message>
+        <source>Name of a point</source>
+        <translation>Name eines Punkts</translation>
+    </message>
+    <message>
+        <source>Axes to teach</source>
+        <translation>Achsen, die geteacht werden</translation>
+    </message>
+    <message>
+        <source>The ticked axes become part of the point.</source>
+        <translation>Die angekreuzten Achsen werden Teil des Punkts.</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Teachen</translation>
+    </message>
+    <message>
+        <source>Teach a point: keep where the ticked axes stand</source>
+        <translation>Einen Punkt teachen: behalten, wo die angekreuzten Achsen stehen</translation>
+    </message>
+    <message>
+        <source>Go to point</source>
+        <translation>Zum Punkt</translation>
+    </message>
+    <message>
+        <source>Move to the chosen point</source>
+        <translation>Zum gewählten Punkt fahren</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point</source>
+        <translation>Den gewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Abläufe</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Name of the sequence</source>
+        <translation>Name des Ablaufs</translation>
+    </message>
+    <message>
+        <source>Another name for this sequence; Enter takes it.</source>
+        <translation>Ein anderer Name für diesen Ablauf; die Eingabetaste übernimmt ihn.</translation>
+    </message>
+    <message>
+        <source>New sequence</source>
+        <translation>Neuer Ablauf</translation>
+    </message>
+    <message>
+        <source>Add an empty sequence</source>
+        <translation>Einen leeren Ablauf hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove sequence</source>
+        <translation>Ablauf entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this sequence with its rows</source>
+        <translation>Diesen Ablauf mit seinen Zeilen entfernen</translation>
+    </message>
+    <message>
+        <source>Rows of the sequence</source>
+        <translation>Zeilen des Ablaufs</translation>
+    </message>
+    <message>
+        <source>A double click or F2 changes what stands in a cell.</source>
+        <translation>Ein Doppelklick oder F2 ändert, was in einer Zelle steht.</translation>
+    </message>
+    <message>
+        <source>Result of the dry run</source>
+        <translation>Ergebnis des Probelaufs</translation>
+    </message>
+    <message>
+        <source>Rename sequence</source>
+        <translation>Ablauf umbenennen</translation>
+    </message>
+    <message>
+        <source>Add row</source>
+        <translation>Zeile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a row behind the chosen one</source>
+        <translation>Eine Zeile hinter der gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate the chosen row</source>
+        <translation>Die gewählte Zeile duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate row</source>
+        <translation>Zeile duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen row</source>
+        <translation>Die gewählte Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hinauf</translation>
+    </message>
+    <message>
+        <source>Move the chosen row up</source>
+        <translation>Die gewählte Zeile hinauf schieben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Hinunter</translation>
+    </message>
+    <message>
+        <source>Move the chosen row down</source>
+        <translation>Die gewählte Zeile hinunter schieben</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last change of points and sequences</source>
+        <translation>Die letzte Änderung an Punkten und Abläufen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo what was undone of points and sequences</source>
+        <translation>Wiederherstellen, was an Punkten und Abläufen rückgängig gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>Foresee the sequence on a simulated copy; nothing moves</source>
+        <translation>Den Ablauf an einer simulierten Kopie voraussehen; nichts fährt</translation>
+    </message>
+    <message>
+        <source>Dry run…</source>
+        <translation>Probelauf…</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Run the sequence</source>
+        <translation>Den Ablauf starten</translation>
+    </message>
+    <message>
+        <source>Run from row</source>
+        <translation>Ab Zeile starten</translation>
+    </message>
+    <message>
+        <source>Run the sequence from the chosen row on</source>
+        <translation>Den Ablauf ab der gewählten Zeile starten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause the sequence behind its row</source>
+        <translation>Den Ablauf hinter seiner Zeile pausieren</translation>
+    </message>
+    <message>
+        <source>Single step</source>
+        <translation>Einzelschritt</translation>
+    </message>
+    <message>
+        <source>Run one row of the sequence</source>
+        <translation>Eine Zeile des Ablaufs ausführen</translation>
+    </message>
+    <message>
+        <source>Stop sequence</source>
+        <translation>Ablauf stoppen</translation>
+    </message>
+    <message>
+        <source>Stop the sequence and its motors</source>
+        <translation>Den Ablauf und seine Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Teach point</source>
+        <translation>Punkt teachen</translation>
+    </message>
+    <message>
+        <source>Move row</source>
+        <translation>Zeile schieben</translation>
+    </message>
+    <message>
+        <source>Give the point a name first.</source>
+        <translation>Dem Punkt erst einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Tick at least one axis.</source>
+        <translation>Mindestens eine Achse ankreuzen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name already gets the new places.</source>
+        <translation>Behält unter diesem Namen, wo die angekreuzten Achsen jetzt stehen; nichts fährt. Ein Punkt, der schon so heißt, bekommt die neuen Stellen.</translation>
+    </message>
+    <message>
+        <source>Choose a point in the table.</source>
+        <translation>Einen Punkt in der Tabelle wählen.</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; moves to it.</source>
+        <translation>Zeile %1 von „%2“ fährt dorthin.</translation>
+    </message>
+    <message>
+        <source>Moves all axes of this point there at once, each at its own velocity.</source>
+        <translation>Fährt alle Achsen dieses Punkts zugleich dorthin, jede mit ihrer eigenen Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Removes this point; nothing moves.</source>
+        <translation>Entfernt diesen Punkt; nichts fährt.</translation>
+    </message>
+    <message>
+        <source>There is no sequence yet.</source>
+        <translation>Es gibt noch keinen Ablauf.</translation>
+    </message>
+    <message>
+        <source>Choose a row in the table.</source>
+        <translation>Eine Zeile in der Tabelle wählen.</translation>
+    </message>
+    <message>
+        <source>Adds an empty sequence.</source>
+        <translation>Fügt einen leeren Ablauf hinzu.</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; calls it.</source>
+        <translation>Zeile %1 von „%2“ ruft ihn auf.</translation>
+    </message>
+    <message>
+        <source>Removes this sequence with its rows.</source>
+        <translation>Entfernt diesen Ablauf mit seinen Zeilen.</translation>
+    </message>
+    <message>
+        <source>Adds a row behind the chosen one, or at the end.</source>
+        <translation>Fügt eine Zeile hinter der gewählten oder am Ende hinzu.</translation>
+    </message>
+    <message>
+        <source>Adds the same row again behind it.</source>
+        <translation>Fügt dieselbe Zeile dahinter noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>Removes this row.</source>
+        <translation>Entfernt diese Zeile.</translation>
+    </message>
+    <message>
+        <source>It cannot go any farther: a repeat stays below the row that it goes back to.</source>
+        <translation>Weiter geht es nicht: eine Wiederholung bleibt unter der Zeile, zu der sie zurückspringt.</translation>
+    </message>
+    <message>
+        <source>Moves this row up.</source>
+        <translation>Schiebt diese Zeile hinauf.</translation>
+    </message>
+    <message>
+        <source>Moves this row down.</source>
+        <translation>Schiebt diese Zeile hinunter.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>Undoes: %1</source>
+        <translation>Macht rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>Does again: %1</source>
+        <translation>Stellt wieder her: %1</translation>
+    </message>
+    <message>
+        <source>A sequence runs already.</source>
+        <translation>Ein Ablauf läuft schon.</translation>
+    </message>
+    <message>
+        <source>Runs &quot;%1&quot; from its first row.</source>
+        <translation>Startet „%1“ bei der ersten Zeile.</translation>
+    </message>
+    <message>
+        <source>Runs &quot;%1&quot; from the chosen row on. Possible where the axes stand as the rows above leave them.</source>
+        <translation>Startet „%1“ ab der gewählten Zeile. Möglich, wenn die Achsen so stehen, wie die Zeilen darüber sie verlassen.</translation>
+    </message>
+    <message>
+        <source>No sequence runs.</source>
+        <translation>Kein Ablauf läuft.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Goes on where it has paused.</source>
+        <translation>Macht weiter, wo er pausiert hat.</translation>
+    </message>
+    <message>
+        <source>Finishes the row that is under way, then waits.</source>
+        <translation>Beendet die laufende Zeile und wartet dann.</translation>
+    </message>
+    <message>
+        <source>It runs. Pause it first.</source>
+        <translation>Er läuft. Ihn erst pausieren.</translation>
+    </message>
+    <message>
+        <source>Runs one row, then waits. The first one is the chosen row.</source>
+        <translation>Führt eine Zeile aus und wartet dann. Die erste ist die gewählte.</translation>
+    </message>
+    <message>
+        <source>Ends the sequence and stops its motors smoothly.</source>
+        <translation>Beendet den Ablauf und stoppt seine Motoren sanft.</translation>
+    </message>
+    <message>
+        <source>End dry run</source>
+        <translation>Probelauf beenden</translation>
+    </message>
+    <message>
+        <source>Shows how long the sequence takes, where each axis goes and what would be refused, on a simulated copy. Nothing moves.</source>
+        <translation>Zeigt an einer simulierten Kopie, wie lange der Ablauf dauert, wohin jede Achse fährt und was abgelehnt würde. Nichts fährt.</translation>
     </message>
 </context>
 <context>

@@ -74,8 +74,17 @@ void Engine::changeRate(std::uint32_t baud, TimePoint now) {
 }
 
 void Engine::readdress(ModuleIndex module, TimePoint now) {
-    m_readdress.begin(module, !accepting() || !m_operations.empty() || m_hold.active() || m_rate.active());
+    m_readdress.begin(module, ReaddressTask::Of::Restarted, busy());
     proceed(now);
+}
+
+void Engine::resetModule(ModuleIndex module, TimePoint now) {
+    m_readdress.begin(module, ReaddressTask::Of::Answering, busy());
+    proceed(now);
+}
+
+bool Engine::busy() const {
+    return !accepting() || !m_operations.empty() || m_hold.active() || m_rate.active();
 }
 
 void Engine::hold(const HoldToMove& hold, TimePoint now) {

@@ -67,6 +67,9 @@ public:
     /// Gives a module that restarted its address back (readdresstask.h). Ends in Readdressed or
     /// ReaddressFailed.
     void readdress(ModuleIndex module, TimePoint now);
+    /// Resets one module, and does the same; the others keep what they have. ModuleRestarted comes before the
+    /// end.
+    void resetModule(ModuleIndex module, TimePoint now);
 
     /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
     /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold(). Ended
@@ -140,6 +143,8 @@ private:
     void begin(Discovery::Start start, TimePoint now);
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
     /// What changes a module may be asked for now.
+    /// Something is under way that may not be interrupted by a change of the chain.
+    [[nodiscard]] bool busy() const;
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
     /// How it ends otherwise.
     [[nodiscard]] Outcome refusal() const {
@@ -202,7 +207,7 @@ private:
     SearchTask m_search{m_events};
     RateTask m_rate{m_config, m_chain, m_events};
     WayBack m_wayBack{m_rate, m_chain, m_stop, m_recovery, m_line};
-    ReaddressTask m_readdress{m_chain, m_line, m_events};
+    ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};

@@ -8,18 +8,20 @@
 
 namespace nmc::bus {
 
-void ReaddressTask::begin(ModuleIndex module, bool busy) {
-    const bool restarted = m_chain.has(module) && m_chain.belief(module).restarted();
+void ReaddressTask::begin(ModuleIndex module, Of of, bool busy) {
+    const bool resets = of == Of::Answering;
+    const bool fits =
+        m_chain.has(module) && (resets ? m_chain.answers(module) : m_chain.belief(module).restarted());
     const auto moves = [&](const Chain::Module& m) {
         return !m.belief.restarted() && m_chain.answers(m.belief.info().index) && m.belief.seenMoving();
     };
     const auto& modules = m_chain.modules();
-    if (!restarted || busy || active() || std::any_of(modules.begin(), modules.end(), moves)) {
+    if (!fits || busy || active() || std::any_of(modules.begin(), modules.end(), moves)) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }
     m_module = module;
-    m_stage = Stage::Address;
+    m_stage = resets ? Stage::Reset : Stage::Address;
     m_done = false;
 }
 
@@ -28,9 +30,17 @@ void ReaddressTask::drop() {
         m_events.emplace_back(ReaddressFailed{*module, ReaddressFailed::Reason::NotNow});
 }
 
-Next ReaddressTask::next(TimePoint /*now*/) {
+Next ReaddressTask::next(TimePoint now) {
     const ModuleInfo& info = m_chain.belief(*m_module).info();
     switch (m_stage) {
+        case Stage::Reset:
+            m_stage = Stage::Forget;
+            return Line::Script{Line::Gap{}, Line::Packet{toPacket({info.address, HardReset{}.encode()})},
+                                Line::Lag{m_config.resetWait}, DiscardInput{}};
+        case Stage::Forget:
+            m_stage = Stage::Address;
+            m_restarts.setRestarted(*m_module, now);
+            return Again{};
         case Stage::Address:
             if (m_line.baud() != kPowerUpBaud)
                 return Line::toRate(kPowerUpBaud);
@@ -79,6 +89,8 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
             if (m_done)
                 m_chain.welcome(*m_module, now);
             break;
+        case Stage::Reset:
+        case Stage::Forget:
         case Stage::Rate:
         case Stage::Over:
             break;

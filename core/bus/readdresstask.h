@@ -5,21 +5,28 @@
 #include <vector>
 
 #include "bus/chain.h"
+#include "bus/engineconfig.h"
+#include "bus/restartsearch.h"
 #include "bus/task.h"
 
 namespace nmc::bus {
 
-/// Gives a module that restarted its address back, and takes it to the rate of the chain; the others keep
-/// what they have. The module itself has lost everything but its type. Ends in Readdressed or
-/// ReaddressFailed.
+/// Gives a module that restarted its address back, and takes it to the rate of the chain; or resets one
+/// first, alone (DS-V 5.2, DS-S 5.1 Hard Reset). The others keep what they have. The module itself has lost
+/// everything but its type. Ends in Readdressed or ReaddressFailed.
 class ReaddressTask : public Task {
 public:
-    ReaddressTask(Chain& chain, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_line(line), m_events(events) {}
+    ReaddressTask(const EngineConfig& config, Chain& chain, RestartSearch& restarts, const Line& line,
+                  std::vector<Event>& events)
+        : m_config(config), m_chain(chain), m_restarts(restarts), m_line(line), m_events(events) {}
 
+    enum class Of : std::uint8_t {
+        Restarted,  ///< it has restarted by itself
+        Answering,  ///< it is to be reset
+    };
     /// `busy`: something else is going on. Refused with an event when it cannot be done: only while nothing
     /// moves, since the chain is left alone for as long as it takes.
-    void begin(ModuleIndex module, bool busy);
+    void begin(ModuleIndex module, Of of, bool busy);
     /// Something goes before it. The module may have its address by then; the next search tells.
     void drop();
     [[nodiscard]] bool active() const { return m_module.has_value(); }
@@ -29,11 +36,13 @@ public:
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
-    enum class Stage : std::uint8_t { Address, Probe, Rate, Identify, Over };
+    enum class Stage : std::uint8_t { Reset, Forget, Address, Probe, Rate, Identify, Over };
     [[nodiscard]] Ask question(BusAddress address, const Payload& payload, StatusItems items) const;
     void end(bool done);
 
+    const EngineConfig& m_config;
     Chain& m_chain;
+    RestartSearch& m_restarts;
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<ModuleIndex> m_module;

@@ -69,13 +69,16 @@ public:
         return o;
     }
     void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(moveAll());
+        bus.chain.powerCycle(ModuleIndex(1), bus.now);
+        bus.runFor(20ms);
+    }
+    void moveAll() {
         ASSERT_TRUE(bus.connect());
         for (std::uint8_t i = 0; i < 3; ++i)
             ASSERT_EQ(bus.perform({gains(i), enable(i), loadMove(i, 1'000 * (i + 1)), start(i)}),
                       Outcome::Done);
         bus.runFor(3s);
-        bus.chain.powerCycle(ModuleIndex(1), bus.now);
-        bus.runFor(20ms);
     }
     [[nodiscard]] bool scanAgain() { return bus.connect(); }
     [[nodiscard]] bool readdress() {
@@ -167,6 +170,53 @@ INSTANTIATE_TEST_SUITE_P(Rates, YRestarted,
                          testing::Values(Case{19'200, false}, Case{19'200, true}, Case{57'600, false},
                                          Case{115'200, false}, Case{115'200, true}),
                          testing::PrintToStringParamName());
+
+/// The same chain, of which Y is reset on purpose (DS-V 5.2 Hard Reset).
+class YIsReset : public YRestarted {
+public:
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(moveAll()); }
+    [[nodiscard]] bool reset() {
+        bus.engine.resetModule(ModuleIndex(1), bus.now);
+        const auto over = [&] { return bus.count<Readdressed>() + bus.count<ReaddressFailed>() > 0; };
+        return bus.runUntil(over, 5s) && bus.count<Readdressed>() == 1;
+    }
+};
+
+TEST_P(YIsReset, AndTheOthersKeepWhatTheyHave) {
+    ASSERT_TRUE(reset());
+    EXPECT_EQ(bus.count<ModuleRestarted>(), 1U);
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(1).servoOn);
+    EXPECT_EQ(bus.servo(1).position, 0);
+    for (const std::uint8_t i : {std::uint8_t{0}, std::uint8_t{2}}) {
+        EXPECT_TRUE(bus.servo(i).servoOn);
+        EXPECT_NEAR(bus.servo(i).position, 1'000 * (i + 1), 3);
+    }
+    EXPECT_EQ(bus.perform({gains(1), enable(1), loadMove(1, 500), start(1)}), Outcome::Done);
+    bus.runFor(2s);
+    EXPECT_NEAR(bus.servo(1).position, 500, 3);
+    bus.expectNoViolations();
+}
+
+TEST_P(YIsReset, NotWhileAnythingMoves) {
+    ASSERT_EQ(bus.perform({loadVelocity(2, 65'536, true)}), Outcome::Done);
+    bus.runFor(200ms);
+    EXPECT_FALSE(reset());
+    EXPECT_EQ(bus.last<ReaddressFailed>()->reason, ReaddressFailed::Reason::NotNow);
+    EXPECT_NEAR(bus.servo(1).position, 2'000, 3);
+}
+
+TEST_P(YIsReset, AndAStopComesFirst) {
+    bus.engine.resetModule(ModuleIndex(1), bus.now);
+    bus.runFor(5ms);
+    bus.engine.stopAll(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 10s));
+    EXPECT_EQ(bus.count<Readdressed>() + bus.count<ReaddressFailed>(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Chains, YIsReset,
+                         testing::Values(Case{19'200, false}, Case{19'200, true}, Case{115'200, false},
+                                         Case{115'200, true}));
 
 }  // namespace
 

@@ -30,7 +30,7 @@ std::string axisWith(const std::string& line) {
 }
 
 TEST(BadMachineFile, CutAtAnyByteItIsRefusedAsTruncatedInTheLineWhereItEnds) {
-    const std::string whole = writeMachine(testing_support::mill());
+    const std::string whole = writeMachine(testing_support::taughtMill());
     ASSERT_TRUE(parseMachine(whole).has_value());
     int line = 1;      // of the last character that is not a blank
     int nextLine = 1;  // of the character to come
@@ -103,6 +103,51 @@ TEST(BadMachineFile, BytesThatAreNoLetters) {
               (FileProblem{.kind = Kind::UnprintableText, .line = 3, .field = "name"}));
 }
 
+/// Line 3 has the points, then each sequence has a line and each of its rows.
+TEST(BadMachineFile, PointsAndSequencesThatCannotBe) {
+    const auto program = [](const std::string& rows) {
+        return fileWith(
+            "\"points\": [{\"name\": \"P\", \"axes\": []}],\n\"sequences\": [\n"
+            "{\"name\": \"A\", \"rows\": [\n" +
+            rows + "\n]},\n{\"name\": \"B\", \"rows\": [{\"do\": \"call\", \"sequence\": \"A\"}]}]");
+    };
+    const std::string wait = "{\"do\": \"wait\", \"seconds\": 1}";
+    EXPECT_TRUE(parseMachine(program(wait)).has_value());
+    const auto expect = [&](const std::string& row, Kind kind, const std::string& field,
+                            const std::string& found) {
+        EXPECT_EQ(problemOf(program(wait + ",\n" + row)),
+                  (FileProblem{.kind = kind, .line = 7, .field = field, .found = found}));
+    };
+    expect("{\"do\": \"call\", \"sequence\": \"B\"}", Kind::CallsItself, "sequences", "A");
+    expect("{\"do\": \"call\", \"sequence\": \"A\"}", Kind::CallsItself, "sequences", "A");
+    expect("{\"do\": \"call\", \"sequence\": \"X\"}", Kind::NoSuchSequence, "sequences", "X");
+    expect("{\"do\": \"move to\", \"point\": \"Q\", \"together\": true, \"waits\": true, \"percent\": 1}",
+           Kind::NoSuchPoint, "sequences", "Q");
+    expect("{\"do\": \"repeat\", \"from_row\": 2, \"times\": 2}", Kind::RepeatsBelow, "sequences", "");
+    expect("{\"do\": \"dance\"}", Kind::UnknownWord, "do", "dance");
+    EXPECT_EQ(problemOf(program("{\"do\": \"home\", \"module\": 33}")).kind, Kind::OutOfRange);
+    EXPECT_EQ(problemOf(program("{\"do\": \"home\"}")),
+              (FileProblem{.kind = Kind::Missing, .line = 6, .field = "module"}));
+    EXPECT_EQ(problemOf(program("{\"do\": \"wait\", \"seconds\": -1}")).kind, Kind::OutOfRange);
+}
+
+TEST(BadMachineFile, NamesAndAxesThatAreThereTwice) {
+    EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\"},\n{\"name\": \"P\"}]")),
+              (FileProblem{.kind = Kind::NameTwice, .line = 4, .field = "points", .found = "P"}));
+    EXPECT_EQ(problemOf(fileWith("\"sequences\": [{\"rows\": []}]")),
+              (FileProblem{.kind = Kind::NameMissing, .line = 3, .field = "sequences"}));
+    const std::string axis = "{\"module\": 2, \"counts\": 0, \"from_home\": true}";
+    EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\", \"axes\": [" + axis + "," + axis + "]}]")),
+              (FileProblem{.kind = Kind::AxisTwice, .line = 3, .field = "points", .found = "2"}));
+    EXPECT_EQ(problemOf(fileWith("\"home_order\": [1,\n2, 1]")),
+              (FileProblem{.kind = Kind::AxisTwice, .line = 4, .field = "home_order", .found = "1"}));
+    EXPECT_EQ(problemOf(fileWith("\"points\": [{\"name\": \"P\", \"axes\": [\n{\"module\": 1, \"counts\": "
+                                 "2147483648, \"from_home\": true}]}]"))
+                  .line,
+              4)
+        << "beyond the chip";
+}
+
 TEST(BadMachineFile, KeysThatAreThereTwice) {
     EXPECT_EQ(problemOf(fileWith("\"name\": \"a\",\n\"name\": \"b\"")),
               (FileProblem{.kind = Kind::DuplicateKey, .line = 4, .field = "name"}));
@@ -120,7 +165,7 @@ TEST(BadMachineFile, TooDeepTooManyTooLarge) {
     EXPECT_EQ(problemOf(nested(400'000)).kind, Kind::TooDeep);
 
     std::string values = "\"x\": [0";
-    for (int i = 0; i < 10'000; ++i)
+    for (int i = 0; i < 50'000; ++i)
         values += ",0";
     EXPECT_EQ(problemOf(fileWith(values + "]")).kind, Kind::TooManyValues);
 

@@ -236,5 +236,41 @@ INSTANTIATE_TEST_SUITE_P(
         return std::get<1>(given.param).name + std::string("SR") + std::to_string(std::get<0>(given.param));
     });
 
+/// Seen at 19 200 Bd: 80 ms without answers behind Run, and the calculated error was 87 904 counts for a true
+/// one of -1.
+TEST(LostAnswers, LeaveAGapAndNoAbsurdError) {
+    TruthRig rig(1, bus::EngineConfig{19'200});
+    ASSERT_TRUE(rig.enable());
+    std::optional<TimePoint> lostSince;
+    bool loses = true;
+    rig.bus.losesReply = [&](ByteSpan command) {
+        if (loses && command[2] == 0x05)  // Start Motion
+            lostSince = rig.bus.now;
+        return lostSince && rig.bus.now - *lostSince < 80ms;
+    };
+    int runs = 0;
+    for (const double velocity : {4.0, -8.0, 12.0, -2.0, 6.0, -12.0}) {
+        const auto raw = static_cast<std::uint32_t>(std::abs(velocity) * 65'536);
+        servo::LoadTrajectory run = velocityMode(raw, 1'311, velocity < 0);
+        run.startNow = false;
+        runs += rig.perform({run, StartMotion{}}) ? 1 : 0;
+        rig.runTicks(1'500);
+        ASSERT_TRUE(rig.perform({stopWith(StopManner::Smoothly)}));
+        rig.runTicks(1'500);
+        // Its end is known exactly, and every doubt over.
+        loses = false;
+        ASSERT_TRUE(rig.perform({trapezoid(0, 20 << 16, 9'000), StartMotion{}}));
+        rig.runTicks(3'000);
+        loses = true;
+    }
+    EXPECT_GT(runs, 0) << "some starts are found carried out by a look";
+    // The two looks that tell whether it was carried out come before that is known, and a motion that has
+    // reached its velocity by then looks like rest.
+    const auto samples = static_cast<double>(rig.comparison.figures.samples());
+    EXPECT_LE(samples * (1 - rig.comparison.figures.inside()), 2 * 6);
+    EXPECT_GT(samples, 500);
+    EXPECT_LT(rig.comparison.figures.unknown(), rig.comparison.figures.samples() / 5);
+}
+
 }  // namespace
 }  // namespace nmc

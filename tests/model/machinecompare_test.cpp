@@ -84,6 +84,19 @@ TEST(MachineCompare, NamesTheFieldsThatDifferAndNoOthers) {
     EXPECT_EQ(rows[1].applying, Applying::ChangesPanel);
 }
 
+TEST(MachineCompare, PointsAndSequencesGoTogether) {
+    Machine now = testing_support::taughtMill();
+    std::get<action::Wait>(now.program.sequences[0].rows[3]).seconds = 0.5;
+    now.homeOrder.clear();
+    const auto rows = compare(testing_support::taughtMill(), now, {});
+    ASSERT_THAT(ids(rows), ElementsAre(PartId{{}, MachinePart::Program}, PartId{{}, MachinePart::HomeOrder}));
+    ASSERT_EQ(rows[0].fields.size(), 1U) << "the rest is the same";
+    EXPECT_EQ(rows[0].fields[0].key, "sequence Main");
+    const Machine taken = applied(testing_support::taughtMill(), now, {}, {{{}, MachinePart::Program}});
+    EXPECT_EQ(taken.program, testing_support::taughtMill().program);
+    EXPECT_TRUE(taken.homeOrder.empty());
+}
+
 TEST(MachineCompare, GainsAreComparedWithWhatWasSentNotWithWhatWasTyped) {
     auto modules = millChain();
     const PartId gains{kFirst, MachinePart::Gains};

@@ -71,6 +71,33 @@ TEST(MachineFile, EveryMachineIsReadAsItWasWritten) {
     }));
 }
 
+TEST(MachineFile, PointsAndSequencesAreKept) {
+    const Machine machine = testing_support::taughtMill();
+    const auto again = parseMachine(writeMachine(machine));
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->machine.program, machine.program);
+    EXPECT_EQ(again->machine.homeOrder, machine.homeOrder);
+}
+
+TEST(MachineFile, OneOfAnOlderProgramHasNone) {
+    const auto parsed = parseMachine(kSmall);
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(parsed->machine.program, Program{});
+    EXPECT_TRUE(parsed->machine.homeOrder.empty());
+}
+
+TEST(MachineFile, ARowThatDoesSomethingElseNowKeepsNothingOfTheOldOne) {
+    const auto parsed = parseMachine(writeMachine(testing_support::taughtMill()));
+    ASSERT_TRUE(parsed.has_value());
+    Machine machine = parsed->machine;
+    machine.program.sequences[0].rows[0] = action::WaitForArrival{};
+    const std::string text = writeMachine(machine, parsed->unknown);
+    const auto row = text.find("\"do\": \"wait for arrival\"");
+    ASSERT_NE(row, std::string::npos);
+    EXPECT_EQ(text.substr(row, text.find('}', row) - row).find("module"), std::string::npos);
+    EXPECT_EQ(parseMachine(text)->machine, machine);
+}
+
 TEST(MachineFile, WritingWhatWasReadChangesNothingAnyMore) {
     const std::string once = writeMachine(mill());
     const auto parsed = parseMachine(once);

@@ -47,7 +47,26 @@ inline Machine mill() {
             115'200,
             {servoAxis(), stepAxis()},
             {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}},
+            {},
+            {},
             OperatorRights{.moves = true}};
+}
+
+/// Every kind of row, and two points.
+inline Machine taughtMill() {
+    Machine machine = mill();
+    constexpr ModuleIndex kX{0};
+    constexpr ModuleIndex kTable{1};
+    machine.program.points = {{"Pick ä", {{kX, -1'500, true}, {kTable, 40, false}}},
+                              {"Place", {{kX, 0x7FFFFFFF, true}}}};
+    machine.program.sequences = {
+        {"Main",
+         {action::Home{kX}, action::MoveTo{"Pick ä", false, true, 100}, action::SetOutput{kTable, 5, true},
+          action::Wait{0.25}, action::WaitForInput{kTable, InputPin::HomeSwitch, false, 3.5},
+          action::MoveTo{"Place", true, false, 7}, action::WaitForArrival{}, action::Repeat{1, 0}}},
+        {"Twice", {action::Call{"Main"}, action::Repeat{0, 2}}}};
+    machine.homeOrder = {kTable, kX};
+    return machine;
 }
 
 inline double pick(double min, double max) {
@@ -109,6 +128,56 @@ inline AxisSettings anyAxis() {
     return axis;
 }
 
+inline Action anyRow(const Program& program, std::size_t row, std::size_t sequence) {
+    const auto axis = pickWhole<std::uint8_t>(0, 31);
+    switch (pickWhole<int>(0, 7)) {
+        case 0:
+            if (!program.points.empty())
+                return action::MoveTo{program.points.front().name, coin(), coin(),
+                                      pickWhole<unsigned>(1, 100)};
+            return action::WaitForArrival{};
+        case 1:
+            return action::Wait{pick(0, 86'400)};
+        case 2:
+            return action::WaitForInput{ModuleIndex(axis), pickWhole<InputPin>(0, 4), coin(),
+                                        pick(0, 86'400)};
+        case 3:
+            return action::SetOutput{ModuleIndex(axis), pickWhole<unsigned>(1, 5), coin()};
+        case 4:
+            return action::Home{ModuleIndex(axis)};
+        case 5:
+            if (row > 0)
+                return action::Repeat{pickWhole<std::size_t>(0, static_cast<std::int64_t>(row) - 1),
+                                      pickWhole<unsigned>(0, 1'000'000)};
+            return action::WaitForArrival{};
+        case 6:
+            if (sequence > 0)
+                return action::Call{program.sequences.front().name};
+            return action::WaitForArrival{};
+        default:
+            return action::WaitForArrival{};
+    }
+}
+
+inline Program anyProgram() {
+    Program program;
+    for (std::size_t i = pickWhole<std::size_t>(0, 3); i > 0; --i) {
+        Point point{pickName() + std::to_string(i), {}};
+        for (std::uint8_t axis = 0; axis < 3; ++axis)
+            if (coin())
+                point.axes.push_back(
+                    {ModuleIndex(axis), pickWhole<std::int32_t>(-0x7FFFFFFF, 0x7FFFFFFF), coin()});
+        program.points.push_back(point);
+    }
+    for (std::size_t i = 0; i < pickWhole<std::size_t>(0, 3); ++i) {
+        Sequence sequence{pickName() + std::to_string(i), {}};
+        for (std::size_t rows = pickWhole<std::size_t>(0, 6); sequence.rows.size() < rows;)
+            sequence.rows.push_back(anyRow(program, sequence.rows.size(), i));
+        program.sequences.push_back(sequence);
+    }
+    return program;
+}
+
 inline Machine anyMachine() {
     Machine machine;
     machine.name = pickName();
@@ -124,6 +193,9 @@ inline Machine anyMachine() {
             group.leader = group.members[coin() ? 1 : 0];
         machine.groups.push_back(group);
     }
+    machine.program = anyProgram();
+    if (coin())
+        machine.homeOrder = {ModuleIndex(3), ModuleIndex(0)};
     return machine;
 }
 

@@ -132,6 +132,9 @@ public:
             command.apply(*executed);
         else if (const auto* sample = std::get_if<bus::Sample>(&event))
             take(*sample);
+        else if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
+            if (finished->outcome == bus::Outcome::NoAnswer)
+                command.forget();  // as the store does
     }
 
     CommandPosition command;

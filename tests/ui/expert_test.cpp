@@ -3,6 +3,7 @@
 // control bytes of DS-V 5.2 and DS-S 5.1, as printed.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 
 #include "tests/model/stepfixture.h"
 #include "windowtest.h"
@@ -200,6 +201,29 @@ TEST_F(Expert, NamesTheModeOfTable4) {
     EXPECT_TRUE(text(u"expertLoadMeaning"_s).contains(u"A ramp"_s));
     clickOn(*find<QCheckBox>(u"expertLoadPositionLoaded"_s));
     EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled()) << "a goal does not change in motion";
+}
+
+TEST_F(Expert, ResetsAModuleAfterAQuestion) {
+    showServo();
+    click(u"resetModuleButton"_s);
+    EXPECT_EQ(intents.size(), 0) << "it asks first";
+    click(u"resetModuleCancel"_s);
+    EXPECT_EQ(intents.size(), 0);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    click(u"resetModuleButton"_s);
+    click(u"resetModuleGo"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::ResetModule>(intents.at(0).at(1).value<Intent>()));
+}
+
+TEST_F(Expert, WithdrawsTheQuestionWhenTheMotorMoves) {
+    showServo();
+    click(u"resetModuleButton"_s);
+    EXPECT_TRUE(find(u"resetModuleQuestion"_s)->isVisible());
+    showServo({.moveDone = false, .millisecond = 20});
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(window->findChild<QDialog*>(u"resetModuleQuestion"_s), nullptr);
+    EXPECT_FALSE(button(u"resetModuleButton"_s)->isEnabled());
 }
 
 }  // namespace

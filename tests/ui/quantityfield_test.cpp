@@ -2,7 +2,7 @@
 // A field counts in the chip's numbers, whatever unit it shows.
 #include "widgets/common/quantityfield.h"
 
-#include "widgets/panels/servodefaults.h"
+#include "model/module/servodefaults.h"
 #include "windowtest.h"
 
 namespace nmc {

@@ -86,6 +86,20 @@ QString wrongInLine(const FileProblem& problem) {
             return Texts::tr("another group has address %1, too.").arg(found);
         case Kind::LeaderNotInGroup:
             return Texts::tr("the leader is not one of the group's modules.");
+        case Kind::NameMissing:
+            return Texts::tr("it has no name.");
+        case Kind::NameTwice:
+            return Texts::tr("the name \"%1\" is taken already.").arg(found);
+        case Kind::AxisTwice:
+            return Texts::tr("module %1 is there twice.").arg(found);
+        case Kind::NoSuchPoint:
+            return Texts::tr("there is no point \"%1\".").arg(found);
+        case Kind::NoSuchSequence:
+            return Texts::tr("there is no sequence \"%1\".").arg(found);
+        case Kind::CallsItself:
+            return Texts::tr("by this row the sequence \"%1\" would call itself and never end.").arg(found);
+        case Kind::RepeatsBelow:
+            return Texts::tr("a repeat goes back to a row above it.");
     }
     return {};
 }
@@ -255,6 +269,10 @@ QString machinePart(MachinePart part) {
             return Texts::tr("Groups");
         case MachinePart::OperatorRights:
             return Texts::tr("Left to the operator");
+        case MachinePart::Program:
+            return Texts::tr("Points and sequences");
+        case MachinePart::HomeOrder:
+            return Texts::tr("Order of Home all");
         case MachinePart::Hardware:
             return Texts::tr("Type and version");
         case MachinePart::AxisName:
@@ -338,6 +356,12 @@ QString machineField(const QString& key) {
         return Texts::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
     if (key.startsWith(u"leader"_s))
         return Texts::tr("Leader of group %1").arg(QString::number(key.mid(6).toInt(), 16).toUpper());
+    if (key.startsWith(u"point "_s))
+        return Texts::tr("Point %1").arg(key.mid(6));
+    if (key.startsWith(u"sequence "_s))
+        return Texts::tr("Sequence %1").arg(key.mid(9));
+    if (key == u"home_order"_s)
+        return Texts::tr("Order of Home all");
     if (key.startsWith(u"output"_s))
         return Texts::tr("Output %1").arg(key.mid(6));
     if (key.startsWith(u"input"_s))

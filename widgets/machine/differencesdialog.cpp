@@ -43,9 +43,11 @@ bool hasFields(MachinePart part) {
         case MachinePart::Hardware:
         case MachinePart::AxisName:
         case MachinePart::AccelerationTime:
+        case MachinePart::HomeOrder:
             return false;
         case MachinePart::Groups:
         case MachinePart::OperatorRights:
+        case MachinePart::Program:
         case MachinePart::Unit:
         case MachinePart::Motion:
         case MachinePart::Homing:

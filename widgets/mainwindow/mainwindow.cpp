@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/askdialog.h"
@@ -37,6 +38,7 @@
 #include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -163,7 +165,7 @@ void MainWindow::connectParts() {
             &MainWindow::requestStop);
     new PromptFilter(this);
     new RepeatFilter(this);
-    connect(new OtherWindows(this), &OtherWindows::opened, m_panel, &ModulePanel::endHold);
+    connect(new OtherWindows(this), &OtherWindows::opened, this, &MainWindow::endHold);
 
     connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
         showSelected();
@@ -242,8 +244,10 @@ void MainWindow::showPhase(LinkPhase before) {
     const LinkState& link = m_session.link();
     if (before == LinkPhase::Disconnected && m_session.isOpen())
         m_panel->forgetModules();
-    if (before != link.phase && link.phase == LinkPhase::Connecting)
+    if (before != link.phase && link.phase == LinkPhase::Connecting) {
         m_panel->resetSpeeds();
+        m_axes->forgetModules();
+    }
     if (link.phase == LinkPhase::Connected)
         m_preparing.start(kPrepareInterval);
     showSession();
@@ -259,6 +263,7 @@ void MainWindow::showModules() {
     m_monitor->showLink(link);
     m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
+    showAllAxes();
     showSelected();
 }
 
@@ -414,7 +419,7 @@ void MainWindow::showSafetyOnce() {
 void MainWindow::requestStop() {
     if (!m_session.isOpen())
         return;
-    m_panel->endHold();
+    endHold();
     emit stopAllRequested();
 }
 
@@ -432,12 +437,24 @@ void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json
     m_simulator->showAnswer(line, json);
 }
 
+void MainWindow::showAllAxes() {
+    m_sequences->showSession(m_session.link(), m_session.machine());
+    if (!m_axes->seen())
+        return;
+    std::vector<PanelView> views;
+    for (const ModuleState& module : m_session.link().modules)
+        views.push_back(m_session.viewOf(module));
+    m_axes->showModules(views, m_session.machine());
+}
+
 void MainWindow::endHold() {
     m_panel->endHold();
+    m_axes->endHold();
 }
 
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
+    m_axes->setHoldInterval(milliseconds);
 }
 
 }  // namespace nmc

@@ -29,6 +29,7 @@ class QSettings;
 
 namespace nmc {
 
+class AxesDock;
 class Banner;
 class Bell;
 class ChainView;
@@ -45,6 +46,7 @@ class Pendant;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
+class SequencesDock;
 class SimulatorDock;
 class StepResponseDock;
 struct KeptRun;
@@ -105,6 +107,10 @@ public:
     [[nodiscard]] Bell& bell() { return *m_bell; }
     [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
+    /// Points and sequences: edited, foreseen, run.
+    [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
+    /// All axes at once.
+    [[nodiscard]] AxesDock& axes() { return *m_axes; }
     /// Recording, opening a recording, and what is exported.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
@@ -177,6 +183,8 @@ private:
     void addSimulatorDock();
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomForStepResponse(QDockWidget& messages);
+    void addMotionDocks(QDockWidget& scope);
+    void showAllAxes();
     void makeRoomForSimulator();
     void makeRoomForMotions();
     void restoreLayout();
@@ -221,6 +229,8 @@ private:
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;
+    SequencesDock* m_sequences = nullptr;
+    AxesDock* m_axes = nullptr;
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;

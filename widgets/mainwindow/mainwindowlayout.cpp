@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QSettings>
 
+#include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
@@ -18,6 +19,7 @@
 #include "widgets/panels/modulepanel.h"
 #include "widgets/response/stepresponsedock.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -65,6 +67,7 @@ void MainWindow::buildDocks() {
     m_docks.append(m_monitor);
     addStepResponseDock(*scope, *messages);
     m_docks.append(m_stepResponse);
+    addMotionDocks(*scope);
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
@@ -87,6 +90,21 @@ void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) 
     connect(
         m_stepResponse, &StepResponseDock::stepRequested, this,
         [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });
+}
+
+/// Behind the scope's tab, closed.
+void MainWindow::addMotionDocks(QDockWidget& scope) {
+    m_sequences = new SequencesDock(this);
+    m_axes = new AxesDock(this);
+    for (QDockWidget* dock : {static_cast<QDockWidget*>(m_sequences), static_cast<QDockWidget*>(m_axes)}) {
+        tabifyDockWidget(&scope, dock);
+        dock->hide();
+        m_docks.append(dock);
+    }
+    connect(m_sequences, &SequencesDock::opened, this, &MainWindow::showAllAxes);
+    connect(m_axes, &AxesDock::opened, this, &MainWindow::showAllAxes);
+    connect(m_axes, &AxesDock::holdRequested, this, &MainWindow::holdRequested);
+    connect(m_axes, &AxesDock::holdReleased, this, &MainWindow::holdReleased);
 }
 
 /// For a curve beside the results; the messages beside it give way.
@@ -164,8 +182,9 @@ void MainWindow::saveLayout() {
 
 void MainWindow::resetLayout() {
     restoreState(m_firstState);
-    for (QDockWidget* dock : m_docks)
-        dock->setVisible(dock != m_monitor && dock != m_stepResponse);  // which are closed at first
+    for (QDockWidget* dock : m_docks)  // the last ones are closed at first
+        dock->setVisible(dock != m_monitor && dock != m_stepResponse && dock != m_sequences &&
+                         dock != m_axes);
     m_simulator->setWanted(true);
 }
 

@@ -54,7 +54,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     const MachineFile& file = m_machineMenu->file();
     const bool unsaved = !m_mayClose && !m_workMayWait && (file.modified || file.saving);
     if (!moving && !unsaved) {
-        m_panel->endHold();
+        endHold();
         saveLayout();
         event->accept();
         return;

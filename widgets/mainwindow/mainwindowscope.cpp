@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/axes/axesdock.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/scope/scopepanel.h"
 
@@ -38,6 +39,10 @@ void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
 
 std::vector<ModuleIndex> MainWindow::watchedModules() const {
     std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
+    if (m_axes->seen())
+        for (const ModuleState& module : m_session.link().modules)
+            if (std::find(watched.begin(), watched.end(), module.info.index) == watched.end())
+                watched.push_back(module.info.index);
     const std::optional<ModuleIndex> selected = selectedModule();
     if (selected && std::find(watched.begin(), watched.end(), *selected) == watched.end())
         watched.push_back(*selected);

@@ -9,12 +9,12 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "model/module/servodefaults.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
-#include "widgets/panels/servodefaults.h"
 #include "widgets/panels/unitdialog.h"
 
 namespace nmc {

@@ -6,7 +6,10 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+#include "widgets/panels/command.h"
 #include "widgets/panels/directbox.h"
 
 namespace nmc {
@@ -306,7 +309,15 @@ DirectBox* newStepHoming(ModuleContext& context, QWidget* parent) {
 
 }  // namespace
 
-ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent) : QWidget(parent) {
+ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
+    : QWidget(parent),
+      m_context(context),
+      m_reset(new Command({.name = u"resetModuleButton"_s,
+                           .icon = {},
+                           .text = tr("Reset module…"),
+                           .accessible = tr("Reset this module"),
+                           .key = {}},
+                          this, [this] { askBeforeReset(); })) {
     look::name(this, u"expertBox"_s, tr("Commands as the data sheet has them"));
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
@@ -320,7 +331,37 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent) : QWidget(parent) 
     layout->addWidget(steps ? newStepLoad(context, this) : newServoLoad(context, this));
     layout->addWidget(steps ? newStepStop(context, this) : newServoStop(context, this));
     layout->addWidget(steps ? newStepHoming(context, this) : newServoHoming(context, this));
+    layout->addWidget(m_reset->button(), 0, Qt::AlignRight);
     layout->addStretch(1);
+    m_context.whenSeen(this, [this] { refresh(); });
+}
+
+void ExpertBox::refresh() {
+    AskDialog::reviewAll(*this);
+    m_reset->setPossible(
+        m_context.reasonNow(Request::ResetModule),
+        tr("Takes this module back to its power-up state, and gives it its address again. The "
+           "others stay as they are."));
+}
+
+void ExpertBox::askBeforeReset() {
+    const QString module = texts::moduleName(m_context.state().info.index);
+    AskDialog::ask(
+        {.name = u"resetModuleQuestion"_s,
+         .title = tr("Reset module"),
+         .text =
+             [this, module] {
+                 return m_context.whyNot(Request::ResetModule)
+                            ? QString()
+                            : tr("Reset %1? Its motor goes off, and it forgets its position, its "
+                                 "settings and its group. The other modules stay as they are.")
+                                  .arg(module);
+             },
+         .stay = tr("Cancel"),
+         .stayName = u"resetModuleCancel"_s,
+         .stayIsDefault = true},
+        {{tr("Reset the module"), u"resetModuleGo"_s, [this] { m_context.ask(intent::ResetModule{}); }}},
+        this);
 }
 
 }  // namespace nmc

@@ -7,6 +7,8 @@
 
 namespace nmc {
 
+class Command;
+
 /// The rarest of what a chip can be told: its motion commands bit by bit, as the data sheet names them, in
 /// the chip's own numbers (DS-V 5.2, DS-S 5.1). Each says what the chip will do, and the bytes.
 class ExpertBox : public QWidget {
@@ -14,6 +16,13 @@ class ExpertBox : public QWidget {
 
 public:
     ExpertBox(ModuleContext& context, QWidget* parent);
+
+private:
+    void askBeforeReset();
+    void refresh();
+
+    ModuleContext& m_context;
+    Command* m_reset;
 };
 
 }  // namespace nmc

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -12,7 +13,6 @@
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/motionbox.h"
 #include "widgets/panels/quantitygrid.h"
-#include "widgets/panels/servodefaults.h"
 
 namespace nmc {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/intent/moveforecast.h"
+#include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
@@ -16,7 +17,6 @@
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/quantitygrid.h"
-#include "widgets/panels/servodefaults.h"
 
 namespace nmc {
 

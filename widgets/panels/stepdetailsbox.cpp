@@ -3,12 +3,12 @@
 
 #include <QLabel>
 
+#include "model/module/stepdefaults.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {

@@ -5,12 +5,12 @@
 #include <QLabel>
 
 #include "model/intent/stepplan.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
-#include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {

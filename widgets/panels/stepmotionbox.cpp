@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "model/intent/stepplan.h"
+#include "model/module/stepdefaults.h"
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepholdbox.h"
 #include "widgets/panels/stepmodechoice.h"
 #include "widgets/panels/stepwords.h"
@@ -297,10 +297,9 @@ void StepMotionBox::refreshCommand(Command& command, bool reverse, const QString
     const QString reason = reasonFor(reverse);
     const bool stopsFirst = m_context.connected() && viaStop(reverse);
     command.setText(stopsFirst ? tr("Stop, wait: %1").arg(text) : text);
-    command.setPossible(reason.isEmpty() ? m_context.whyBusy() : reason,
-                        stopsFirst ? tr("Stops smoothly, waits until the motor stands, then: %1")
-                                         .arg(meaning)
-                                   : meaning);
+    command.setPossible(
+        reason.isEmpty() ? m_context.whyBusy() : reason,
+        stopsFirst ? tr("Stops smoothly, waits until the motor stands, then: %1").arg(meaning) : meaning);
 }
 
 void StepMotionBox::refreshCommands() {

@@ -4,9 +4,9 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "model/module/stepdefaults.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
-#include "widgets/panels/stepdefaults.h"
 #include "widgets/panels/stepwords.h"
 
 namespace nmc {

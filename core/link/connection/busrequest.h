@@ -17,6 +17,7 @@ struct ChangeRate {
 };
 struct Readdress {
     ModuleIndex module;
+    bool reset = false;  ///< it is reset first
 };
 struct ControlLine {
     std::string text;

@@ -120,7 +120,10 @@ void BusSession::take(BusRequest& request, TimePoint now) {
                    [&](bus::Operation& operation) { m_engine.submit(std::move(operation), now); },
                    [&](const bus::GroupOperation& operation) { m_engine.submit(operation, now); },
                    [&](const ChangeRate& change) { m_engine.changeRate(change.baud, now); },
-                   [&](const Readdress& readdress) { m_engine.readdress(readdress.module, now); },
+                   [&](const Readdress& readdress) {
+                       readdress.reset ? m_engine.resetModule(readdress.module, now)
+                                       : m_engine.readdress(readdress.module, now);
+                   },
                    [&](ControlLine& line) {
                        if (auto json = m_transport.control(line.text))
                            m_channel.post(SimulatorAnswered{std::move(line.text), std::move(*json)});

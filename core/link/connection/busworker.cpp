@@ -48,6 +48,11 @@ void BusWorker::readdress(ModuleIndex module) {
     m_loop.ask(Readdress{module});
 }
 
+void BusWorker::resetModule(ModuleIndex module) {
+    qCDebug(requestLog) << "reset module" << module.value() + 1;
+    m_loop.ask(Readdress{module, true});
+}
+
 void BusWorker::control(std::string line) {
     qCDebug(requestLog).noquote() << "simulator:" << line.c_str();
     m_loop.ask(ControlLine{std::move(line)});

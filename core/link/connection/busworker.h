@@ -52,6 +52,8 @@ public:
     void submit(bus::GroupOperation operation);
     /// Gives a module that restarted its address back; bus::Readdressed or bus::ReaddressFailed follows.
     void readdress(ModuleIndex module);
+    /// Resets one module and gives it its address again; ends likewise.
+    void resetModule(ModuleIndex module);
     /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
     void changeRate(std::uint32_t baud);
     /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port

@@ -173,8 +173,8 @@ struct Planner {
         return stepsFor(module, limitStop(arm));
     }
 
-    /// plan() has answered that for both chips.
-    Plan operator()(const intent::Direct&) const { return Steps{}; }
+    // plan() has answered these for both chips.
+    Plan operator()(const AnyOf<intent::Direct, intent::ResetModule> auto&) const { return Steps{}; }
     Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
                                 stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
@@ -214,7 +214,7 @@ bool isStop(const Intent& intent) {
                            intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
                            intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
                            intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                           intent::CancelProcedure, intent::ArmLimitStop, intent::Direct,
+                           intent::CancelProcedure, intent::ArmLimitStop, intent::Direct, intent::ResetModule,
                            stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
                            stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
         },
@@ -231,6 +231,9 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
             return tl::unexpected(*refusal);
         return Steps{{module.info.index, direct->command}};
     }
+    // The bus does it (bus/readdresstask.h).
+    if (std::holds_alternative<intent::ResetModule>(intent))
+        return allowed(Request::ResetModule, module, [] { return Steps{}; });
     if (module.isStepper())
         return planStep(intent, module);
     return std::visit(Planner{module}, intent);
@@ -266,6 +269,7 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         case Request::StopMotion:  // to a servo that is off a stop would switch it on
             return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
         case Request::ResetPosition:
+        case Request::ResetModule:
             return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
         case Request::StartLoaded:
             if (!module.loadWaiting)
@@ -342,6 +346,7 @@ namespace {
         case Request::ControlIo:
         case Request::ArmLimitStop:
         case Request::SetParameters:
+        case Request::ResetModule:
             return false;
     }
     return false;

@@ -104,6 +104,8 @@ struct ArmLimitStop {
 struct Direct {
     bus::ModuleCommand command;
 };
+/// Back to its power-up state, alone: it loses all but its address.
+struct ResetModule {};
 }  // namespace intent
 
 using Intent =
@@ -112,7 +114,7 @@ using Intent =
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
-                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop, intent::Direct,
+                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop, intent::Direct, intent::ResetModule,
                  stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
                  stepintent::ChangeMotion>;
 
@@ -186,6 +188,7 @@ enum class Request : std::uint8_t {
     ControlIo,
     Home,
     ArmLimitStop,
+    ResetModule,
     // PIC-STEP; its motions have a rule of their own, in stepplan.h
     SetParameters,
     SetOutputs

@@ -196,7 +196,9 @@ struct Planner {
     }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
     /// plan() has answered that for both chips.
-    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct> auto&) const { return Steps{}; }
+    Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
+        return Steps{};
+    }
     Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
                                 intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                                 intent::ControlIo, intent::StepBy, intent::StepResponse,
@@ -248,6 +250,7 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::StartLoaded:
             return whyNotStart(module);
         case Request::ResetPosition:
+        case Request::ResetModule:
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
         case Request::StopMotion:
         case Request::MotorOff:

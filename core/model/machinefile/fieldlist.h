@@ -62,6 +62,14 @@ public:
             text(std::string(key) + std::to_string(i + 1), names[i]);
     }
 
+    void module(std::string_view key, ModuleIndex module) { whole(key, module.value() + 1, {}); }
+    void row(std::string_view key, std::size_t row, std::size_t /*most*/) { whole(key, row + 1, {}); }
+    template <typename... T>
+    void alternative(std::string_view key, const std::variant<T...>& from,
+                     const std::array<std::string_view, sizeof...(T)>& words) {
+        text(key, std::string(words[from.index()]));
+    }
+
     void add(std::string_view key, Quantity quantity, FieldValue value) {
         m_fields.push_back({std::string(key), quantity, std::move(value)});
     }

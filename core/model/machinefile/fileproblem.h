@@ -31,6 +31,14 @@ struct FileProblem {
         ModuleTwice,      ///< module `found` is in two groups, or twice in one
         AddressTwice,     ///< two groups have address `found`
         LeaderNotInGroup,
+        // Of points and sequences
+        NameMissing,     ///< of one of `field`
+        NameTwice,       ///< two of `field` are called `found`
+        AxisTwice,       ///< module `found` is twice in `field`
+        NoSuchPoint,     ///< a row moves to point `found`
+        NoSuchSequence,  ///< a row calls sequence `found`
+        CallsItself,     ///< sequence `found`, here or through others
+        RepeatsBelow,    ///< a row goes back to itself or to a row below
     };
     enum class Wanted : std::uint8_t { WholeNumber, Number, Text, YesOrNo, Object, List };
 

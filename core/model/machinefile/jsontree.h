@@ -30,7 +30,7 @@ struct JsonValue {
 };
 
 inline constexpr int kMaxJsonDepth = 32;
-inline constexpr int kMaxJsonValues = 10'000;
+inline constexpr int kMaxJsonValues = 50'000;
 
 /// The whole text is one JSON value, its keys differ within an object, and it keeps the limits above.
 /// The caller has limited its size.

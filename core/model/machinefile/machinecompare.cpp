@@ -2,6 +2,8 @@
 #include "model/machinefile/machinecompare.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "model/machinefile/fieldlist.h"
 
@@ -20,7 +22,8 @@ constexpr MachinePart kAxisParts[] = {MachinePart::AxisName,   MachinePart::Unit
                                       MachinePart::Gains,      MachinePart::Io,
                                       MachinePart::Parameters, MachinePart::AccelerationTime};
 constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups,
-                                         MachinePart::OperatorRights};
+                                         MachinePart::Program, MachinePart::HomeOrder,
+                                          MachinePart::OperatorRights};
 
 bool isSent(MachinePart part) {
     return part == MachinePart::Gains || part == MachinePart::Io || part == MachinePart::Parameters;
@@ -58,6 +61,51 @@ Fields groupFields(const std::vector<GroupSettings>& groups) {
     return list.fields();
 }
 
+std::string textOf(const FieldValue& value) {
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag ? "yes" : "no";
+    if (const auto* text = std::get_if<std::string>(&value))
+        return *text;
+    const double number = std::get<double>(value);
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    return {digits.data(), end};
+}
+
+/// One text for all of them: what differs in anything differs here.
+template <typename Part>
+std::string inOneText(const std::vector<Part>& parts) {
+    std::string text;
+    for (const Part& part : parts) {
+        text += text.empty() ? "" : "; ";
+        bool first = true;
+        for (const ListedField& field : layout::listed(part)) {
+            const bool named = field.key != "do";
+            text += (first ? "" : ", ") + (named ? field.key + ' ' : std::string()) + textOf(field.value);
+            first = false;
+        }
+    }
+    return text.empty() ? "-" : text;
+}
+
+Fields programFields(const Program& program) {
+    FieldList list;
+    for (const Point& point : program.points)
+        list.add("point " + point.name, Quantity::Plain, inOneText(point.axes));
+    for (const Sequence& sequence : program.sequences)
+        list.add("sequence " + sequence.name, Quantity::Plain, inOneText(sequence.rows));
+    return list.fields();
+}
+
+Fields orderFields(const std::vector<ModuleIndex>& order) {
+    FieldList list;
+    std::string text;
+    for (const ModuleIndex module : order)
+        text += (text.empty() ? "" : ", ") + std::to_string(module.value() + 1);
+    list.text("home_order", text);
+    return list.fields();
+}
+
 Fields machineFields(const Machine& machine, MachinePart part) {
     FieldList list;
     if (part == MachinePart::MachineName)
@@ -66,6 +114,10 @@ Fields machineFields(const Machine& machine, MachinePart part) {
         list.whole("rate_bd", machine.baud, {});
     else if (part == MachinePart::Groups)
         return groupFields(machine.groups);
+    else if (part == MachinePart::Program)
+        return programFields(machine.program);
+    else if (part == MachinePart::HomeOrder)
+        return orderFields(machine.homeOrder);
     else if (part == MachinePart::OperatorRights)
         return layout::listed(machine.operatorRights);
     return list.fields();
@@ -102,6 +154,8 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::MachineName:
         case MachinePart::Rate:
         case MachinePart::Groups:
+        case MachinePart::Program:
+        case MachinePart::HomeOrder:
         case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
@@ -297,6 +351,8 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
         case MachinePart::MachineName:
         case MachinePart::Rate:
         case MachinePart::Groups:
+        case MachinePart::Program:
+        case MachinePart::HomeOrder:
         case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
@@ -310,6 +366,10 @@ void take(MachinePart part, const Machine& from, Machine& into) {
         into.baud = from.baud;
     else if (part == MachinePart::Groups)
         into.groups = from.groups;
+    else if (part == MachinePart::Program)
+        into.program = from.program;
+    else if (part == MachinePart::HomeOrder)
+        into.homeOrder = from.homeOrder;
     else if (part == MachinePart::OperatorRights)
         into.operatorRights = from.operatorRights;
 }

@@ -17,6 +17,8 @@ enum class MachinePart : std::uint8_t {
     MachineName,
     Rate,
     Groups,
+    Program,  ///< points and sequences, which belong together
+    HomeOrder,
     OperatorRights,
     Hardware,  ///< which module the file is for; applying changes nothing
     AxisName,

@@ -7,9 +7,11 @@
 // The structured bindings name every member, so that a member that is added to a struct of
 // model/settings/machine.h and forgotten here does not compile.
 
+#include <array>
 #include <concepts>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "model/settings/machine.h"
 #include "protocol/baud.h"
@@ -20,6 +22,9 @@ inline constexpr int kVersion = 1;
 inline constexpr std::string_view kFormat = "nmc-panel-machine";
 inline constexpr std::size_t kMaxAxes = 32;    ///< modules on a line (DS-V 4.1)
 inline constexpr std::size_t kMaxGroups = 32;  ///< each module is in one
+inline constexpr std::size_t kMaxPoints = 200;
+inline constexpr std::size_t kMaxSequences = 50;
+inline constexpr std::size_t kMaxRows = 200;
 
 struct Bounds {
     double min;
@@ -228,13 +233,101 @@ void fields(Form& form, T& rights) {
     form.flag("outputs", outputs);
 }
 
+template <typename Form, As<PointAxis> T>
+void fields(Form& form, T& axis) {
+    auto& [module, counts, fromHome] = axis;
+    form.module("module", module);
+    form.whole("counts", counts, takenByModule(servo::kPositionRange));
+    form.flag("from_home", fromHome);
+}
+
+template <typename Form, As<Point> T>
+void fields(Form& form, T& point) {
+    auto& [name, axes] = point;
+    form.text("name", name);
+    form.list("axes", axes, kMaxAxes);
+}
+
+/// What a row does, in the order of Action.
+inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionWords{
+    "move to", "wait", "wait for arrival", "wait for input", "set output", "home", "repeat", "call"};
+inline constexpr Word<InputPin> kPinWords[] = {{InputPin::Limit1, "limit 1"},
+                                               {InputPin::Limit2, "limit 2"},
+                                               {InputPin::In1, "IN1"},
+                                               {InputPin::In2, "IN2"},
+                                               {InputPin::HomeSwitch, "home switch"}};
+
+template <typename Form, As<action::MoveTo> T>
+void fields(Form& form, T& move) {
+    auto& [point, together, waits, percent] = move;
+    form.text("point", point);
+    form.flag("together", together);
+    form.flag("waits", waits);
+    form.whole("percent", percent, {1, 100});
+}
+template <typename Form, As<action::Wait> T>
+void fields(Form& form, T& wait) {
+    auto& [seconds] = wait;
+    form.seconds("seconds", seconds);
+}
+template <typename Form, As<action::WaitForArrival> T>
+void fields(Form& /*form*/, T& /*wait*/) {}
+template <typename Form, As<action::WaitForInput> T>
+void fields(Form& form, T& wait) {
+    auto& [module, pin, active, timeout] = wait;
+    form.module("module", module);
+    form.choice("input", pin, kPinWords);
+    form.flag("active", active);
+    form.seconds("timeout_s", timeout);
+}
+template <typename Form, As<action::SetOutput> T>
+void fields(Form& form, T& set) {
+    auto& [module, output, on] = set;
+    form.module("module", module);
+    form.whole("output", output, {1, 5});
+    form.flag("on", on);
+}
+template <typename Form, As<action::Home> T>
+void fields(Form& form, T& home) {
+    auto& [module] = home;
+    form.module("module", module);
+}
+template <typename Form, As<action::Repeat> T>
+void fields(Form& form, T& repeat) {
+    auto& [from, times] = repeat;
+    form.row("from_row", from, kMaxRows);
+    form.whole("times", times, {0, 1'000'000});
+}
+template <typename Form, As<action::Call> T>
+void fields(Form& form, T& call) {
+    auto& [sequence] = call;
+    form.text("sequence", sequence);
+}
+
+template <typename Form, As<Action> T>
+void fields(Form& form, T& row) {
+    form.alternative("do", row, kActionWords);
+    std::visit([&form](auto& chosen) { fields(form, chosen); }, row);
+}
+
+template <typename Form, As<Sequence> T>
+void fields(Form& form, T& sequence) {
+    auto& [name, rows] = sequence;
+    form.text("name", name);
+    form.list("rows", rows, kMaxRows);
+}
+
 template <typename Form, As<Machine> T>
 void fields(Form& form, T& machine) {
-    auto& [name, baud, axes, groups, operatorRights] = machine;
+    auto& [name, baud, axes, groups, program, homeOrder, operatorRights] = machine;
     form.text("name", name);
     form.whole("rate_bd", baud, {0, 1'000'000}, Need::Optional);
     form.list("axes", axes, kMaxAxes);
     form.list("groups", groups, kMaxGroups);
+    auto& [points, sequences] = program;
+    form.list("points", points, kMaxPoints);
+    form.list("sequences", sequences, kMaxSequences);
+    form.modules("home_order", homeOrder);
     form.part("operator", operatorRights);
 }
 

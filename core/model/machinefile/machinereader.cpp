@@ -9,6 +9,7 @@
 #include "model/machinefile/jsontree.h"
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/machinelayout.h"
+#include "model/sequence/sequencecheck.h"
 
 namespace nmc {
 
@@ -153,6 +154,31 @@ public:
         if (number)
             module = indexOf(*number);
     }
+    void module(std::string_view key, ModuleIndex& module) {
+        std::uint8_t number = 1;
+        whole(key, number, {1, static_cast<double>(layout::kMaxAxes)});
+        module = indexOf(number);
+    }
+    /// Users count rows from 1.
+    void row(std::string_view key, std::size_t& row, std::size_t most) {
+        std::size_t number = 1;
+        whole(key, number, {1, static_cast<double>(most)});
+        row = number - 1;
+    }
+    /// The one of a variant that its word stands for.
+    template <typename... T>
+    void alternative(std::string_view key, std::variant<T...>& into,
+                     const std::array<std::string_view, sizeof...(T)>& words) {
+        const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
+        if (value == nullptr)
+            return;
+        const auto index = static_cast<std::size_t>(
+            std::distance(words.begin(), std::find(words.begin(), words.end(), value->text)));
+        if (index == words.size())
+            return refuse(key, *value, {.kind = Kind::UnknownWord, .found = quoted(value->text)});
+        std::size_t i = 0;
+        ((i++ == index ? void(into = T{}) : void()), ...);
+    }
     void modules(std::string_view key, std::vector<ModuleIndex>& modules) {
         const JsonValue* value = listOf(key, layout::kMaxAxes);
         if (value == nullptr)
@@ -261,6 +287,74 @@ std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue
     return std::nullopt;
 }
 
+Kind fileKind(SequenceProblem::Kind kind) {
+    using From = SequenceProblem::Kind;
+    switch (kind) {
+        case From::NameTwice:
+            return Kind::NameTwice;
+        case From::AxisTwice:
+            return Kind::AxisTwice;
+        case From::NoSuchPoint:
+            return Kind::NoSuchPoint;
+        case From::NoSuchSequence:
+            return Kind::NoSuchSequence;
+        case From::CallsItself:
+            return Kind::CallsItself;
+        case From::RepeatsBelow:
+            return Kind::RepeatsBelow;
+        case From::NoName:
+        case From::NoRows:
+        case From::NoAxes:
+        case From::NoSuchModule:
+        case From::Refused:
+        case From::TaughtElsewhere:
+        case From::NoRecipe:
+        case From::NoSuchPin:
+        case From::NotAnInput:
+        case From::NotAnOutput:
+        case From::OutputsUnknown:
+        case From::Unreachable:
+        case From::NotThere:
+        case From::NotSet:
+            break;
+    }
+    return Kind::NameMissing;
+}
+
+/// What points and sequences say of each other, with the line of the point, the sequence or its row.
+std::optional<FileProblem> programProblem(const Program& program, const JsonValue& file) {
+    const auto problem = contradiction(program);
+    if (!problem)
+        return std::nullopt;
+    using From = SequenceProblem::Kind;
+    const bool ofName = problem->kind == From::NoName || problem->kind == From::NameTwice;
+    const std::string field = problem->ofPoint ? "points" : "sequences";
+    const std::vector<JsonValue>& items = file.find(field)->items;
+    const auto lineOf = [&] {
+        if (problem->ofPoint || ofName)
+            return items[problem->row].line;
+        const auto sequence = program.sequence(problem->sequence) - program.sequences.data();
+        return items[static_cast<std::size_t>(sequence)].find("rows")->items[problem->row].line;
+    };
+    return FileProblem{
+        .kind = fileKind(problem->kind),
+        .line = lineOf(),
+        .field = field,
+        .found = problem->module ? std::to_string(problem->module->value() + 1) : quoted(problem->name)};
+}
+
+/// An axis has one place in the order.
+std::optional<FileProblem> orderProblem(const Machine& machine, const JsonValue& file) {
+    for (std::size_t i = 0; i < machine.homeOrder.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (machine.homeOrder[k] == machine.homeOrder[i])
+                return FileProblem{.kind = Kind::AxisTwice,
+                                   .line = file.find("home_order")->items[i].line,
+                                   .field = "home_order",
+                                   .found = std::to_string(machine.homeOrder[i].value() + 1)};
+    return std::nullopt;
+}
+
 std::optional<FileProblem> wrongFormat(const JsonValue& file) {
     const JsonValue* format = file.find("format");
     if (format == nullptr || format->text != layout::kFormat)
@@ -296,6 +390,10 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
     layout::fields(reader, machine);
     if (!problem)
         problem = contradiction(machine, *file);
+    if (!problem)
+        problem = programProblem(machine.program, *file);
+    if (!problem)
+        problem = orderProblem(machine, *file);
     if (problem)
         return tl::unexpected(*problem);
     return ParsedMachine{std::move(machine), {std::string(text)}};

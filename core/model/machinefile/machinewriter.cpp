@@ -116,6 +116,16 @@ public:
         else
             drop(key);
     }
+    void module(std::string_view key, ModuleIndex module) { at(key) = module.value() + 1; }
+    void row(std::string_view key, std::size_t row, std::size_t /*most*/) { at(key) = row + 1; }
+    /// A row that does something else now keeps nothing of what stood there.
+    template <typename... T>
+    void alternative(std::string_view key, const std::variant<T...>& from,
+                     const std::array<std::string_view, sizeof...(T)>& words) {
+        if (!m_object.contains(key) || m_object[std::string(key)] != words[from.index()])
+            m_object = Json::object();
+        at(key) = words[from.index()];
+    }
     void modules(std::string_view key, const std::vector<ModuleIndex>& modules) {
         Json& items = at(key) = Json::array();
         for (const ModuleIndex module : modules)

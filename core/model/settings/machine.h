@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/strong.h"
+#include "model/sequence/sequence.h"
 #include "model/settings/axisscale.h"
 #include "model/settings/operatorrights.h"
 #include "protocol/servocommands.h"
@@ -100,7 +101,10 @@ struct Machine {
     std::uint32_t baud = 0;          ///< the rate it is used at; 0: not said
     std::vector<AxisSettings> axes;  ///< by ModuleIndex: the module farthest from the host first
     std::vector<GroupSettings> groups;
-    std::optional<OperatorRights> operatorRights;  ///< not said: as they are by themselves
+    Program program{};
+    /// In which order "Home all" goes through the axes; those that are not in it come last.
+    std::vector<ModuleIndex> homeOrder{};
+    std::optional<OperatorRights> operatorRights{};  ///< not said: as they are by themselves
 
     /// The settings of a module that may not have any yet.
     [[nodiscard]] const AxisSettings& axis(ModuleIndex module) const {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "model/settings/machine.h"
 
-/// What a servo's fields begin with while the user has said nothing. Counts per tick: about 1950, 980 and 490
+/// How a servo moves by hand while the user has said nothing. Counts per tick: about 1950, 980 and 490
 /// counts/s at the fastest servo rate; a slow turn of a common encoder.
 namespace nmc::servodefaults {
 

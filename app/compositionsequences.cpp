@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points, sequences, and all axes at once: what the window wants of them, and what becomes of it.
+#include "app/composition.h"
+#include "widgets/axes/axesdock.h"
+#include "widgets/common/sequencetexts.h"
+#include "widgets/sequences/sequencesdock.h"
+
+namespace nmc {
+
+void Composition::wireSequences() {
+    SequencesDock& dock = m_window.sequences();
+    connect(&dock, &SequencesDock::programEdited, &m_machine, &MachineController::editProgram);
+    connect(&dock, &SequencesDock::goToRequested, this,
+            [this](const std::string& point) { m_sequences.goTo(m_machine.machine(), point); });
+    connect(&dock, &SequencesDock::startRequested, this,
+            [this](const std::string& sequence, std::size_t row, bool singleStep) {
+                m_sequences.start(m_machine.machine(), sequence, row, singleStep);
+            });
+    connect(&dock, &SequencesDock::pauseRequested, &m_sequences, &SequenceController::pause);
+    connect(&dock, &SequencesDock::resumeRequested, &m_sequences, &SequenceController::resume);
+    connect(&dock, &SequencesDock::stepRequested, &m_sequences, &SequenceController::step);
+    connect(&dock, &SequencesDock::stopRequested, &m_sequences, &SequenceController::stop);
+    connect(&dock, &SequencesDock::foresightRequested, this,
+            [this](const std::string& sequence, std::size_t row) {
+                m_sequences.foresee(m_machine.machine(), sequence, row);
+            });
+    connect(&dock, &SequencesDock::foresightDropped, &m_sequences, &SequenceController::endForesight);
+    connect(&m_sequences, &SequenceController::foreseen, &dock, &SequencesDock::showForesight);
+    connect(&m_sequences, &SequenceController::reported, this, &Composition::showSequence);
+    connect(&m_sequences, &SequenceController::refused, this,
+            [this](const std::vector<SequenceProblem>& problems) {
+                m_messages.tell(texts::sequenceNotBegun(problems.front()));
+            });
+    AxesDock& axes = m_window.axes();
+    connect(&axes, &AxesDock::intentRequested, this, &Composition::carryOut);
+    connect(&axes, &AxesDock::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
+    connect(&axes, &AxesDock::homeAllRequested, this, [this] {
+        m_sequences.home(m_machine.machine(), axesToHome(m_machine.machine(), m_store.link().modules));
+    });
+}
+
+void Composition::showSequence(const SequenceReport& report) {
+    m_window.sequences().showRun(report);
+    if (const auto message = texts::sequenceOver(report))
+        m_messages.tell(*message);
+    if (report.over() && m_scanWhenIdle)
+        scanAgain();
+}
+
+void Composition::endMotions() {
+    m_sequences.stopAll();
+    m_procedures.stopAll();
+}
+
+}  // namespace nmc

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sequencecontroller.h"
+
+#include <utility>
+
+#include "link/clock.h"
+#include "model/procedure/procedures.h"
+#include "model/sequence/sequencenews.h"
+
+namespace nmc {
+
+namespace {
+constexpr int kIntervalMs = 50;
+
+/// Where points and sequences are left to an operator, what they consist of is, too.
+ModuleState asOfSequence(ModuleState module) {
+    if (module.rights && module.rights->points)
+        module.rights.reset();
+    return module;
+}
+
+std::vector<ModuleState> asOfSequence(std::vector<ModuleState> modules) {
+    for (ModuleState& module : modules)
+        module = asOfSequence(std::move(module));
+    return modules;
+}
+}  // namespace
+
+SequenceController::SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
+                                       QObject* parent)
+    : QObject(parent), m_store(store), m_procedures(procedures), m_submit(std::move(submit)) {
+    m_timer.setInterval(kIntervalMs);
+    connect(&m_timer, &QTimer::timeout, this, &SequenceController::look);
+    connect(&m_store, &BusStore::linkChanged, this, &SequenceController::advance);
+    connect(&m_procedures, &ProcedureController::reported, this, [this](const ProcedureReport& report) {
+        if (running())
+            m_run->onProcedure(report);
+    });
+    connect(&m_foresight, &BackgroundJob::ended, this,
+            [this] { emit foreseen(*std::exchange(m_foreseen, nullptr)); });
+}
+
+void SequenceController::start(const Machine& machine, const std::string& sequence, std::size_t row,
+                               bool singleStep) {
+    begin(machine, sequence, row, [&] { return SequenceRun(machine, sequence, row, singleStep); });
+}
+
+void SequenceController::goTo(const Machine& machine, const std::string& point) {
+    begin(withMoveTo(machine, point), kMoveToPoint, 0, [&] { return SequenceRun::toPoint(machine, point); });
+}
+
+void SequenceController::home(const Machine& machine, const std::vector<ModuleIndex>& axes) {
+    begin(withHoming(machine, axes), kHomeAll, 0, [&] { return SequenceRun::homing(machine, axes); });
+}
+
+void SequenceController::begin(Machine machine, const std::string& sequence, std::size_t row,
+                               const std::function<SequenceRun()>& make) {
+    if (running())
+        return;
+    const LinkState& link = m_store.link();
+    // Homing has a right of its own.
+    auto problems =
+        whyNotRun(sequence, row, machine, sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
+    if (link.phase != LinkPhase::Connected)
+        problems = {{.kind = SequenceProblem::Kind::Refused,
+                     .sequence = sequence,
+                     .row = row,
+                     .refusal = Refusal::NotConnected}};
+    for (const ModuleIndex module : modulesOf(machine.program, sequence))
+        if (problems.empty() && m_procedures.running(module))
+            problems.push_back({.kind = SequenceProblem::Kind::Refused,
+                                .sequence = sequence,
+                                .row = row,
+                                .module = module,
+                                .refusal = Refusal::Moving});
+    if (!problems.empty()) {
+        emit refused(problems);
+        return;
+    }
+    m_operations.clear();
+    m_run.emplace(make());
+    m_told.reset();
+    m_timer.start();
+    advance();
+}
+
+void SequenceController::pause() {
+    if (running())
+        m_run->pause();
+    advance();
+}
+
+void SequenceController::resume() {
+    if (running())
+        m_run->resume();
+    advance();
+}
+
+void SequenceController::step() {
+    if (running())
+        m_run->step();
+    advance();
+}
+
+void SequenceController::stop() {
+    if (running())
+        m_run->stop();
+    advance();
+}
+
+void SequenceController::takeOver(ModuleIndex module, bool stops) {
+    if (running())
+        m_run->onTakenOver(module, stops);
+    advance();
+}
+
+void SequenceController::stopAll() {
+    if (running())
+        m_run->onStopOfAll();
+    advance();
+}
+
+/// The news first: a stop that came from elsewhere must not be followed by a move.
+void SequenceController::look() {
+    m_store.drain();
+    advance();
+}
+
+void SequenceController::advance() {
+    if (!running())
+        return;
+    SequenceRun::Next next = m_run->next(asOfSequence(m_store.link().modules), monotonicNow());
+    if (auto* send = std::get_if<SequenceRun::Send>(&next))
+        for (std::vector<bus::Step>& steps : send->operations)
+            m_operations.push_back(m_submit(std::move(steps)));
+    if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
+        obey(*ask);
+    tell();
+    if (!running())
+        m_timer.stop();
+}
+
+void SequenceController::obey(const SequenceRun::Ask& ask) {
+    if (std::holds_alternative<intent::CancelProcedure>(ask.intent))
+        return m_procedures.cancel(ask.module);
+    const ModuleState* module = m_store.module(ask.module);
+    const auto refusal =
+        module != nullptr ? plan(ask.intent, asOfSequence(*module)) : tl::unexpected(Refusal::Silent);
+    auto procedure = refusal ? procedureFor(ask.intent, asOfSequence(*module)) : nullptr;
+    if (!procedure || !m_procedures.begin(std::move(procedure)))
+        m_run->onNotBegun(ask.module, refusal ? Refusal::Moving : refusal.error());
+}
+
+void SequenceController::tell() {
+    if (m_told == m_run->report())
+        return;
+    m_told = m_run->report();
+    emit reported(*m_told);
+}
+
+bool SequenceController::take(const StoreEvent& event) {
+    if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
+        if (!m_run || std::erase(m_operations, finished->id) == 0)
+            return false;
+        // A stop that was not carried out is for the user to know of.
+        const bool stopFailed = m_run->report().end && finished->outcome != bus::Outcome::Done;
+        m_run->onFinished(finished->module, finished->outcome);
+        return !stopFailed;
+    }
+    if (!running())
+        return true;
+    std::visit(Overloaded{
+                   [this](const AnyOf<MachineSlept, GuardianStopped> auto&) { m_run->onLinkSuspect(); },
+                   [this](const PanelFroze& froze) {
+                       if (froze.stopped)
+                           m_run->onStopOfAll();
+                       else
+                           m_run->stop();
+                   },
+                   [this](const PortClosed&) { m_run->onClosed(); },
+                   [](const AnyOf<SimulatorAnswered, GuardianMissing> auto&) {},
+                   [this](const auto& news) { SequenceNews{*m_run}(news); },
+               },
+               event);
+    return true;
+}
+
+void SequenceController::foresee(const Machine& machine, const std::string& sequence, std::size_t row) {
+    m_foresight.cancel();
+    m_foreseen = std::make_shared<DryRun>();
+    const LinkState& link = m_store.link();
+    m_foresight.start([result = m_foreseen,
+                       start = DryRunStart{machine, asOfSequence(link.modules), sequence, row, link.baud}](
+                          const BackgroundJob::Cancelled& cancelled) { *result = dryRun(start, cancelled); });
+}
+
+}  // namespace nmc

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "link/dryrun/dryrun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+
+#include "bus/engine.h"
+#include "model/sequence/sequencenews.h"
+#include "sim/chain.h"
+
+namespace nmc {
+
+namespace {
+
+/// As often as the sequence controller looks.
+constexpr Duration kTurn = std::chrono::milliseconds(20);
+constexpr Duration kSettling = std::chrono::milliseconds(200);
+constexpr Duration kPatience = std::chrono::seconds(20);
+
+/// Engine and simulated chain in virtual time.
+class Bus {
+public:
+    Bus(const std::vector<ModuleIdentity>& identities, std::uint32_t baud)
+        : m_engine(configAt(baud)), m_chain(identities) {}
+
+    [[nodiscard]] sim::Chain& simulated() { return m_chain; }
+    [[nodiscard]] TimePoint now() const { return m_now; }
+    void connect() { m_engine.connect(m_now); }
+    bus::OperationId submit(std::vector<bus::Step> steps) {
+        const bus::OperationId id(++m_lastId);
+        m_engine.submit({id, std::move(steps)}, m_now);
+        carryOut();
+        return id;
+    }
+    std::vector<bus::Event> runFor(Duration time) {
+        const TimePoint end = m_now + time;
+        carryOut();
+        while (m_now < end)
+            step(end);
+        return std::exchange(m_events, {});
+    }
+
+private:
+    static bus::EngineConfig configAt(std::uint32_t baud) {
+        bus::EngineConfig config;
+        config.baud = baud;
+        return config;
+    }
+    void step(TimePoint end) {
+        TimePoint next = end;
+        for (const auto& candidate : {m_engine.nextDeadline(), m_chain.nextEvent(), arrival()})
+            if (candidate)
+                next = std::min(next, *candidate);
+        m_now = std::max(m_now, next);
+        m_chain.advanceTo(m_now);
+        for (const sim::HostByte& byte : m_chain.takeHostBytes())
+            m_arriving.push_back(byte);
+        std::vector<std::uint8_t> bytes;
+        for (; !m_arriving.empty() && m_arriving.front().due <= m_now; m_arriving.pop_front())
+            bytes.push_back(m_arriving.front().value);
+        if (!bytes.empty())
+            m_engine.onBytes(bytes, m_now);
+        carryOut();
+        if (const auto deadline = m_engine.nextDeadline(); deadline && *deadline <= m_now)
+            m_engine.onDeadline(m_now);
+        carryOut();
+    }
+    [[nodiscard]] std::optional<TimePoint> arrival() const {
+        if (m_arriving.empty())
+            return std::nullopt;
+        return m_arriving.front().due;
+    }
+    void carryOut() {
+        for (const bus::Output& output : m_engine.takeOutput())
+            std::visit(Overloaded{
+                           [this](const bus::SetHostBaud& rate) { m_chain.setHostBaud(rate.baud); },
+                           [this](const bus::Send& send) { m_chain.hostSends(send.bytes, m_now); },
+                           [this](const bus::DiscardInput&) { m_arriving.clear(); },
+                       },
+                       output);
+        for (bus::Event& event : m_engine.takeEvents())
+            m_events.push_back(std::move(event));
+    }
+
+    bus::Engine m_engine;
+    sim::Chain m_chain;
+    TimePoint m_now{};
+    std::deque<sim::HostByte> m_arriving;
+    std::vector<bus::Event> m_events;
+    std::uint32_t m_lastId = 0;
+};
+
+std::vector<ModuleIdentity> identitiesOf(const std::vector<ModuleState>& modules) {
+    std::vector<ModuleIdentity> identities;
+    for (const ModuleState& module : modules)
+        identities.push_back(module.info.identity);
+    return identities;
+}
+
+class Copy {
+public:
+    Copy(const DryRunStart& start, const std::atomic<bool>& cancelled)
+        : m_start(start), m_cancelled(cancelled), m_bus(identitiesOf(start.modules), start.baud) {}
+
+    DryRun run() && {
+        m_result.problems = whyNotRun(m_start.sequence, m_start.row, m_start.machine, m_start.modules);
+        if (!m_result.problems.empty() || !setUp())
+            return std::move(m_result);
+        m_run.emplace(machineOfCopy(), m_start.sequence, m_start.row);
+        for (const ModuleState& module : m_modules)
+            m_result.axes.push_back(
+                {module.info.index, origin(module.info.index), origin(module.info.index), 0.0, 0});
+        const TimePoint began = m_bus.now();
+        while (turn() && !m_cancelled && !m_result.tooLong)
+            m_result.tooLong = toSeconds(m_bus.now() - began) > kLongestDryRun;
+        m_result.cancelled = m_cancelled;
+        m_result.seconds = toSeconds(m_bus.now() - began);
+        m_result.report = m_run->report();
+        std::erase_if(m_result.axes, [](const DryRun::Axis& axis) { return axis.moves == 0; });
+        return std::move(m_result);
+    }
+
+private:
+    /// The copy counts from where the axis stands.
+    [[nodiscard]] std::int32_t origin(ModuleIndex index) const {
+        const auto& latest = m_start.modules[index.value()].latest;
+        return latest ? latest->position.value_or(0) : 0;
+    }
+    [[nodiscard]] Machine machineOfCopy() {
+        Machine machine = m_start.machine;
+        for (Point& point : machine.program.points)
+            for (PointAxis& axis : point.axes)
+                if (!axis.fromHome && axis.module.value() < m_start.modules.size())
+                    axis.counts = countsBetween(origin(axis.module), axis.counts);
+        for (Sequence& sequence : machine.program.sequences)
+            for (Action& row : sequence.rows)
+                if (auto* repeat = std::get_if<action::Repeat>(&row); repeat && repeat->times == 0) {
+                    repeat->times = 1;
+                    m_result.onceOnly = true;
+                }
+        return machine;
+    }
+
+    // ---- what the copy is told before the run ----
+
+    bool setUp() {
+        m_bus.connect();
+        for (const TimePoint end = m_bus.now() + kPatience;
+             m_modules.size() != m_start.modules.size() && m_bus.now() < end && !m_cancelled;)
+            take(m_bus.runFor(kTurn));
+        take(m_bus.runFor(kSettling));
+        if (m_modules.size() != m_start.modules.size())
+            return false;
+        for (const ModuleState& module : m_start.modules)
+            setUp(module);
+        take(m_bus.runFor(kSettling));
+        return true;
+    }
+    void setUp(const ModuleState& real) {
+        const ModuleIndex index = real.info.index;
+        setPins(real);
+        if (real.gains)
+            tell(index, intent::ApplyGains{*real.gains});
+        if (real.io)
+            tell(index, intent::ControlIo{*real.io});
+        if (real.stepper.parameters())
+            tell(index, stepintent::SetParameters{*real.stepper.parameters()});
+        if (real.isStepper() && real.stepper.outputs())
+            tell(index, stepintent::SetOutputs{*real.stepper.outputs()});
+        if (real.driveOn())
+            tell(index, intent::Enable{});
+        if (real.home.place())
+            m_modules[index.value()].home.found(countsBetween(origin(index), real.home.place()->counts),
+                                                m_modules[index.value()].latestTime);
+    }
+    void setPins(const ModuleState& real) {
+        const auto set = [&](sim::Input input, bool level) {
+            m_bus.simulated().set(real.info.index, input, level ? 1.0 : 0.0, m_bus.now());
+        };
+        if (real.isServo() && real.latest) {
+            set(sim::Input::Limit1, real.latest->servoStatus().limit1());
+            set(sim::Input::Limit2, real.latest->servoStatus().limit2());
+        }
+        if (!real.isStepper())
+            return;
+        const step::InputsByte inputs = real.stepper.inputs();
+        set(sim::Input::Limit1, inputs.limit1());
+        set(sim::Input::Limit2, inputs.limit2());
+        set(sim::Input::In1, inputs.in1());
+        set(sim::Input::In2, inputs.in2());
+        set(sim::Input::HomeSwitch, inputs.homeSwitch());
+        set(sim::Input::Estop, inputs.estop());
+    }
+    void tell(ModuleIndex index, const Intent& intent) {
+        if (auto steps = plan(intent, m_modules[index.value()])) {
+            m_bus.submit(std::move(*steps));
+            take(m_bus.runFor(kSettling));
+        }
+    }
+
+    // ---- the run ----
+
+    bool turn() {
+        take(m_bus.runFor(kTurn));
+        if (const auto wait = waitsFor())
+            assumeInput(*wait);
+        SequenceRun::Next next = m_run->next(m_modules, m_bus.now());
+        if (auto* send = std::get_if<SequenceRun::Send>(&next))
+            for (std::vector<bus::Step>& steps : send->operations)
+                m_own.push_back(m_bus.submit(std::move(steps)));
+        if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
+            assumeHome(*ask);
+        return !m_run->report().over();
+    }
+    [[nodiscard]] std::optional<action::WaitForInput> waitsFor() const {
+        const SequenceReport::Place& place = m_run->report().places.back();
+        const Sequence* sequence = m_run->machine().program.sequence(place.sequence);
+        if (sequence == nullptr || place.row >= sequence->rows.size())
+            return std::nullopt;
+        const auto* wait = std::get_if<action::WaitForInput>(&sequence->rows[place.row]);
+        if (wait == nullptr || readPin(wait->pin, m_modules[wait->module.value()]) == wait->active)
+            return std::nullopt;
+        return *wait;
+    }
+    void assumeInput(const action::WaitForInput& wait) {
+        constexpr sim::Input kInputs[] = {sim::Input::Limit1, sim::Input::Limit2, sim::Input::In1,
+                                          sim::Input::In2, sim::Input::HomeSwitch};
+        m_bus.simulated().set(wait.module, kInputs[static_cast<std::size_t>(wait.pin)],
+                              wait.active ? 1.0 : 0.0, m_bus.now());
+        m_result.inputsAssumed = true;
+    }
+    /// Where the switch is nobody knows; where home is, perhaps.
+    void assumeHome(const SequenceRun::Ask& ask) {
+        const auto* home = std::get_if<intent::Home>(&ask.intent);
+        ModuleState& module = m_modules[ask.module.value()];
+        if (home == nullptr)
+            return;
+        if (!std::ranges::count(m_result.homeAssumed, ask.module))
+            m_result.homeAssumed.push_back(ask.module);
+        if (!module.home.place())
+            module.home.found(module.latest->position.value_or(0), module.latestTime);
+        if (home->recipe.goToHome) {
+            const auto move =
+                moveIntent({ask.module, 0, true}, 100, module, m_start.machine.axis(ask.module));
+            if (const auto steps = move ? plan(*move, module) : tl::unexpected(move.error()); steps)
+                m_bus.submit(*steps);
+            for (const TimePoint end = m_bus.now() + kPatience; m_bus.now() < end && !m_cancelled;) {
+                take(m_bus.runFor(kSettling));
+                if (!module.moving())
+                    break;
+            }
+        }
+        ProcedureReport report;
+        report.module = ask.module;
+        report.stage = ProcedureStage::Done;
+        m_run->onProcedure(report);
+    }
+
+    // ---- what the copy says ----
+
+    void take(const std::vector<bus::Event>& events) {
+        for (const bus::Event& event : events) {
+            std::visit([this](const auto& news) { told(news); }, event);
+            if (m_run)
+                std::visit(SequenceNews{*m_run}, event);
+        }
+    }
+    void told(const bus::ChainFound& found) {
+        for (const bus::ModuleInfo& info : found.modules) {
+            m_modules.emplace_back();
+            m_modules.back().info = info;
+        }
+    }
+    void told(const bus::Sample& sample) {
+        ModuleState& module = m_modules.at(sample.module.value());
+        const auto before = module.latest ? module.latest->position : std::nullopt;
+        module.apply(sample);
+        if (!m_run || !before || !sample.report.position)
+            return;
+        DryRun::Axis& axis = m_result.axes[sample.module.value()];
+        axis.way += std::abs(static_cast<double>(countsBetween(*before, *sample.report.position)));
+        const std::int32_t place = countsBetween(-origin(sample.module), *sample.report.position);
+        axis.lowest = std::min(axis.lowest, place);
+        axis.highest = std::max(axis.highest, place);
+    }
+    void told(const bus::CommandExecuted& executed) {
+        m_modules.at(executed.module.value()).apply(executed);
+        if (m_run && std::visit([](const auto& chip) { return std::holds_alternative<StartMotion>(chip); },
+                                executed.command))
+            ++m_result.axes[executed.module.value()].moves;
+    }
+    void told(const bus::ModuleSilence& silence) {
+        m_modules.at(silence.module.value()).silent = silence.silent;
+    }
+    void told(const bus::OperationFinished& finished) {
+        if (m_run && std::erase(m_own, finished.id) > 0)
+            m_run->onFinished(finished.module, finished.outcome);
+    }
+    template <typename Other>
+    void told(const Other&) {}
+
+    const DryRunStart& m_start;
+    const std::atomic<bool>& m_cancelled;
+    Bus m_bus;
+    std::vector<ModuleState> m_modules;
+    std::optional<SequenceRun> m_run;
+    std::vector<bus::OperationId> m_own;
+    DryRun m_result;
+};
+
+}  // namespace
+
+DryRun dryRun(const DryRunStart& start, const std::atomic<bool>& cancelled) {
+    return Copy(start, cancelled).run();
+}
+
+}  // namespace nmc

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/overloaded.h"
+#include "model/sequence/sequencerun.h"
+
+namespace nmc {
+
+/// Tells a run what of the bus's news concerns it: for std::visit. The ends of its own operations and
+/// procedures are told to it by whoever carried them out.
+struct SequenceNews {
+    SequenceRun& run;
+
+    void operator()(const bus::ModuleSilence& silence) const {
+        if (silence.silent)
+            run.onLinkSuspect();
+    }
+    void operator()(const bus::HealthChanged& changed) const {
+        if (changed.health != bus::LinkHealth::Good)
+            run.onLinkSuspect();
+    }
+    void operator()(const AnyOf<bus::ModuleRestarted, bus::LinkLost> auto&) const { run.onLinkSuspect(); }
+    void operator()(const AnyOf<bus::MotionSuspect, bus::ForeignMotion, bus::HoldExpired> auto& news) const {
+        run.onTakenOver(news.module);
+    }
+    /// Those that were set in motion from here have been told to stop.
+    void operator()(const AnyOf<bus::ForeignTraffic, bus::StopFinished> auto&) const { run.onStopOfAll(); }
+    void operator()(const bus::GroupFinished& finished) const {
+        for (const bus::GroupMember& member : finished.members)
+            run.onTakenOver(member.module);
+    }
+    void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
+    void operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress,
+                                bus::OperationFinished, bus::CommandRefused, bus::GroupChanged,
+                                bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
+                                bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed> auto&) const {}
+};
+
+}  // namespace nmc

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person teaches points, makes a sequence of them and runs it, in the window against nmcsim: where the
+// motor is, is the simulator's word.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+using namespace Qt::StringLiterals;
+
+class Sequences : public testing::Test {
+protected:
+    void begin() {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        panel.window().resize(1'500, 1'100);
+        QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3);
+        ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("sequencesPage")->isVisible(); }));
+    }
+    template <typename T>
+    T* find(const char* name) {
+        auto* found = panel.window().findChild<T*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    QString state() { return find<QLabel>("sequenceStateLabel")->text(); }
+    void teach(const QString& name) {
+        auto* field = find<QLineEdit>("pointNameField");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, name);
+        ASSERT_NO_FATAL_FAILURE(panel.click("teachButton"));
+    }
+    /// By a double click on the cell and the arrow keys.
+    void choose(int row, int column, const QString& what) {
+        auto* table = find<QTableView>("rowTable");
+        const QRect cell = table->visualRect(table->model()->index(row, column));
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+        // Those of cells before may not be gone yet.
+        const auto boxes = panel.window().findChildren<QComboBox*>(u"rowChoiceBox"_s);
+        ASSERT_FALSE(boxes.isEmpty());
+        const QPointer<QComboBox> box = boxes.back();
+        const int wanted = box->findText(what);
+        ASSERT_GE(wanted, 0) << what.toStdString();
+        while (box && box->currentIndex() != wanted && table->model()->index(row, column).data() != what) {
+            QTest::keyClick(box, box->currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);
+            if (!box && table->model()->index(row, column).data() != what)
+                return choose(row, column, what);  // an arrow key takes what it comes to
+        }
+        EXPECT_EQ(table->model()->index(row, column).data().toString(), what);
+    }
+    void typeNumber(int row, const QString& text) {
+        auto* table = find<QTableView>("rowTable");
+        const QRect cell = table->visualRect(table->model()->index(row, 3));
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+        auto* field = find<QLineEdit>("rowNumberField");
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    void moveTo(std::int32_t position) {
+        panel.ask(intent::GoTo{Counts(position), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
+        ASSERT_TRUE(panel.waitFor([&] {
+            return std::abs(*panel.module().latest->position - position) < 5 && !panel.module().moving();
+        }));
+    }
+    /// Two points, and a sequence that goes to and fro between them.
+    void makeSequence() {
+        ASSERT_NO_FATAL_FAILURE(begin());
+        ASSERT_NO_FATAL_FAILURE(teach(u"Pick"_s));
+        ASSERT_NO_FATAL_FAILURE(moveTo(1'500));
+        ASSERT_NO_FATAL_FAILURE(teach(u"Place"_s));
+        ASSERT_NO_FATAL_FAILURE(panel.click("newSequenceButton"));
+        for (int row = 0; row < 2; ++row)
+            ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
+        ASSERT_NO_FATAL_FAILURE(choose(1, 1, u"Place"_s));
+    }
+    NmcsimProcess sim{u"servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(Sequences, TaughtMadeAndRun) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    const Program& program = panel.composition().machine().program;
+    ASSERT_EQ(program.points.size(), 2U);
+    EXPECT_NEAR(program.points[0].axes.at(0).counts, 0, 3);
+    EXPECT_NEAR(program.points[1].axes.at(0).counts, 1'500, 5);
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    EXPECT_TRUE(state().startsWith(u"Runs"_s)) << state().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 1'500, 5);
+    EXPECT_EQ(panel.count(u"is done"_s), 1);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Sequences, EscInTheMidstEndsItForGood) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
+    ASSERT_NO_FATAL_FAILURE(choose(2, 0, u"repeat"_s));
+    ASSERT_NO_FATAL_FAILURE(typeNumber(2, u"0"_s));
+    EXPECT_EQ(find<QTableView>("rowTable")->model()->index(2, 3).data().toString(), u"for ever"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Over"_s); })) << state().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    const int stood = sim.state(1)[u"position"_s].toInt();
+    ASSERT_TRUE(panel.answersFor(1.5));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), stood, 4) << "nothing waits to move again";
+    EXPECT_FALSE(find<QAbstractButton>("stopSequenceButton")->isEnabled());
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Sequences, PausesBehindItsRowAndGoesOn) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("pauseSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Paused before"_s); }));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5) << "the row was finished";
+    EXPECT_EQ(find<QAbstractButton>("pauseSequenceButton")->text(), u"Go on"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("stepSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 1'500, 5);
+}
+
+TEST_F(Sequences, APanelsStopOfItsModuleEndsIt) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    panel.ask(intent::StopSmoothly{});
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Over"_s); })) << state().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_EQ(panel.count(u"has ended"_s), 1);
+    // From where it stands only its first row can be run.
+    find<QTableView>("rowTable")->selectRow(1);
+    EXPECT_FALSE(find<QAbstractButton>("runFromRowButton")->isEnabled());
+    EXPECT_TRUE(find<QAbstractButton>("runFromRowButton")->toolTip().contains(u"at point \"Pick\""_s))
+        << find<QAbstractButton>("runFromRowButton")->toolTip().toStdString();
+}
+
+TEST_F(Sequences, GoesToAPoint) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    auto* table = find<QTableView>("pointTable");
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualRect(table->model()->index(0, 0)).center());
+    ASSERT_NO_FATAL_FAILURE(panel.click("goToPointButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5);
+}
+
+TEST_F(Sequences, ADryRunTellsAndMovesNothing) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    const int stood = sim.state(1)[u"position"_s].toInt();
+    ASSERT_NO_FATAL_FAILURE(panel.click("dryRunButton"));
+    const auto* label = find<QLabel>("dryRunLabel");
+    ASSERT_TRUE(panel.waitFor([&] { return label->text().contains(u"done after"_s); }))
+        << label->text().toStdString();
+    EXPECT_TRUE(label->text().contains(u"moves: 2"_s)) << label->text().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), stood, 3);
+}
+
+TEST_F(Sequences, EditsAreUndone) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    const Program made = panel.composition().machine().program;
+    ASSERT_NO_FATAL_FAILURE(panel.click("removeRowButton"));
+    EXPECT_EQ(panel.composition().machine().program.sequences[0].rows.size(), 1U);
+    ASSERT_NO_FATAL_FAILURE(panel.click("undoEditButton"));
+    EXPECT_EQ(panel.composition().machine().program, made);
+    ASSERT_NO_FATAL_FAILURE(panel.click("redoEditButton"));
+    EXPECT_EQ(panel.composition().machine().program.sequences[0].rows.size(), 1U);
+    while (find<QAbstractButton>("undoEditButton")->isEnabled())
+        ASSERT_NO_FATAL_FAILURE(panel.click("undoEditButton"));
+    EXPECT_EQ(panel.composition().machine().program, Program{});
+}
+
+}  // namespace
+}  // namespace nmc

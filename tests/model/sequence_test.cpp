@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points and sequences as values: their editing, what contradicts, what keeps one from being run, and what
+// rows leave behind. Expected values by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/sequence/sequencecheck.h"
+#include "model/sequence/sequenceedit.h"
+
+namespace nmc {
+namespace {
+
+using Kind = SequenceProblem::Kind;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr ModuleIndex kX{0};
+constexpr ModuleIndex kY{1};
+
+ModuleState servoAt(std::uint8_t index, std::int32_t position, bool on = true) {
+    ModuleState module;
+    module.info = {
+        ModuleIndex(index), BusAddress(static_cast<std::uint8_t>(index + 1)), {ModuleType::Servo, 4}};
+    StatusReport report;
+    report.status = 0x09;  // power, move done
+    report.position = position;
+    report.aux = static_cast<std::uint8_t>(on ? 0x04 : 0x00);
+    module.latest = report;
+    return module;
+}
+ModuleState homed(ModuleState module, std::int32_t home) {
+    module.home.found(home, TimePoint{});
+    return module;
+}
+Program twoPoints() {
+    return {{{"Pick", {{kX, 1'000, true}, {kY, -200, true}}}, {"Place", {{kX, 5'000, true}}}},
+            {{"Main", {action::MoveTo{"Pick"}, action::MoveTo{"Place"}}}}};
+}
+Machine machineOf(Program program) {
+    Machine machine;
+    machine.program = std::move(program);
+    return machine;
+}
+std::vector<ModuleState> chain() {
+    return {homed(servoAt(0, 300), 100), homed(servoAt(1, 0), 0)};
+}
+std::vector<Kind> kinds(const std::vector<SequenceProblem>& problems) {
+    std::vector<Kind> all;
+    for (const SequenceProblem& problem : problems)
+        all.push_back(problem.kind);
+    return all;
+}
+
+TEST(Teaching, CountsFromHomeWhereHomeIsKnown) {
+    const std::vector<ModuleState> modules{homed(servoAt(0, 1'300), 300), servoAt(1, -50)};
+    EXPECT_THAT(teach({kX, kY}, modules), ElementsAre(PointAxis{kX, 1'000, true}, PointAxis{kY, -50, false}));
+}
+
+TEST(Teaching, LeavesOutWhatIsNotKnown) {
+    std::vector<ModuleState> modules{servoAt(0, 5), servoAt(1, 6)};
+    modules[0].silent = true;
+    modules[1].latest->position.reset();
+    EXPECT_THAT(teach({kX, kY, ModuleIndex(7)}, modules), IsEmpty());
+}
+
+TEST(Goals, AreHomePlusWhatWasTaught) {
+    EXPECT_EQ(goalOf({kX, 1'000, true}, homed(servoAt(0, 0), -250)), 750);
+    EXPECT_EQ(goalOf({kX, 1'000, false}, servoAt(0, 0)), 1'000);
+    EXPECT_EQ(goalOf({kX, 1'000, true}, servoAt(0, 0)).error(), Refusal::HomeUnknown);
+    EXPECT_EQ(goalOf({kX, 0x7FFFFFFF, true}, homed(servoAt(0, 0), 1)).error(), Refusal::GoalOutOfRange);
+    EXPECT_EQ(goalOf({kX, -0x7FFFFFFF, true}, homed(servoAt(0, 0), -1)).error(), Refusal::GoalOutOfRange);
+}
+
+TEST(Goals, AreGoneToAtAShareOfTheAxisVelocity) {
+    AxisSettings axis;
+    axis.motion.velocity = 2.0;
+    axis.motion.acceleration = 0.5;
+    const auto wanted = moveIntent({kX, 10, false}, 25, servoAt(0, 0), axis);
+    ASSERT_TRUE(wanted.has_value());
+    const auto& goTo = std::get<intent::GoTo>(*wanted);
+    EXPECT_EQ(goTo.velocity.value(), 32'768U) << "half a count per tick";
+    EXPECT_EQ(goTo.acceleration.value(), 32'768U);
+}
+
+TEST(SequenceEdit, RepeatsFollowTheirRow) {
+    Sequence sequence{"S", {action::Wait{1}, action::Wait{2}, action::Repeat{1, 3}}};
+    insertRow(sequence, 0, action::Wait{0});
+    EXPECT_EQ(sequence.rows[3], Action(action::Repeat{2, 3}));
+    insertRow(sequence, 2, action::Wait{9});
+    EXPECT_EQ(sequence.rows[4], Action(action::Repeat{3, 3})) << "still the row that waits 2 s";
+    removeRow(sequence, 0);
+    EXPECT_EQ(sequence.rows[3], Action(action::Repeat{2, 3}));
+    removeRow(sequence, 2);
+    EXPECT_THAT(sequence.rows, ElementsAre(Action(action::Wait{1}), Action(action::Wait{9})))
+        << "nothing was left to repeat";
+}
+
+TEST(SequenceEdit, MovingARowKeepsWhatIsRepeated) {
+    Sequence sequence{"S", {action::Wait{1}, action::Wait{2}, action::Wait{3}, action::Repeat{0, 2}}};
+    ASSERT_TRUE(moveRow(sequence, 0, 2));
+    EXPECT_THAT(sequence.rows, ElementsAre(Action(action::Wait{2}), Action(action::Wait{3}),
+                                           Action(action::Wait{1}), Action(action::Repeat{2, 2})));
+    const Sequence before = sequence;
+    EXPECT_FALSE(moveRow(sequence, 3, 1)) << "it would stand above the row that it repeats";
+    EXPECT_FALSE(moveRow(sequence, 2, 3));
+    EXPECT_EQ(sequence, before);
+    ASSERT_TRUE(moveRow(sequence, 2, 0));
+    EXPECT_EQ(sequence.rows[3], Action(action::Repeat{0, 2}));
+}
+
+TEST(SequenceEdit, ANewNameIsOneEverywhere) {
+    Program program = twoPoints();
+    program.sequences.push_back({"Twice", {action::Call{"Main"}}});
+    renamePoint(program, "Pick", "Fetch");
+    renameSequence(program, "Main", "Once");
+    EXPECT_FALSE(contradiction(program));
+    EXPECT_EQ(program.points[0].name, "Fetch");
+    EXPECT_EQ(userOfPoint(program, "Fetch"), (RowPlace{"Once", 0}));
+    EXPECT_EQ(userOfSequence(program, "Once"), (RowPlace{"Twice", 0}));
+    EXPECT_EQ(userOfPoint(program, "Pick"), std::nullopt);
+    EXPECT_EQ(freeName(program.points, "Fetch"), "Fetch 2");
+}
+
+TEST(Contradiction, NamesItsRow) {
+    EXPECT_FALSE(contradiction(twoPoints()));
+    Program program = twoPoints();
+    program.sequences[0].rows.push_back(action::MoveTo{"Nowhere"});
+    EXPECT_EQ(contradiction(program),
+              (SequenceProblem{.kind = Kind::NoSuchPoint, .sequence = "Main", .row = 2, .name = "Nowhere"}));
+    program = twoPoints();
+    program.points[1].name = "Pick";
+    EXPECT_EQ(contradiction(program)->kind, Kind::NameTwice);
+    program = twoPoints();
+    program.points[0].axes.push_back({kX, 0, true});
+    EXPECT_EQ(contradiction(program)->kind, Kind::AxisTwice);
+    program = twoPoints();
+    program.sequences[0].rows.insert(program.sequences[0].rows.begin(), action::Repeat{0, 2});
+    EXPECT_EQ(contradiction(program)->kind, Kind::RepeatsBelow);
+}
+
+TEST(Contradiction, ASequenceNeverLeadsToItself) {
+    Program program;
+    program.sequences = {
+        {"A", {action::Wait{1}, action::Call{"B"}}}, {"B", {action::Call{"C"}}}, {"C", {action::Wait{1}}}};
+    EXPECT_FALSE(contradiction(program));
+    program.sequences[2].rows.push_back(action::Call{"A"});
+    const auto problem = contradiction(program);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->kind, Kind::CallsItself);
+    EXPECT_EQ(problem->sequence, "A");
+    EXPECT_EQ(problem->row, 1U);
+    program.sequences[2].rows[1] = action::Call{"C"};
+    EXPECT_EQ(contradiction(program)->kind, Kind::CallsItself);
+}
+
+TEST(WhyNotRun, NothingOnAMachineThatIsReady) {
+    EXPECT_THAT(whyNotRun("Main", 0, machineOf(twoPoints()), chain()), IsEmpty());
+}
+
+TEST(WhyNotRun, NamesEachRowAndAxis) {
+    std::vector<ModuleState> modules{homed(servoAt(0, 300, false), 100)};
+    const auto problems = whyNotRun("Main", 0, machineOf(twoPoints()), modules);
+    ASSERT_THAT(kinds(problems), ElementsAre(Kind::Refused, Kind::NoSuchModule, Kind::Refused));
+    EXPECT_EQ(problems[0].refusal, Refusal::ServoOff);
+    EXPECT_EQ(problems[1].module, kY);
+    EXPECT_EQ(problems[2].row, 1U);
+}
+
+TEST(WhyNotRun, PointsBeyondTheChipAndWithoutHome) {
+    Program program = twoPoints();
+    program.points[0].axes[0].counts = 0x7FFFFFFF;
+    auto problems = whyNotRun("Main", 0, machineOf(program), chain());
+    ASSERT_EQ(kinds(problems), std::vector{Kind::Refused});
+    EXPECT_EQ(problems[0].refusal, Refusal::GoalOutOfRange);
+
+    auto modules = chain();
+    modules[0].home.forget();
+    problems = whyNotRun("Main", 0, machineOf(twoPoints()), modules);
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_EQ(problems[0].refusal, Refusal::HomeUnknown);
+
+    program = twoPoints();
+    program.points[1].axes[0].fromHome = false;
+    EXPECT_EQ(kinds(whyNotRun("Main", 0, machineOf(program), chain())), std::vector{Kind::TaughtElsewhere});
+}
+
+TEST(WhyNotRun, ASequenceMayFindTheHomeThatItsPointsCountFrom) {
+    Program program = twoPoints();
+    insertRow(program.sequences[0], 0, action::Home{kX});
+    Machine machine = machineOf(program);
+    machine.axes.resize(1);
+    auto modules = chain();
+    modules[0].home.forget();
+    EXPECT_EQ(kinds(whyNotRun("Main", 0, machine, modules)), std::vector{Kind::NoRecipe});
+    HomingRecipe recipe;
+    recipe.onLimit1 = true;
+    recipe.velocity = recipe.acceleration = recipe.travelLimit = recipe.timeLimit = 1.0;
+    machine.axes[0].homing = recipe;
+    EXPECT_THAT(whyNotRun("Main", 0, machine, modules), IsEmpty());
+}
+
+TEST(WhyNotRun, PinsThatAreNotThere) {
+    Program program;
+    program.sequences = {{"Pins",
+                          {action::WaitForInput{kX, InputPin::Limit1, true, 1},
+                           action::WaitForInput{kX, InputPin::In1, true, 1}, action::SetOutput{kX, 1, true},
+                           action::SetOutput{kX, 4, true}}}};
+    EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), chain())),
+              (std::vector{Kind::NoSuchPin, Kind::NotAnOutput, Kind::NoSuchPin}))
+        << "limit 1 is an input until it is told otherwise";
+    auto modules = chain();
+    modules[0].io = servo::IoControl{false, false, false, true};
+    EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), modules)),
+              (std::vector{Kind::NotAnInput, Kind::NoSuchPin, Kind::NoSuchPin}));
+}
+
+TEST(EntryStates, AreWhatTheRowsAboveLeave) {
+    Program program = twoPoints();
+    program.sequences[0].rows = {action::MoveTo{"Pick"}, action::SetOutput{kY, 2, true}, action::Repeat{0, 5},
+                                 action::MoveTo{"Place"}, action::SetOutput{kY, 2, false}};
+    program.sequences.push_back({"Outer", {action::Call{"Main"}, action::Wait{1}}});
+    const Machine machine = machineOf(program);
+    const EntryState middle = entryState(machine, "Main", 3);
+    EXPECT_EQ(middle.places.at(kX).point, "Pick");
+    EXPECT_EQ(middle.places.at(kY).axis.counts, -200);
+    EXPECT_TRUE(middle.outputs.at({kY, 2U}));
+    const EntryState behind = entryState(machine, "Outer", 1);
+    EXPECT_EQ(behind.places.at(kX).point, "Place");
+    EXPECT_FALSE(behind.outputs.at({kY, 2U}));
+    EXPECT_TRUE(behind.reached);
+}
+
+TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
+    const Machine machine = machineOf(twoPoints());
+    auto modules = chain();  // X at 200 from home, Pick is 1 000
+    const auto problems = whyNotRun("Main", 1, machine, modules);
+    ASSERT_EQ(kinds(problems), (std::vector{Kind::NotThere, Kind::NotThere}));
+    EXPECT_EQ(problems[0].module, kX);
+    EXPECT_EQ(problems[0].name, "Pick");
+    modules = {homed(servoAt(0, 1'102), 100), homed(servoAt(1, -200), 0)};
+    EXPECT_THAT(whyNotRun("Main", 1, machine, modules), IsEmpty()) << "a servo rests within its friction";
+    Machine forEver = machine;
+    insertRow(forEver.program.sequences[0], 1, action::Repeat{0, 0});
+    EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{Kind::Unreachable});
+}
+
+/// A tree of calls that would take longer than the universe to go through.
+TEST(EntryStates, DoNotGoThroughACallTwice) {
+    Program program;
+    for (int i = 0; i < 50; ++i) {
+        const Action next = i == 49 ? Action(action::Wait{1}) : Action(action::Call{std::to_string(i + 1)});
+        program.sequences.push_back({std::to_string(i), {next, next}});
+    }
+    EXPECT_FALSE(contradiction(program));
+    EXPECT_TRUE(entryState(machineOf(program), "0", 2).reached);
+    EXPECT_THAT(modulesOf(program, "0"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

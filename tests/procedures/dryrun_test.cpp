@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A dry run says what a run does: the same sequence on the bench's chain is the measure.
+#include "link/dryrun/dryrun.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/procedures/sequencebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class DryRuns : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(bench.ready()); }
+    DryRun dry(const std::string& sequence, std::size_t row = 0) {
+        bench.take();
+        return dryRun({bench.machine, bench.modules, sequence, row}, cancelled);
+    }
+    SequenceBench bench;
+    std::atomic<bool> cancelled = false;
+};
+
+TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
+    // Somewhere else than at 0.
+    bench.run = SequenceRun::toPoint(bench.machine, "A");
+    ASSERT_EQ(bench.goOn().stage, SequenceStage::Done);
+    bench.modules[0].home.found(100, bench.modules[0].latestTime);
+    const DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.done());
+    const TimePoint began = bench.bus.now;
+    const auto shafts = bench.shafts();
+    bench.start("Main");
+    ASSERT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_NEAR(foreseen.seconds, toSeconds(bench.bus.now - began), 0.5);
+    ASSERT_EQ(foreseen.axes.size(), 3U);
+    // X from 1 000 to 1 100, to 100, and back to 1 100.
+    EXPECT_NEAR(foreseen.axes[0].lowest, 100, 10);
+    EXPECT_NEAR(foreseen.axes[0].highest, 1'100, 10);
+    EXPECT_NEAR(foreseen.axes[0].way, 100 + 1'000 + 1'000, 50);
+    EXPECT_EQ(foreseen.axes[0].moves, 3U);
+    EXPECT_EQ(foreseen.axes[2].lowest, 0);
+    EXPECT_EQ(foreseen.axes[2].highest, 200);
+    EXPECT_EQ(foreseen.axes[2].way, 400);
+    EXPECT_NE(bench.shafts(), shafts) << "the run itself moved";
+}
+
+TEST_F(DryRuns, MoveNothing) {
+    const std::size_t before = bench.bus.sent.size();
+    const auto shafts = bench.shafts();
+    ASSERT_TRUE(dry("Main").done());
+    EXPECT_EQ(bench.bus.sent.size(), before);
+    EXPECT_EQ(bench.shafts(), shafts);
+}
+
+TEST_F(DryRuns, SayWhatIsRefusedAndWhere) {
+    bench.machine.program.points[0].axes[0].counts = 0x7FFFFFFF;
+    bench.modules[0].home.found(1, bench.modules[0].latestTime);
+    DryRun foreseen = dry("Main");
+    ASSERT_FALSE(foreseen.problems.empty());
+    EXPECT_EQ(foreseen.problems[0].refusal, Refusal::GoalOutOfRange);
+    EXPECT_EQ(foreseen.problems[0].row, 0U);
+    // What only shows on the way: a stepper that is at its limit when it is to go on.
+    bench.machine.program.points = {{"A", {{kTable, 200}}}, {"B", {{kTable, 100}}}};
+    bench.machine.program.sequences = {
+        {"Main",
+         {action::MoveTo{"A"}, action::WaitForInput{kTable, InputPin::Limit2, true, 5},
+          action::MoveTo{"B"}}}};
+    foreseen = dry("Main");
+    EXPECT_TRUE(foreseen.inputsAssumed);
+    EXPECT_EQ(foreseen.report.end, SequenceEnd::Refused);
+    EXPECT_EQ(foreseen.report.refusal, Refusal::Limit2Active);
+    EXPECT_EQ(foreseen.report.places[0].row, 2U);
+}
+
+TEST_F(DryRuns, DoForEverOnceAndWaitForNoInput) {
+    bench.machine.program.sequences = {
+        {"Main",
+         {action::Wait{1.0}, action::WaitForInput{kTable, InputPin::In2, true, 60}, action::Repeat{0, 0}}}};
+    const DryRun foreseen = dry("Main");
+    EXPECT_TRUE(foreseen.done());
+    EXPECT_TRUE(foreseen.onceOnly);
+    EXPECT_TRUE(foreseen.inputsAssumed);
+    EXPECT_NEAR(foreseen.seconds, 1.0, 0.2);
+    EXPECT_TRUE(foreseen.axes.empty());
+}
+
+TEST_F(DryRuns, TakeHomeWhereItIsKnown) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.velocity = 100;
+    recipe.acceleration = 1'000;
+    recipe.travelLimit = recipe.timeLimit = 100;
+    bench.machine.axes[2].homing = recipe;
+    bench.modules[2].home.found(-80, bench.modules[2].latestTime);
+    bench.machine.program.points = {{"A", {{kTable, 200}}}};
+    bench.machine.program.sequences = {{"Main", {action::Home{kTable}, action::MoveTo{"A"}}}};
+    const DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.done());
+    EXPECT_THAT(foreseen.homeAssumed, testing::ElementsAre(kTable));
+    ASSERT_EQ(foreseen.axes.size(), 1U);
+    EXPECT_EQ(foreseen.axes[0].lowest, -80);
+    EXPECT_EQ(foreseen.axes[0].highest, 120);
+}
+
+TEST_F(DryRuns, EndWhenNobodyWantsThemAnyMore) {
+    bench.machine.program.sequences = {{"Main", {action::Wait{86'400}, action::Repeat{0, 1'000'000}}}};
+    const DryRun longOne = dry("Main");
+    EXPECT_TRUE(longOne.tooLong);
+    EXPECT_FALSE(longOne.done());
+    cancelled = true;
+    const DryRun foreseen = dry("Main");
+    EXPECT_TRUE(foreseen.cancelled || !foreseen.done());
+    EXPECT_LT(foreseen.seconds, 1.0);
+}
+
+}  // namespace
+}  // namespace nmc::test

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sequences in virtual time: engine, simulator and the run, as the sequence controller does it. Where motors
+// are is the simulator's word.
+#include <gmock/gmock.h>
+
+#include "tests/procedures/sequencebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Bench = SequenceBench;
+using testing::IsEmpty;
+
+class Sequences : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(bench.ready()); }
+    Bench bench;
+};
+
+TEST_F(Sequences, GoesThroughItsRows) {
+    ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
+    bench.start("Main");
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.stage, SequenceStage::Done);
+    EXPECT_EQ(bench.shafts(), (std::vector<std::int64_t>{1'000, -500, 200}));
+    EXPECT_EQ(bench.outputs() & 0x02U, 0U) << "OUT2 was set, and cleared at the end";
+    EXPECT_EQ(bench.goals(),
+              (std::vector<std::pair<int, std::int32_t>>{
+                  {0, 1'000}, {1, -500}, {2, 200}, {0, 0}, {2, 0}, {0, 1'000}, {1, -500}, {2, 200}}));
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Sequences, TogetherIsLoadedBeforeAnythingStarts) {
+    const std::size_t before = bench.bus.sent.size();
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"A"}}}};
+    bench.start("Move");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    std::vector<std::string> order;
+    for (std::size_t i = before; i < bench.bus.sent.size(); ++i)
+        if (const std::string hex = bench.bus.sent[i].hex(); hex.size() > 8)
+            for (const char* start : {"AA 01 05", "AA 02 05", "AA 03 05", "AA 01 D4", "AA 02 D4", "AA 03 74"})
+                if (hex.rfind(start, 0) == 0)
+                    order.push_back(hex.substr(3, 5));
+    ASSERT_EQ(order.size(), 6U) << testing::PrintToString(order);
+    for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_EQ(order[i].ends_with("05"), i >= 3) << testing::PrintToString(order);
+}
+
+TEST_F(Sequences, OneAfterTheOtherNeverHasTwoMoving) {
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"A", false}}}};
+    bench.start("Move");
+    int most = 0;
+    while (bench.turn())
+        most = std::max(most, static_cast<int>(std::ranges::count_if(bench.modules, &ModuleState::moving)));
+    EXPECT_EQ(most, 1);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Done);
+}
+
+TEST_F(Sequences, RepeatsAndCalls) {
+    bench.machine.program.points = {{"A", {{kTable, 20}}}, {"B", {{kTable, 0}}}};
+    bench.machine.program.sequences = {
+        {"There and back", {action::MoveTo{"A"}, action::MoveTo{"B"}, action::Repeat{0, 2}}},
+        {"Main", {action::Call{"There and back"}, action::Repeat{0, 3}}}};
+    bench.start("Main");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    const auto goals = bench.goals();
+    ASSERT_EQ(goals.size(), 12U) << "two times three there and back";
+    for (std::size_t i = 0; i < goals.size(); ++i)
+        EXPECT_EQ(goals[i].second, i % 2 == 0 ? 20 : 0);
+}
+
+TEST_F(Sequences, ForEverGoesOnUntilItIsStopped) {
+    bench.machine.program.sequences = {{"Main", {action::Wait{0.1}, action::Repeat{0, 0}}}};
+    bench.start("Main");
+    bench.turns(1'000);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Running);
+    EXPECT_GT(bench.run->report().places[0].rounds.at(1), 50U);
+    bench.run->stop();
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+}
+
+TEST_F(Sequences, WaitsForAnInputOrItsTimeout) {
+    bench.machine.program.sequences = {
+        {"Main",
+         {action::WaitForInput{kTable, InputPin::In1, true, 2.0}, action::SetOutput{kTable, 1, true}}}};
+    bench.start("Main");
+    bench.turns(30);
+    EXPECT_EQ(bench.run->report().places[0].row, 0U);
+    bench.bus.chain.set(kTable, sim::Input::In1, 1.0, bench.bus.now);
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.outputs() & 0x01U, 0x01U);
+    bench.bus.chain.set(kTable, sim::Input::In1, 0.0, bench.bus.now);
+    bench.bus.runFor(200ms);
+    bench.start("Main");
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::InputTimeout);
+    EXPECT_EQ(report.places[0].row, 0U);
+}
+
+TEST_F(Sequences, HomesAnAxisByItsRecipe) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.reverse = false;
+    recipe.velocity = 490.0;
+    recipe.acceleration = 2'000.0;
+    recipe.travelLimit = 4'000.0;
+    recipe.timeLimit = 20.0;
+    bench.machine.axes[2].homing = recipe;
+    bench.bus.chain.set(kTable, sim::Input::HomeSwitchAt, 300.0, bench.bus.now);
+    bench.modules[2].home.forget();
+    bench.machine.program.sequences = {
+        {"Main", {action::Home{kTable}, action::MoveTo{"B"}, action::Wait{0.2}}}};
+    ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
+    bench.start("Main");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_NEAR(static_cast<double>(bench.shafts()[2]), 300, 1) << "B is at its home";
+
+    bench.bus.chain.set(kTable, sim::Input::HomeSwitchAt, std::nullopt, bench.bus.now);
+    bench.modules[2].home.forget();
+    bench.start("Main");
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::NotHomed);
+    EXPECT_EQ(report.module, kTable);
+    bench.expectRest();
+}
+
+TEST_F(Sequences, AStopInAHomeSearchStopsIt) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.reverse = false;
+    recipe.velocity = 100.0;
+    recipe.acceleration = 2'000.0;
+    recipe.travelLimit = 4'000.0;
+    recipe.timeLimit = 20.0;
+    bench.machine.axes[2].homing = recipe;
+    bench.machine.program.sequences = {{"Main", {action::Home{kTable}}}};
+    bench.start("Main");
+    bench.turns(60);
+    ASSERT_TRUE(bench.modules[2].moving());
+    bench.run->stop();
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+    bench.expectRest();
+}
+
+TEST_F(Sequences, APauseFinishesTheRowAndChangesNothingElse) {
+    bench.start("Main");
+    bench.turns(10);
+    bench.run->pause();
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Pausing);
+    bench.turns(1'000);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Paused);
+    EXPECT_EQ(bench.run->report().places[0].row, 1U);
+    EXPECT_EQ(bench.shafts(), (std::vector<std::int64_t>{1'000, -500, 200})) << "the move was finished";
+    bench.run->resume();
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.goals().size(), 8U);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Sequences, StepByStepDoesEachRowOnce) {
+    bench.start("Main", 0, true);
+    for (std::size_t row = 1; row < 7; ++row) {
+        bench.turns(1'000);
+        ASSERT_EQ(bench.run->report().stage, SequenceStage::Paused);
+        ASSERT_EQ(bench.run->report().places[0].row, row);
+        bench.run->step();
+    }
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.goals().size(), 8U);
+}
+
+TEST_F(Sequences, AMoveToAPoint) {
+    bench.run = SequenceRun::toPoint(bench.machine, "A");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.shafts(), (std::vector<std::int64_t>{1'000, -500, 200}));
+}
+
+TEST_F(Sequences, AnythingElseThatIsAskedOfOneOfItsModulesEndsIt) {
+    bench.start("Main");
+    bench.turns(15);
+    bench.run->onTakenOver(ModuleIndex(9));
+    EXPECT_FALSE(bench.run->report().end) << "none of its own";
+    ASSERT_TRUE(bench.order(kX, intent::StopSmoothly{}));
+    bench.run->onTakenOver(kX);
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::TakenOver);
+    EXPECT_EQ(report.module, kX);
+    bench.expectRest();
+}
+
+TEST_F(Sequences, WhatIsToldSomethingElseDoesNotGoOnUnwatched) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.modules[0].moving());
+    bench.run->onTakenOver(kX, false);
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::TakenOver);
+    bench.expectRest();
+    EXPECT_LT(std::abs(bench.shafts()[0]), 990) << "it was stopped on its way to 1 000";
+}
+
+TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.order(kY, intent::StopAbruptly{}));
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::NotArrived);
+    bench.expectRest();
+}
+
+// ---- at every moment ----
+
+/// Turns until the first motion; the run takes about 160.
+constexpr int kMoments = 12;
+
+class AtAnyMoment : public testing::TestWithParam<int> {
+protected:
+    /// Everything up to then.
+    void SetUp() override {
+        ASSERT_TRUE(bench.ready());
+        bench.start("Main");
+        Bench whole;
+        ASSERT_TRUE(whole.ready());
+        whole.start("Main");
+        int length = 0;
+        for (; whole.turn(); ++length) {
+        }
+        last = whole.shafts();
+        bench.turns(1 + GetParam() * length / kMoments);
+        ASSERT_FALSE(bench.run->report().over());
+    }
+    Bench bench;
+    std::vector<std::int64_t> last;
+};
+
+TEST_P(AtAnyMoment, AStopEndsItForGood) {
+    bench.run->stop();
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+    bench.run->resume();
+    bench.run->step();
+    EXPECT_FALSE(bench.turn());
+    bench.expectRest();
+}
+
+TEST_P(AtAnyMoment, AStopOfAllEndsIt) {
+    bench.run->onStopOfAll();
+    ASSERT_TRUE(bench.bus.stopAll());
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.stage, SequenceStage::Over);
+    EXPECT_EQ(report.end, SequenceEnd::StopOfAll);
+    bench.expectRest();
+}
+
+TEST_P(AtAnyMoment, ALostLinkIsADoubtThatStopsTheMotors) {
+    bench.bus.losesReply = [](ByteSpan) { return true; };
+    const SequenceReport report = bench.goOn();
+    ASSERT_TRUE(report.end);
+    EXPECT_TRUE(isDoubt(*report.end)) << static_cast<int>(*report.end);
+    bench.bus.runFor(5s);
+    const auto was = bench.shafts();
+    bench.bus.runFor(2s);
+    EXPECT_EQ(bench.shafts(), was);
+}
+
+TEST_P(AtAnyMoment, ALimitThatClosesOnTheWayEndsIt) {
+    bool moved = false;
+    // In a row that moves X, now or soon.
+    while (!(moved = bench.modules[0].moving()) && bench.turn()) {
+    }
+    if (!moved)
+        GTEST_SKIP() << "X does not move any more";
+    bench.turns(3);
+    if (!bench.modules[0].moving())
+        GTEST_SKIP() << "it has just arrived";
+    bench.set(sim::Input::Limit1, 1.0);
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::LimitClosed);
+    EXPECT_EQ(report.module, kX);
+    bench.expectRest();
+}
+
+TEST_P(AtAnyMoment, AMotorThatGoesOffEndsIt) {
+    bench.bus.chain.set(kY, sim::Input::Power, 0.0, bench.bus.now);
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.stage, SequenceStage::Over);
+    EXPECT_TRUE(report.end == SequenceEnd::WentOff || report.end == SequenceEnd::Refused)
+        << static_cast<int>(*report.end);
+    EXPECT_EQ(report.module, kY);
+    bench.expectRest();
+}
+
+TEST_P(AtAnyMoment, ItIsResumedOnlyFromAStateThatAFreshRunWouldBeIn) {
+    bench.run->stop();
+    const SequenceReport report = bench.goOn();
+    bench.bus.runFor(2s);
+    bench.take();
+    const std::size_t row = report.places[0].row;
+    const EntryState entry = entryState(bench.machine, "Main", row);
+    // Brought there by hand, as whyNotRun() asks for.
+    for (const auto& problem : whyNotRun("Main", row, bench.machine, bench.modules)) {
+        ASSERT_TRUE(problem.kind == SequenceProblem::Kind::NotThere ||
+                    problem.kind == SequenceProblem::Kind::NotSet)
+            << static_cast<int>(problem.kind);
+        if (problem.kind == SequenceProblem::Kind::NotThere) {
+            const auto& place = entry.places.at(*problem.module);
+            const auto wanted = moveIntent(place.axis, 100, bench.modules[problem.module->value()],
+                                           bench.machine.axis(*problem.module));
+            ASSERT_TRUE(bench.order(*problem.module, *wanted));
+            bench.bus.runFor(3s);
+            bench.take();
+        }
+    }
+    ASSERT_THAT(whyNotRun("Main", row, bench.machine, bench.modules), IsEmpty());
+    bench.start("Main", row);
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.shafts(), last);
+    EXPECT_EQ(bench.outputs() & 0x02U, 0U);
+    bench.bus.expectNoViolations();
+}
+
+INSTANTIATE_TEST_SUITE_P(Moments, AtAnyMoment, testing::Range(0, kMoments));
+
+}  // namespace
+}  // namespace nmc::test

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of points and sequences: what can be done when, and why not; and its item models.
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "model/sequence/sequencecheck.h"
+#include "model/sequence/sequenceedit.h"
+#include "sim/random.h"
+#include "widgets/sequences/pointsmodel.h"
+#include "widgets/sequences/rowsmodel.h"
+#include "widgets/sequences/sequencesdock.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+Program twoPoints() {
+    return {{{"A", {{ModuleIndex(0), 100, false}}}, {"B", {{ModuleIndex(0), 0, false}}}},
+            {{"Main", {action::MoveTo{"A"}, action::Wait{0.5}, action::MoveTo{"B"}, action::Repeat{0, 3}}}}};
+}
+
+class SequencePage : public WindowTest {
+protected:
+    SequencePage() {
+        window->resize(1'500, 1'100);
+        QObject::connect(&window->sequences(), &SequencesDock::programEdited, window.get(),
+                         [this](const Program& program) {
+                             machine.program = program;
+                             window->showMachine(machine);
+                         });
+        showServo();
+        QTest::keyClick(window->windowHandle(), Qt::Key_F3);
+    }
+    void load(const Program& program) {
+        machine.program = program;
+        window->showMachine(machine);
+    }
+    void choose(const QString& table, int row) {
+        auto* view = find<QTableView>(table);
+        QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
+                          view->visualRect(view->model()->index(row, 0)).center());
+    }
+    QString cell(int row, int column) {
+        return find<QTableView>(u"rowTable"_s)->model()->index(row, column).data().toString();
+    }
+    QString whyNot(const QString& name) {
+        return button(name)->isEnabled() ? QString() : button(name)->toolTip();
+    }
+};
+
+TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
+    EXPECT_EQ(whyNot(u"teachButton"_s), u"Give the point a name first."_s);
+    auto* name = find<QLineEdit>(u"pointNameField"_s);
+    QTest::keyClicks(name, u"A"_s);
+    EXPECT_EQ(whyNot(u"teachButton"_s), QString());
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_EQ(machine.program.points.size(), 1U);
+    EXPECT_EQ(machine.program.points[0].name, "A");
+    EXPECT_FALSE(machine.program.points[0].axes.at(0).fromHome);
+    showServo({.position = 50});
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_EQ(machine.program.points.size(), 1U) << "the same point anew";
+    EXPECT_EQ(machine.program.points[0].axes.at(0).counts, 50);
+    window->showLink({});
+    EXPECT_FALSE(whyNot(u"teachButton"_s).isEmpty());
+}
+
+TEST_F(SequencePage, ShowsRowsInWords) {
+    load(twoPoints());
+    EXPECT_EQ(cell(0, 0), u"move to"_s);
+    EXPECT_EQ(cell(0, 1), u"A"_s);
+    EXPECT_EQ(cell(0, 2), u"together"_s);
+    EXPECT_EQ(cell(1, 3), u"0.5 s"_s);
+    EXPECT_EQ(cell(3, 1), u"from row 1 on"_s);
+    EXPECT_EQ(cell(3, 3), u"3 times in all"_s);
+}
+
+TEST_F(SequencePage, RowsAreMovedDuplicatedAndRemoved) {
+    load(twoPoints());
+    choose(u"rowTable"_s, 1);
+    click(u"rowUpButton"_s);
+    EXPECT_EQ(machine.program.sequences[0].rows[0], Action(action::Wait{0.5}));
+    EXPECT_EQ(std::get<action::Repeat>(machine.program.sequences[0].rows[3]).from, 1U)
+        << "it still repeats from the move to A on";
+    click(u"duplicateRowButton"_s);
+    EXPECT_EQ(machine.program.sequences[0].rows.size(), 5U);
+    click(u"removeRowButton"_s);
+    EXPECT_EQ(machine.program.sequences[0].rows.size(), 4U);
+    choose(u"rowTable"_s, 3);
+    EXPECT_FALSE(whyNot(u"rowDownButton"_s).isEmpty());
+    QTest::keyClick(find(u"rowTable"_s), Qt::Key_Z, Qt::ControlModifier | Qt::AltModifier);
+    EXPECT_EQ(machine.program.sequences[0].rows.size(), 5U);
+}
+
+TEST_F(SequencePage, WhatIsUsedIsNotRemoved) {
+    load(twoPoints());
+    choose(u"pointTable"_s, 0);
+    EXPECT_TRUE(whyNot(u"removePointButton"_s).contains(u"Row 1 of \"Main\""_s))
+        << whyNot(u"removePointButton"_s).toStdString();
+}
+
+TEST_F(SequencePage, ANewNameIsOneEverywhere) {
+    load(twoPoints());
+    auto* name = find<QLineEdit>(u"sequenceNameField"_s);
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, u"Loading"_s);
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(machine.program.sequences[0].name, "Loading");
+    EXPECT_EQ(find<QComboBox>(u"sequenceBox"_s)->currentText(), u"Loading"_s);
+    EXPECT_EQ(find<QTableView>(u"rowTable"_s)->model()->rowCount(), 4);
+}
+
+TEST_F(SequencePage, TheReasonWhyItCannotRunNamesTheRow) {
+    load(twoPoints());
+    EXPECT_EQ(whyNot(u"runSequenceButton"_s), QString());
+    showServo({.on = false});
+    EXPECT_TRUE(whyNot(u"runSequenceButton"_s).startsWith(u"Main, row 1: "_s))
+        << whyNot(u"runSequenceButton"_s).toStdString();
+}
+
+TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
+    load(twoPoints());
+    SequenceReport report;
+    report.places = {{"Main", 2}};
+    window->sequences().showRun(report);
+    auto* table = find<QTableView>(u"rowTable"_s);
+    EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
+    EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence runs already."_s);
+    EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
+    QSignalSpy stops(&window->sequences(), &SequencesDock::stopRequested);
+    click(u"stopSequenceButton"_s);
+    EXPECT_EQ(stops.size(), 1);
+    report.stage = SequenceStage::Over;
+    report.end = SequenceEnd::LinkInDoubt;
+    window->sequences().showRun(report);
+    EXPECT_TRUE(text(u"sequenceStateLabel"_s).startsWith(u"Paused by a doubt"_s));
+    EXPECT_EQ(whyNot(u"runSequenceButton"_s), QString());
+}
+
+TEST_F(SequencePage, ASequenceIsNotOfferedToItself) {
+    Program program = twoPoints();
+    program.sequences.push_back({"Outer", {action::Call{"Main"}}});
+    RowsModel model;
+    model.showRows(program, "Outer", 1);
+    EXPECT_EQ(model.index(0, RowsModel::What).data(RowsModel::ChoicesRole).toStringList(),
+              QStringList{u"Main"_s});
+    model.showRows(program, "Main", 1);
+    const QStringList kinds = model.index(0, RowsModel::Do).data(RowsModel::ChoicesRole).toStringList();
+    EXPECT_FALSE(kinds.contains(u"call"_s)) << "Outer leads back to Main";
+    EXPECT_FALSE(kinds.contains(u"repeat"_s)) << "nothing stands above the first row";
+}
+
+/// What Qt demands of an item model, while programs change at random.
+TEST(SequenceModels, KeepQtsDemands) {
+    sim::Random random(7);
+    RowsModel rows;
+    PointsModel points;
+    const QAbstractItemModelTester rowDemands(&rows, QAbstractItemModelTester::FailureReportingMode::Warning);
+    const QAbstractItemModelTester pointDemands(&points,
+                                                QAbstractItemModelTester::FailureReportingMode::Warning);
+    Program program = twoPoints();
+    const auto scale = [](ModuleIndex) { return AxisScale::servo({}, 1); };
+    QObject::connect(&rows, &RowsModel::rowEdited, [&](int row, const Action& action) {
+        program.sequences[0].rows[static_cast<std::size_t>(row)] = action;
+    });
+    std::size_t most = 0;
+    for (int i = 0; i < 400; ++i) {
+        std::vector<Action>& all = program.sequences[0].rows;
+        switch (random.below(6)) {
+            case 0:
+                insertRow(program.sequences[0], random.below(all.size() + 1), rows.newRow());
+                break;
+            case 1:
+                if (!all.empty())
+                    removeRow(program.sequences[0], random.below(all.size()));
+                break;
+            case 2:
+                if (all.size() > 1)
+                    std::ignore =
+                        moveRow(program.sequences[0], random.below(all.size()), random.below(all.size()));
+                break;
+            case 3:
+                program.points.push_back({freeName(program.points, "P"), {}});
+                break;
+            case 4:
+                if (program.points.size() > 2 && !userOfPoint(program, program.points.back().name))
+                    program.points.pop_back();
+                break;
+            default:
+                if (rows.rowCount() > 0) {
+                    const auto cell =
+                        rows.index(static_cast<int>(random.below(static_cast<std::size_t>(rows.rowCount()))),
+                                   static_cast<int>(random.below(4)));
+                    const auto choices = cell.data(RowsModel::ChoicesRole).toStringList();
+                    if (!choices.isEmpty())
+                        rows.setData(cell,
+                                     static_cast<int>(random.below(static_cast<std::size_t>(choices.size()))),
+                                     Qt::EditRole);
+                }
+        }
+        most = std::max(most, all.size());
+        rows.showRows(program, "Main", 3);
+        points.showPoints(program.points, scale);
+        ASSERT_FALSE(contradiction(program)) << i;
+        ASSERT_EQ(rows.rowCount(), static_cast<int>(all.size()));
+        ASSERT_EQ(points.rowCount(), static_cast<int>(program.points.size()));
+    }
+    EXPECT_GT(most, 5U);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/axes/axespage.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <algorithm>
+
+#include "model/sequence/sequencecheck.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+/// In the axis's own unit.
+constexpr double kSteps[] = {0.001, 0.01, 0.1, 1, 10, 100, 1'000};
+constexpr int kFirstStep = 4;
+}  // namespace
+
+AxesPage::AxesPage(QWidget* parent)
+    : QWidget(parent),
+      m_slow(new QRadioButton(tr("Slow"), this)),
+      m_fast(new QRadioButton(tr("Fast"), this)),
+      m_step(new QComboBox(this)) {
+    look::name(this, u"axesPage"_s, tr("All axes"));
+    look::name(m_slow, u"jogSlowButton"_s, tr("Slow jog"));
+    look::name(m_fast, u"jogFastButton"_s, tr("Fast jog"));
+    look::name(m_step, u"jogStepBox"_s, tr("Step of all axes"));
+    m_slow->setChecked(true);
+    m_slow->setToolTip(tr("Each axis at its own velocity of hold to move."));
+    m_fast->setToolTip(tr("Each axis at its own cap of hold to move, which is set on its page Axis."));
+    m_step->setToolTip(tr("How far one click on Step moves an axis, in its own unit."));
+    for (const double step : kSteps)
+        m_step->addItem(tr("%1 units").arg(QLocale().toString(step)), step);
+    m_step->setCurrentIndex(kFirstStep);
+    m_enableAll = new Command({.name = u"enableAllButton"_s,
+                               .icon = u"power"_s,
+                               .text = tr("Enable all"),
+                               .accessible = tr("Enable all motors where they stand")},
+                              this, [this] { enableAll(); });
+    m_homeAll = new Command({.name = u"homeAllButton"_s,
+                             .icon = u"home"_s,
+                             .text = tr("Home all"),
+                             .accessible = tr("Find the home of all axes, one after the other")},
+                            this, [this] { emit homeAllRequested(); });
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_enableAll->button());
+    head->addWidget(m_homeAll->button());
+    head->addSpacing(look::gridUnit(this));
+    head->addWidget(m_slow);
+    head->addWidget(m_fast);
+    head->addSpacing(look::gridUnit(this));
+    auto* stepLabel = new QLabel(tr("Step"), this);
+    head->addWidget(stepLabel);
+    head->addWidget(m_step);
+    head->addStretch(1);
+    auto* table = new QWidget(this);
+    auto* fromTop = new QVBoxLayout(table);
+    m_grid = new QGridLayout;
+    fromTop->addLayout(m_grid);
+    fromTop->addStretch(1);
+    m_grid->setHorizontalSpacing(look::gridUnit(this));
+    m_grid->setColumnStretch(1, 1);
+    auto* area = new QScrollArea(this);
+    look::name(area, u"axesArea"_s, tr("Axes"));
+    area->setWidget(table);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(head);
+    layout->addWidget(area, 1);
+    connect(m_slow, &QRadioButton::toggled, this, &AxesPage::showJog);
+    connect(m_step, &QComboBox::currentIndexChanged, this, &AxesPage::showJog);
+    refresh();
+}
+
+void AxesPage::showModules(const std::vector<PanelView>& views, const Machine& machine) {
+    m_machine = machine;
+    const bool others =
+        m_axes.size() != views.size() ||
+        !std::ranges::equal(
+            m_axes, views, {}, [](const AxisRow* row) { return row->context().state().info.identity; },
+            [](const PanelView& view) { return view.module.info.identity; });
+    if (others) {
+        forgetModules();
+        for (const PanelView& view : views) {
+            auto* row =
+                new AxisRow(view, static_cast<int>(m_axes.size()) + 1, *m_grid, m_grid->parentWidget());
+            row->setHoldInterval(m_holdInterval);
+            connect(row, &AxisRow::asked, this, &AxesPage::intentRequested);
+            connect(row, &AxisRow::holdAsked, this, &AxesPage::holdRequested);
+            connect(row, &AxisRow::holdReleased, this, &AxesPage::holdReleased);
+            connect(row, &AxisRow::earlierWanted, this, &AxesPage::makeEarlier);
+            m_axes.push_back(row);
+        }
+    } else {
+        for (std::size_t i = 0; i < views.size(); ++i)
+            m_axes[i]->show(views[i]);
+    }
+    showJog();
+}
+
+void AxesPage::forgetModules() {
+    for (AxisRow* row : std::exchange(m_axes, {}))
+        row->remove();
+    m_slow->setChecked(true);
+}
+
+void AxesPage::endHold() {
+    for (AxisRow* row : m_axes)
+        row->endHold();
+}
+
+void AxesPage::setHoldInterval(int milliseconds) {
+    m_holdInterval = milliseconds;
+    for (AxisRow* row : m_axes)
+        row->setHoldInterval(milliseconds);
+}
+
+void AxesPage::showJog() {
+    const std::vector<ModuleIndex> homing = order();
+    for (AxisRow* row : m_axes) {
+        const auto place = std::ranges::find(homing, row->context().state().info.index);
+        row->setJog(m_fast->isChecked() ? JogSpeed::Fast : JogSpeed::Slow, m_step->currentData().toDouble(),
+                    place != homing.end() ? static_cast<int>(place - homing.begin()) + 1 : 0);
+    }
+    refresh();
+}
+
+std::vector<ModuleIndex> AxesPage::order() const {
+    std::vector<ModuleState> modules;
+    for (const AxisRow* row : m_axes)
+        modules.push_back(row->context().state());
+    return axesToHome(m_machine, modules);
+}
+
+std::vector<ModuleIndex> AxesPage::possibleToEnable() const {
+    std::vector<ModuleIndex> off;
+    for (const AxisRow* row : m_axes)
+        if (!row->context().state().driveOn() && !row->context().whyNot(Request::Enable))
+            off.push_back(row->context().state().info.index);
+    return off;
+}
+
+QString AxesPage::whyNotHomed() const {
+    const std::vector<ModuleIndex> homing = order();
+    if (homing.empty())
+        return tr("No axis has a recipe for its home. See the page Homing of each.");
+    for (const ModuleIndex module : homing) {
+        const QString reason = m_axes[module.value()]->context().reasonFor(Request::Home);
+        if (!reason.isEmpty())
+            return tr("%1: %2").arg(texts::moduleName(module), reason);
+    }
+    return {};
+}
+
+void AxesPage::refresh() {
+    const QString none = m_axes.empty() ? tr("No module.") : QString();
+    QString reason = none;
+    if (reason.isEmpty() && possibleToEnable().empty()) {
+        reason = tr("All motors are enabled.");
+        for (const AxisRow* row : m_axes)
+            if (!row->context().state().driveOn())
+                reason = tr("%1: %2").arg(texts::moduleName(row->context().state().info.index),
+                                          row->context().reasonFor(Request::Enable));
+    }
+    m_enableAll->setPossible(reason, tr("Enables each motor that can be, where it stands."));
+    m_homeAll->setPossible(none.isEmpty() ? whyNotHomed() : none,
+                           tr("Finds the home of one axis after the other, in the order that stands in the "
+                              "table, by their recipes. Any stop ends it."));
+}
+
+void AxesPage::enableAll() {
+    for (const ModuleIndex module : possibleToEnable())
+        emit intentRequested(module, intent::Enable{});
+}
+
+void AxesPage::makeEarlier(ModuleIndex module) {
+    std::vector<ModuleIndex> homing = order();
+    const auto place = std::ranges::find(homing, module);
+    if (place == homing.end() || place == homing.begin())
+        return;
+    std::iter_swap(place, std::prev(place));
+    emit homeOrderEdited(homing);
+}
+
+}  // namespace nmc

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/settings/machine.h"
+#include "widgets/axes/axisrow.h"
+
+class QComboBox;
+class QGridLayout;
+class QRadioButton;
+
+namespace nmc {
+
+/// All axes in one table, to be moved by hand; one is held at a time.
+class AxesPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AxesPage(QWidget* parent = nullptr);
+
+    /// Of all modules, in their order; the views are valid for the call only.
+    void showModules(const std::vector<PanelView>& views, const Machine& machine);
+    /// Another connection: slow again.
+    void forgetModules();
+    void endHold();
+    void setHoldInterval(int milliseconds);
+
+signals:
+    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
+    void holdRequested(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+    void homeAllRequested();
+    void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
+
+private:
+    void showJog();
+    void refresh();
+    void enableAll();
+    void makeEarlier(ModuleIndex module);
+    [[nodiscard]] std::vector<ModuleIndex> order() const;
+    [[nodiscard]] std::vector<ModuleIndex> possibleToEnable() const;
+    [[nodiscard]] QString whyNotHomed() const;
+
+    Machine m_machine;
+    std::vector<AxisRow*> m_axes;
+    QGridLayout* m_grid;
+    QRadioButton* m_slow;
+    QRadioButton* m_fast;
+    QComboBox* m_step;
+    Command* m_enableAll;
+    Command* m_homeAll;
+    int m_holdInterval = 100;
+};
+
+}  // namespace nmc

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/axes/axisrow.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "model/intent/stepplan.h"
+#include "model/module/servodefaults.h"
+#include "model/module/stepdefaults.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+#include "widgets/panels/holdbutton.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* box)
+    : QObject(box),
+      m_context(view),
+      m_box(box),
+      m_name(new QLabel(box)),
+      m_state(new QLabel(box)),
+      m_position(new QLabel(box)) {
+    const QString number = QString::number(line);
+    const QString who = texts::moduleName(m_context.state().info.index);
+    look::nameText(m_name, u"axisName"_s + number, tr("Axis"));
+    look::nameText(m_state, u"axisState"_s + number, tr("State of %1").arg(who));
+    look::nameText(m_position, u"axisPosition"_s + number, tr("Position of %1").arg(who));
+    m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_position->setFont(look::tabular(m_position->font()));
+    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, tr("◂ Hold"),
+                            tr("Move %1 in reverse while held").arg(who), true);
+    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, tr("Hold ▸"),
+                            tr("Move %1 forward while held").arg(who), false);
+    const auto newCommand = [&](const QString& name, const QString& text, const QString& sentence,
+                                const std::function<void()>& act) {
+        return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
+                           act);
+    };
+    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"),
+                               tr("Move %1 one step in reverse").arg(who), [this] { step(true); });
+    m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"),
+                               tr("Move %1 one step forward").arg(who), [this] { step(false); });
+    m_earlier = newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"),
+                           tr("Home all takes %1 one place earlier").arg(who),
+                           [this] { emit earlierWanted(m_context.state().info.index); });
+    int column = 0;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
+                                                           m_holdForward, m_stepReverse->button(),
+                                                           m_stepForward->button(), m_earlier->button()})
+        grid.addWidget(widget, line, column++);
+    connect(&m_context, &ModuleContext::asked, this,
+            [this](const Intent& intent) { emit asked(m_context.state().info.index, intent); });
+    connect(&m_context, &ModuleContext::holdAsked, this, &AxisRow::holdAsked);
+    connect(&m_context, &ModuleContext::holdReleased, this, &AxisRow::holdReleased);
+    m_context.whenSeen(m_name, [this] { refresh(); });
+}
+
+HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, const QString& name,
+                             bool reverse) {
+    auto* button = new HoldButton(m_box);
+    button->setIcon(icons::tinted(u"hand-stop"_s));
+    button->setText(text);
+    look::name(button, objectName, name);
+    connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
+    connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
+    return button;
+}
+
+void AxisRow::remove() {
+    endHold();
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
+                                                           m_holdForward, m_stepReverse->button(),
+                                                           m_stepForward->button(), m_earlier->button()}) {
+        widget->setObjectName({});  // which its successor has
+        widget->hide();
+        widget->deleteLater();
+    }
+    for (Command* command : {m_stepReverse, m_stepForward, m_earlier})
+        command->deleteLater();
+    deleteLater();
+}
+
+void AxisRow::show(const PanelView& view) {
+    m_context.show(view);
+}
+
+void AxisRow::setJog(JogSpeed speed, double step, int place) {
+    if (speed != m_speed)
+        endHold();  // what is held was asked for at another speed
+    m_speed = speed;
+    m_step = step;
+    m_place = place;
+    refresh();
+}
+
+void AxisRow::endHold() {
+    m_holdReverse->endHold();
+    m_holdForward->endHold();
+}
+
+void AxisRow::setHoldInterval(int milliseconds) {
+    m_holdReverse->setInterval(milliseconds);
+    m_holdForward->setInterval(milliseconds);
+}
+
+/// Native.
+double AxisRow::velocity() const {
+    const ModuleState& module = m_context.state();
+    if (module.isStepper()) {
+        const double cap = stepdefaults::holdCap(module.stepper, m_context.settings());
+        return m_speed == JogSpeed::Fast ? cap : std::min(stepdefaults::kHold, cap);
+    }
+    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
+    return m_speed == JogSpeed::Fast ? motion.holdCap : std::min(motion.holdVelocity, motion.holdCap);
+}
+
+std::optional<stepmotion::VelocityProfile> AxisRow::pace(bool reverse) const {
+    const auto& parameters = m_context.state().stepper.parameters();
+    if (!parameters)
+        return std::nullopt;
+    // Never faster than asked for.
+    const double units = std::floor(velocity() / StepSpeed(parameters->speedMode).unit() + 1e-9);
+    return stepmotion::VelocityProfile{
+        static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
+        static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings())), reverse};
+}
+
+std::optional<Intent> AxisRow::stepIntent(bool reverse) const {
+    const double counts = std::round(m_context.scale().counts(m_step));
+    if (counts < 1 || counts > static_cast<double>(servo::kPositionRange.max))
+        return std::nullopt;
+    const auto way = static_cast<std::int32_t>(reverse ? -counts : counts);
+    if (m_context.state().isStepper()) {
+        const auto wanted = pace(reverse);
+        if (!wanted)
+            return std::nullopt;
+        return stepintent::Move{stepmotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
+    }
+    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
+    intent::StepBy by;
+    by.counts = way;
+    by.velocity = CountsPerTick(servodefaults::toFixed(velocity()));
+    by.acceleration = CountsPerTickSquared(servodefaults::toFixed(motion.acceleration));
+    return by;
+}
+
+QString AxisRow::whyNotHeld(bool reverse) const {
+    // Never "busy": a hold that is under way must not be cut off by the answers to its own commands.
+    if (const QString reason = m_context.reasonFor(Request::Hold); !reason.isEmpty())
+        return reason;
+    if (!m_context.state().isStepper())
+        return {};
+    const auto wanted = pace(reverse);
+    const auto refusal =
+        wanted ? whyNot(StepMotion(*wanted), m_context.state()) : std::optional(Refusal::ParametersUnknown);
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
+QString AxisRow::whyNotStepped(bool reverse) const {
+    if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
+        return reason;
+    const auto wanted = stepIntent(reverse);
+    if (!wanted)
+        return tr("This step is less than one count of this axis, or more than it can go.");
+    const auto steps = plan(*wanted, m_context.state());
+    return steps ? QString() : texts::refusal(steps.error());
+}
+
+void AxisRow::refresh() {
+    const ModuleState& module = m_context.state();
+    const AxisScale scale = m_context.scale();
+    look::setText(m_name, texts::moduleName(module.info.index));
+    look::setText(m_state, texts::activity(module.activity()));
+    m_state->setToolTip(texts::activityMeaning(module.activity()));
+    const auto position = module.latest ? module.latest->position : std::nullopt;
+    look::setReadout(
+        m_position, position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s);
+    look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while it is held, then stops."));
+    look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while it is held, then stops."));
+    m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, and holds there."));
+    m_stepReverse->setPossible(whyNotStepped(true),
+                               tr("Moves in reverse by the step above, and holds there."));
+    m_earlier->setPossible(m_place == 0   ? tr("This axis has no recipe for its home. See its page Homing.")
+                           : m_place == 1 ? tr("Home all begins with this axis.")
+                                          : QString(),
+                           tr("Home all finds the home of this axis as number %1; a click makes it one "
+                              "earlier. Nothing moves.")
+                               .arg(m_place));
+    m_earlier->setText(m_place > 0 ? tr("Home: %1.").arg(m_place) : tr("Home: –"));
+}
+
+void AxisRow::hold(const HoldButton& button, bool reverse) {
+    bus::HoldToMove hold;
+    hold.module = m_context.state().info.index;
+    hold.reverse = reverse;
+    hold.press = button.press();
+    if (m_context.state().isStepper()) {
+        const auto wanted = pace(reverse);
+        if (!wanted)
+            return;
+        hold.pace = bus::StepPace{wanted->speed, wanted->accelerationTime};
+    } else {
+        const MotionSettings motion = servodefaults::motionOf(m_context.settings());
+        hold.velocity = CountsPerTick(servodefaults::toFixed(velocity()));
+        hold.acceleration = CountsPerTickSquared(servodefaults::toFixed(motion.acceleration));
+    }
+    m_context.hold(hold);
+}
+
+void AxisRow::step(bool reverse) {
+    if (const auto wanted = stepIntent(reverse))
+        m_context.ask(*wanted);
+}
+
+}  // namespace nmc

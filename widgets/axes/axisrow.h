@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "widgets/panels/modulecontext.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace nmc {
+
+class Command;
+class HoldButton;
+
+/// How fast the axes are moved from the table of all axes.
+enum class JogSpeed : std::uint8_t {
+    Slow,  ///< the velocity of hold to move
+    Fast,  ///< its cap
+};
+
+/// One axis in the table of all axes: position, state, hold to move, and steps.
+class AxisRow : public QObject {
+    Q_OBJECT
+
+public:
+    AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* box);
+
+    void show(const PanelView& view);
+    /// `step`: in the axis's own unit. `place`: in the order of homing, from 1; 0: it has no recipe.
+    void setJog(JogSpeed speed, double step, int place);
+    void endHold();
+    void setHoldInterval(int milliseconds);
+    [[nodiscard]] const ModuleContext& context() const { return m_context; }
+    void remove();
+
+signals:
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
+    void holdAsked(const nmc::bus::HoldToMove& hold);
+    void holdReleased();
+    /// One place earlier in the order of homing.
+    void earlierWanted(nmc::ModuleIndex module);
+
+private:
+    void refresh();
+    void hold(const HoldButton& button, bool reverse);
+    void step(bool reverse);
+    [[nodiscard]] HoldButton* newHold(const QString& objectName, const QString& text, const QString& name,
+                                      bool reverse);
+    [[nodiscard]] double velocity() const;
+    [[nodiscard]] std::optional<stepmotion::VelocityProfile> pace(bool reverse) const;
+    [[nodiscard]] std::optional<Intent> stepIntent(bool reverse) const;
+    [[nodiscard]] QString whyNotHeld(bool reverse) const;
+    [[nodiscard]] QString whyNotStepped(bool reverse) const;
+
+    ModuleContext m_context;
+    QWidget* m_box;
+    JogSpeed m_speed = JogSpeed::Slow;
+    double m_step = 1.0;
+    int m_place = 0;
+    QLabel* m_name;
+    QLabel* m_state;
+    QLabel* m_position;
+    HoldButton* m_holdReverse;
+    HoldButton* m_holdForward;
+    Command* m_stepReverse;
+    Command* m_stepForward;
+    Command* m_earlier;
+};
+
+}  // namespace nmc

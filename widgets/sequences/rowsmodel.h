@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+
+#include "model/sequence/sequence.h"
+
+namespace nmc {
+
+/// The rows of one sequence as a table to be edited: what is done, with what, how, and its number. It changes
+/// nothing by itself; what its user wants is told, and comes back by showRows().
+class RowsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Do, What, How, Number, ColumnCount };
+    enum Role {
+        ChoicesRole = Qt::UserRole,  ///< QStringList; the edit role is the index of the chosen one
+        RangeRole,                   ///< QPointF of a number: from x to y
+    };
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Of the sequence of that name; empty where there is none. `modules`: how many can be chosen.
+    void showRows(const Program& program, const std::string& sequence, int modules);
+    /// The row that is next or under way in a run.
+    void markRow(std::optional<std::size_t> row);
+    [[nodiscard]] const std::vector<Action>& rows() const { return m_rows; }
+    /// What a new row does at first.
+    [[nodiscard]] Action newRow() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    void rowEdited(int row, const nmc::Action& action);
+
+private:
+    template <typename Model, typename Row>
+    friend void changeRowCount(Model& model, std::vector<Row>& rows, const std::vector<Row>& now);
+    /// What stands in a cell, and what could.
+    struct Cell {
+        QStringList choices{};
+        int chosen = -1;
+        std::optional<double> number{};
+        double min = 0.0;
+        double max = 0.0;
+        QString text{};  ///< of a number, with its unit
+    };
+    [[nodiscard]] Cell cell(std::size_t row, int column) const;
+    [[nodiscard]] Cell what(std::size_t row) const;
+    [[nodiscard]] static Cell how(const Action& action);
+    [[nodiscard]] static Cell number(const Action& action);
+    [[nodiscard]] std::vector<std::size_t> possibleActions(std::size_t row) const;
+    [[nodiscard]] Action actionOf(std::size_t kind, std::size_t row) const;
+    void choose(Action& action, std::size_t row, int column, int choice) const;
+    [[nodiscard]] QStringList moduleNames() const;
+
+    Program m_program;
+    std::string m_sequence;
+    std::vector<Action> m_rows;
+    std::vector<std::string> m_callable;  ///< sequences that do not lead back to this one
+    int m_modules = 0;
+    std::optional<std::size_t> m_marked;
+};
+
+}  // namespace nmc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sequences/sequencesdock.h"
+
+#include <QAction>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+SequencesDock::SequencesDock(QWidget* parent)
+    : QDockWidget(SequencesPage::tr("Points and sequences"), parent) {
+    look::name(this, u"sequencesDock"_s, windowTitle());
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    toggleViewAction()->setShortcut(Qt::Key_F3);
+    connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+        if (shown)
+            raise();
+    });
+    // Not showEvent: a dock behind another's tab is shown, but not seen.
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
+        m_seen = seen;
+        if (seen) {
+            page();
+            emit opened();
+        }
+    });
+}
+
+SequencesPage& SequencesDock::page() {
+    if (m_page == nullptr) {
+        m_page = new SequencesPage(this);
+        connect(m_page, &SequencesPage::programEdited, this, &SequencesDock::programEdited);
+        connect(m_page, &SequencesPage::goToRequested, this, &SequencesDock::goToRequested);
+        connect(m_page, &SequencesPage::startRequested, this, &SequencesDock::startRequested);
+        connect(m_page, &SequencesPage::pauseRequested, this, &SequencesDock::pauseRequested);
+        connect(m_page, &SequencesPage::resumeRequested, this, &SequencesDock::resumeRequested);
+        connect(m_page, &SequencesPage::stepRequested, this, &SequencesDock::stepRequested);
+        connect(m_page, &SequencesPage::stopRequested, this, &SequencesDock::stopRequested);
+        connect(m_page, &SequencesPage::foresightRequested, this, &SequencesDock::foresightRequested);
+        connect(m_page, &SequencesPage::foresightDropped, this, &SequencesDock::foresightDropped);
+        if (m_run)
+            m_page->showRun(*m_run);
+        setWidget(m_page);
+    }
+    return *m_page;
+}
+
+void SequencesDock::showSession(const LinkState& link, const Machine& machine) {
+    if (m_seen)
+        page().showSession(link, machine);
+}
+
+void SequencesDock::showRun(const SequenceReport& report) {
+    m_run = report;
+    if (m_page != nullptr)
+        m_page->showRun(report);
+}
+
+}  // namespace nmc

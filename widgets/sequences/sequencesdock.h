@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+
+#include "widgets/sequences/sequencespage.h"
+
+namespace nmc {
+
+/// The place of points and sequences, closed at first: its content is built when it is seen for the first
+/// time.
+class SequencesDock : public QDockWidget {
+    Q_OBJECT
+
+public:
+    explicit SequencesDock(QWidget* parent = nullptr);
+
+    // As in SequencesPage.
+    void showSession(const LinkState& link, const Machine& machine);
+    void showRun(const SequenceReport& report);
+    void showForesight(const DryRun& dryRun) { page().showForesight(dryRun); }
+
+    /// The content; built if need be.
+    SequencesPage& page();
+
+signals:
+    /// It can be seen, and what it shows may be old.
+    void opened();
+    // As in SequencesPage.
+    void programEdited(const nmc::Program& program);
+    void goToRequested(const std::string& point);
+    void startRequested(const std::string& sequence, std::size_t row, bool singleStep);
+    void pauseRequested();
+    void resumeRequested();
+    void stepRequested();
+    void stopRequested();
+    void foresightRequested(const std::string& sequence, std::size_t row);
+    void foresightDropped();
+
+private:
+    SequencesPage* m_page = nullptr;
+    bool m_seen = false;
+    std::optional<SequenceReport> m_run;
+};
+
+}  // namespace nmc

@@ -1,0 +1,598 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sequences/sequencespage.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QUndoCommand>
+#include <QVBoxLayout>
+
+#include "model/module/modulescale.h"
+#include "model/sequence/sequencecheck.h"
+#include "model/sequence/sequenceedit.h"
+#include "widgets/common/look.h"
+#include "widgets/common/sequencetexts.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+#include "widgets/sequences/pointsmodel.h"
+#include "widgets/sequences/rowdelegate.h"
+#include "widgets/sequences/rowsmodel.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+/// All points and sequences before and behind one change.
+class SequencesPage::Edit : public QUndoCommand {
+public:
+    Edit(SequencesPage& page, const QString& what, Program before, Program now)
+        : QUndoCommand(what), m_page(page), m_before(std::move(before)), m_now(std::move(now)) {}
+    void undo() override { m_page.put(m_before); }
+    void redo() override { m_page.put(m_now); }
+
+private:
+    SequencesPage& m_page;
+    Program m_before;
+    Program m_now;
+};
+
+namespace {
+
+QTableView* newTable(QAbstractItemModel* model, const QString& objectName, const QString& name,
+                     QWidget* parent) {
+    auto* table = new QTableView(parent);
+    look::name(table, objectName, name);
+    table->setModel(model);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setTabKeyNavigation(false);
+    table->setWordWrap(false);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() * 3 / 2);
+    return table;
+}
+
+template <typename... Commands>
+QHBoxLayout* inARow(const QWidget* box, Commands*... commands) {
+    auto* layout = new QHBoxLayout;
+    layout->setSpacing(look::gridUnit(box) / 2);
+    (layout->addWidget(commands->button()), ...);
+    layout->addStretch(1);
+    return layout;
+}
+
+}  // namespace
+
+SequencesPage::SequencesPage(QWidget* parent)
+    : QWidget(parent), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
+    look::name(this, u"sequencesPage"_s, tr("Points and sequences"));
+    auto* layout = new QHBoxLayout(this);
+    layout->addWidget(buildPoints(), 2);
+    layout->addWidget(buildSequences(), 3);
+    connect(m_points, &PointsModel::renameWanted, this,
+            [this](const std::string& from, const std::string& to) {
+                edit(tr("Rename point"), [&](Program& program) { renamePoint(program, from, to); });
+            });
+    connect(m_rows, &RowsModel::rowEdited, this, [this](int row, const Action& action) {
+        editRows(tr("Change row"),
+                 [&](Sequence& sequence) { sequence.rows[static_cast<std::size_t>(row)] = action; });
+    });
+    connect(&m_edits, &QUndoStack::indexChanged, this, &SequencesPage::refresh);
+    refresh();
+}
+
+QWidget* SequencesPage::buildPoints() {
+    auto* box = new QGroupBox(tr("Points"), this);
+    look::name(box, u"pointsBox"_s, tr("Points"));
+    m_pointTable = newTable(m_points, u"pointTable"_s, tr("Points"), box);
+    m_pointTable->verticalHeader()->hide();
+    m_pointName = new QLineEdit(box);
+    look::name(m_pointName, u"pointNameField"_s, tr("Name of the point to teach"));
+    m_pointName->setPlaceholderText(tr("Name of a point"));
+    m_pointName->setMaxLength(60);
+    m_axes = new QListWidget(box);
+    look::name(m_axes, u"teachAxesList"_s, tr("Axes to teach"));
+    m_axes->setFlow(QListView::LeftToRight);
+    m_axes->setWrapping(true);
+    m_axes->setResizeMode(QListView::Adjust);
+    m_axes->setMaximumHeight(m_axes->fontMetrics().height() * 4);
+    m_axes->setToolTip(tr("The ticked axes become part of the point."));
+    m_teach = new Command({.name = u"teachButton"_s,
+                           .icon = u"download"_s,
+                           .text = tr("Teach"),
+                           .accessible = tr("Teach a point: keep where the ticked axes stand")},
+                          box, [this] { teach(); });
+    m_goTo = new Command({.name = u"goToPointButton"_s,
+                          .icon = u"arrow-bar-to-right"_s,
+                          .text = tr("Go to point"),
+                          .accessible = tr("Move to the chosen point")},
+                         box, [this] {
+                             if (const Point* point = chosenPoint())
+                                 emit goToRequested(point->name);
+                         });
+    m_removePoint =
+        new Command({.name = u"removePointButton"_s,
+                     .icon = u"x"_s,
+                     .text = tr("Remove point"),
+                     .accessible = tr("Remove the chosen point")},
+                    box, [this] {
+                        if (const Point* point = chosenPoint())
+                            edit(tr("Remove point"), [name = point->name](Program& program) {
+                                std::erase_if(program.points, [&](const Point& p) { return p.name == name; });
+                            });
+                    });
+    auto* layout = new QVBoxLayout(box);
+    layout->addWidget(m_pointTable, 1);
+    layout->addLayout(inARow(box, m_goTo, m_removePoint));
+    layout->addWidget(m_axes);
+    auto* teaching = new QHBoxLayout;
+    teaching->addWidget(m_pointName, 1);
+    teaching->addWidget(m_teach->button());
+    layout->addLayout(teaching);
+    connect(m_pointTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &SequencesPage::refreshPoints);
+    connect(m_pointName, &QLineEdit::textChanged, this, &SequencesPage::refreshPoints);
+    connect(m_pointName, &QLineEdit::returnPressed, m_teach, &Command::act);
+    connect(m_axes, &QListWidget::itemChanged, this, &SequencesPage::refreshPoints);
+    return box;
+}
+
+QWidget* SequencesPage::buildSequences() {
+    auto* box = new QGroupBox(tr("Sequences"), this);
+    look::name(box, u"sequencesBox"_s, tr("Sequences"));
+    m_sequence = new QComboBox(box);
+    look::name(m_sequence, u"sequenceBox"_s, tr("Sequence"));
+    m_sequence->setMinimumContentsLength(10);
+    m_sequenceName = new QLineEdit(box);
+    look::name(m_sequenceName, u"sequenceNameField"_s, tr("Name of the sequence"));
+    m_sequenceName->setMaxLength(60);
+    m_sequenceName->setToolTip(tr("Another name for this sequence; Enter takes it."));
+    m_newSequence = new Command(
+        {.name = u"newSequenceButton"_s,
+         .icon = {},
+         .text = tr("New sequence"),
+         .accessible = tr("Add an empty sequence")},
+        box, [this] {
+            const std::string name = freeName(m_program.sequences, tr("Sequence").toStdString());
+            edit(tr("New sequence"), [&](Program& program) { program.sequences.push_back({name, {}}); });
+            m_sequence->setCurrentText(QString::fromStdString(name));
+        });
+    m_removeSequence = new Command({.name = u"removeSequenceButton"_s,
+                                    .icon = u"x"_s,
+                                    .text = tr("Remove sequence"),
+                                    .accessible = tr("Remove this sequence with its rows")},
+                                   box, [this] {
+                                       edit(tr("Remove sequence"), [name = sequence()](Program& program) {
+                                           std::erase_if(program.sequences,
+                                                         [&](const Sequence& s) { return s.name == name; });
+                                       });
+                                   });
+    m_rowTable = newTable(m_rows, u"rowTable"_s, tr("Rows of the sequence"), box);
+    m_rowTable->setItemDelegate(new RowDelegate(this));
+    m_rowTable->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                                QAbstractItemView::AnyKeyPressed);
+    m_rowTable->setToolTip(tr("A double click or F2 changes what stands in a cell."));
+    m_state = new QLabel(box);
+    m_state->setObjectName(u"sequenceStateLabel"_s);
+    m_state->setWordWrap(true);
+    m_foresight = look::newMutedLabel({}, box);
+    m_foresight->setObjectName(u"dryRunLabel"_s);
+    m_foresight->setWordWrap(true);
+    m_foresight->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* result = m_foresightArea = new QScrollArea(box);
+    look::name(result, u"dryRunArea"_s, tr("Result of the dry run"));
+    result->setWidget(m_foresight);
+    result->setWidgetResizable(true);
+    result->setFrameShape(QFrame::NoFrame);
+    result->setMaximumHeight(fontMetrics().height() * 6);
+    result->hide();
+    m_foresight->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+
+    auto* layout = new QVBoxLayout(box);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_sequence, 1);
+    head->addWidget(m_sequenceName, 1);
+    head->addWidget(m_newSequence->button());
+    head->addWidget(m_removeSequence->button());
+    layout->addLayout(head);
+    layout->addWidget(m_rowTable, 1);
+    layout->addWidget(buildRowButtons(box));
+    layout->addWidget(buildRunButtons(box));
+    layout->addWidget(m_state);
+    layout->addWidget(result);
+    connect(m_sequence, &QComboBox::currentIndexChanged, this, &SequencesPage::showProgram);
+    connect(m_sequenceName, &QLineEdit::editingFinished, this, [this] {
+        const std::string from = sequence();
+        const std::string to = m_sequenceName->text().simplified().toStdString();
+        if (from.empty() || to.empty() || from == to || m_program.sequence(to) != nullptr)
+            return m_sequenceName->setText(QString::fromStdString(from));
+        edit(tr("Rename sequence"), [&](Program& program) { renameSequence(program, from, to); });
+        m_sequence->setCurrentText(QString::fromStdString(to));
+    });
+    connect(m_rowTable->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        refreshRows();
+        refreshRun();
+    });
+    return box;
+}
+
+QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
+    const auto newCommand = [box](const QString& name, const QString& icon, const QString& text,
+                                  const QString& sentence, const std::function<void()>& act,
+                                  const QKeySequence& key = {}) {
+        return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence, .key = key},
+                           box, act);
+    };
+    m_addRow =
+        newCommand(u"addRowButton"_s, {}, tr("Add row"), tr("Add a row behind the chosen one"), [this] {
+            const std::size_t at = chosenRow() ? *chosenRow() + 1 : m_rows->rows().size();
+            editRows(tr("Add row"), [&](Sequence& sequence) { insertRow(sequence, at, m_rows->newRow()); });
+            m_rowTable->selectRow(static_cast<int>(at));
+        });
+    m_duplicateRow =
+        newCommand(u"duplicateRowButton"_s, {}, tr("Duplicate"), tr("Duplicate the chosen row"), [this] {
+            const std::size_t row = *chosenRow();
+            editRows(tr("Duplicate row"), [&](Sequence& sequence) {
+                const Action copy = sequence.rows[row];
+                insertRow(sequence, row + 1, copy);
+            });
+            m_rowTable->selectRow(static_cast<int>(row) + 1);
+        });
+    m_removeRow =
+        newCommand(u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove the chosen row"), [this] {
+            editRows(tr("Remove row"),
+                     [row = *chosenRow()](Sequence& sequence) { removeRow(sequence, row); });
+        });
+    m_rowUp = newCommand(
+        u"rowUpButton"_s, {}, tr("Up"), tr("Move the chosen row up"), [this] { moveRow(-1); },
+        Qt::CTRL | Qt::SHIFT | Qt::Key_Up);
+    m_rowDown = newCommand(
+        u"rowDownButton"_s, {}, tr("Down"), tr("Move the chosen row down"), [this] { moveRow(1); },
+        Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
+    m_undo = newCommand(
+        u"undoEditButton"_s, u"arrow-back-up"_s, tr("Undo"),
+        tr("Undo the last change of points and sequences"), [this] { m_edits.undo(); },
+        Qt::CTRL | Qt::ALT | Qt::Key_Z);
+    m_redo = newCommand(
+        u"redoEditButton"_s, u"arrow-forward-up"_s, tr("Redo"),
+        tr("Redo what was undone of points and sequences"), [this] { m_edits.redo(); },
+        Qt::CTRL | Qt::ALT | Qt::Key_Y);
+    auto* row = new QWidget(box);
+    auto* layout = inARow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
+    layout->setContentsMargins(0, 0, 0, 0);
+    row->setLayout(layout);
+    return row;
+}
+
+QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
+    const auto newCommand = [box](const QString& name, const QString& icon, const QString& text,
+                                  const QString& sentence, const std::function<void()>& act) {
+        return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence}, box, act);
+    };
+    m_foresee = newCommand(u"dryRunButton"_s, u"wand"_s, tr("Dry run"),
+                           tr("Foresee the sequence on a simulated copy; nothing moves"), [this] {
+                               if (m_foreseeing) {
+                                   m_foreseeing = false;
+                                   showForesightText({});
+                                   emit foresightDropped();
+                               } else {
+                                   m_foreseeing = true;
+                                   showForesightText(tr("Dry run…"));
+                                   emit foresightRequested(sequence(), 0);
+                               }
+                               refreshRun();
+                           });
+    m_start = newCommand(u"runSequenceButton"_s, u"player-play"_s, tr("Run"), tr("Run the sequence"),
+                         [this] { start(0, false); });
+    m_startHere =
+        newCommand(u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
+                   tr("Run the sequence from the chosen row on"), [this] { start(*chosenRow(), false); });
+    m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, tr("Pause"),
+                         tr("Pause the sequence behind its row"), [this] {
+                             if (m_run->stage == SequenceStage::Paused)
+                                 emit resumeRequested();
+                             else
+                                 emit pauseRequested();
+                         });
+    m_step = newCommand(u"stepSequenceButton"_s, u"arrow-right"_s, tr("Single step"),
+                        tr("Run one row of the sequence"), [this] {
+                            if (running())
+                                emit stepRequested();
+                            else
+                                start(chosenRow().value_or(0), true);
+                        });
+    m_stop = newCommand(u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"),
+                        tr("Stop the sequence and its motors"), [this] { emit stopRequested(); });
+    auto* row = new QWidget(box);
+    auto* layout = inARow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
+    layout->setContentsMargins(0, 0, 0, 0);
+    row->setLayout(layout);
+    return row;
+}
+
+// ---- edits ----
+
+void SequencesPage::edit(const QString& what, const std::function<void(Program&)>& change) {
+    Program edited = m_program;
+    change(edited);
+    if (edited != m_program && !contradiction(edited))
+        m_edits.push(new Edit(*this, what, m_program, std::move(edited)));
+}
+
+void SequencesPage::editRows(const QString& what, const std::function<void(Sequence&)>& change) {
+    edit(what, [&](Program& program) {
+        const auto found = std::ranges::find(program.sequences, sequence(), &Sequence::name);
+        if (found != program.sequences.end())
+            change(*found);
+    });
+}
+
+void SequencesPage::put(const Program& program) {
+    m_program = program;
+    m_machine.program = program;
+    showProgram();
+    emit programEdited(program);
+}
+
+void SequencesPage::teach() {
+    const std::string name = m_pointName->text().simplified().toStdString();
+    const std::vector<PointAxis> taught = nmc::teach(chosenAxes(), m_link.modules);
+    edit(tr("Teach point"), [&](Program& program) {
+        const auto known = std::ranges::find(program.points, name, &Point::name);
+        if (known != program.points.end())
+            known->axes = taught;
+        else
+            program.points.push_back({name, taught});
+    });
+}
+
+void SequencesPage::moveRow(int by) {
+    const int to = static_cast<int>(*chosenRow()) + by;
+    editRows(tr("Move row"), [&](Sequence& sequence) {
+        std::ignore = nmc::moveRow(sequence, *chosenRow(), static_cast<std::size_t>(to));
+    });
+    m_rowTable->selectRow(to);
+}
+
+void SequencesPage::start(std::size_t row, bool singleStep) {
+    emit startRequested(sequence(), row, singleStep);
+}
+
+// ---- what is shown ----
+
+void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
+    m_link = link;
+    const bool another = machine.program != m_program;
+    m_machine = machine;
+    if (another) {
+        // Of another file: what was done to the one before cannot be undone in it.
+        m_program = machine.program;
+        m_edits.clear();
+    }
+    showAxes();
+    showProgram();
+}
+
+void SequencesPage::showRun(const SequenceReport& report) {
+    m_run = report;
+    const bool shown = !report.places.empty() && report.places.front().sequence == sequence();
+    m_rows->markRow(shown && report.stage != SequenceStage::Done ? std::optional(report.places.front().row)
+                                                                 : std::nullopt);
+    refresh();
+}
+
+void SequencesPage::showForesight(const DryRun& dryRun) {
+    m_foreseeing = false;
+    showForesightText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
+    refreshRun();
+}
+
+/// It takes room only where there is something to be read.
+void SequencesPage::showForesightText(const QString& text) {
+    m_foresight->setText(text);
+    m_foresightArea->setVisible(!text.isEmpty());
+}
+
+void SequencesPage::showProgram() {
+    QStringList names;
+    for (const Sequence& sequence : m_program.sequences)
+        names << QString::fromStdString(sequence.name);
+    QStringList shown;
+    for (int i = 0; i < m_sequence->count(); ++i)
+        shown << m_sequence->itemText(i);
+    if (names != shown) {
+        const QSignalBlocker blocker(m_sequence);
+        const QString chosen = m_sequence->currentText();
+        const int place = m_sequence->currentIndex();
+        m_sequence->clear();
+        m_sequence->addItems(names);
+        // One that got another name is still at its place.
+        const int found = static_cast<int>(names.indexOf(chosen));
+        m_sequence->setCurrentIndex(found >= 0 ? found : qMin(place, static_cast<int>(names.size()) - 1));
+        if (m_sequence->currentIndex() < 0 && !names.isEmpty())
+            m_sequence->setCurrentIndex(0);
+    }
+    if (!m_sequenceName->hasFocus())
+        m_sequenceName->setText(m_sequence->currentText());
+    m_points->showPoints(m_program.points, [this](ModuleIndex module) { return scaleOf(module); });
+    const auto modules = static_cast<int>(std::max(m_link.modules.size(), m_machine.axes.size()));
+    m_rows->showRows(m_program, sequence(), modules);
+    refresh();
+}
+
+void SequencesPage::showAxes() {
+    const QSignalBlocker blocker(m_axes);
+    const auto modules = static_cast<int>(m_link.modules.size());
+    while (m_axes->count() > modules)
+        delete m_axes->takeItem(m_axes->count() - 1);
+    for (int i = 0; i < modules; ++i) {
+        const QString name = texts::moduleName(m_link.modules[static_cast<std::size_t>(i)].info.index);
+        if (i == m_axes->count()) {
+            auto* item = new QListWidgetItem(name, m_axes);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+            item->setCheckState(Qt::Checked);
+        } else if (m_axes->item(i)->text() != name) {
+            m_axes->item(i)->setText(name);
+        }
+    }
+}
+
+void SequencesPage::refresh() {
+    refreshPoints();
+    refreshRows();
+    refreshRun();
+}
+
+QString SequencesPage::whyNotTaught() const {
+    if (m_link.phase != LinkPhase::Connected)
+        return texts::refusal(Refusal::NotConnected);
+    if (m_pointName->text().simplified().isEmpty())
+        return tr("Give the point a name first.");
+    if (chosenAxes().empty())
+        return tr("Tick at least one axis.");
+    for (const ModuleIndex axis : chosenAxes())
+        if (nmc::teach({axis}, m_link.modules).empty())
+            return tr("%1: %2").arg(texts::moduleName(axis), texts::refusal(Refusal::PositionUnknown));
+    return {};
+}
+
+void SequencesPage::refreshPoints() {
+    m_teach->setPossible(
+        whyNotTaught(),
+        tr("Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name "
+           "already gets the new places."));
+    const Point* point = chosenPoint();
+    const QString none = tr("Choose a point in the table.");
+    QString reason = none;
+    QString used = none;
+    if (point != nullptr) {
+        reason = whyNotStarted(kMoveToPoint, 0, withMoveTo(m_machine, point->name));
+        const auto user = userOfPoint(m_program, point->name);
+        used = user ? tr("Row %1 of \"%2\" moves to it.")
+                          .arg(user->row + 1)
+                          .arg(QString::fromStdString(user->sequence))
+                    : QString();
+    }
+    m_goTo->setPossible(reason, tr("Moves all axes of this point there at once, each at its own velocity."));
+    m_removePoint->setPossible(used, tr("Removes this point; nothing moves."));
+}
+
+void SequencesPage::refreshRows() {
+    const std::optional<std::size_t> row = chosenRow();
+    const bool any = m_sequence->currentIndex() >= 0;
+    const QString noSequence = any ? QString() : tr("There is no sequence yet.");
+    const QString noRow = row ? QString() : tr("Choose a row in the table.");
+    m_sequenceName->setEnabled(any);
+    m_newSequence->setPossible({}, tr("Adds an empty sequence."));
+    const auto caller = userOfSequence(m_program, sequence());
+    m_removeSequence->setPossible(!any     ? noSequence
+                                  : caller ? tr("Row %1 of \"%2\" calls it.")
+                                                 .arg(caller->row + 1)
+                                                 .arg(QString::fromStdString(caller->sequence))
+                                           : QString(),
+                                  tr("Removes this sequence with its rows."));
+    m_addRow->setPossible(noSequence, tr("Adds a row behind the chosen one, or at the end."));
+    m_duplicateRow->setPossible(noRow, tr("Adds the same row again behind it."));
+    m_removeRow->setPossible(noRow, tr("Removes this row."));
+    const auto whyNotMoved = [&](int by) {
+        if (!row)
+            return noRow;
+        const int to = static_cast<int>(*row) + by;
+        Sequence tried = *m_program.sequence(sequence());
+        if (to < 0 || to >= m_rows->rowCount() || !nmc::moveRow(tried, *row, static_cast<std::size_t>(to)))
+            return tr("It cannot go any farther: a repeat stays below the row that it goes back to.");
+        return QString();
+    };
+    m_rowUp->setPossible(whyNotMoved(-1), tr("Moves this row up."));
+    m_rowDown->setPossible(whyNotMoved(1), tr("Moves this row down."));
+    m_undo->setPossible(m_edits.canUndo() ? QString() : tr("There is nothing to undo."),
+                        tr("Undoes: %1").arg(m_edits.undoText()));
+    m_redo->setPossible(m_edits.canRedo() ? QString() : tr("There is nothing to redo."),
+                        tr("Does again: %1").arg(m_edits.redoText()));
+}
+
+QString SequencesPage::whyNotStarted(const std::string& sequence, std::size_t row,
+                                     const Machine& machine) const {
+    if (running())
+        return tr("A sequence runs already.");
+    if (m_link.phase != LinkPhase::Connected)
+        return texts::refusal(Refusal::NotConnected);
+    if (sequence.empty())
+        return tr("There is no sequence yet.");
+    const auto problems = nmc::whyNotRun(sequence, row, machine, m_link.modules);
+    return problems.empty() ? QString() : texts::sequenceProblem(problems.front());
+}
+
+void SequencesPage::refreshRun() {
+    const QString name = QString::fromStdString(sequence());
+    m_start->setPossible(whyNotStarted(sequence(), 0, m_machine),
+                         tr("Runs \"%1\" from its first row.").arg(name));
+    m_startHere->setPossible(
+        chosenRow() ? whyNotStarted(sequence(), *chosenRow(), m_machine) : tr("Choose a row in the table."),
+        tr("Runs \"%1\" from the chosen row on. Possible where the axes stand as the rows above leave them.")
+            .arg(name));
+    const QString nothing = running() ? QString() : tr("No sequence runs.");
+    const bool paused = running() && m_run->stage == SequenceStage::Paused;
+    m_pause->setText(paused ? tr("Go on") : tr("Pause"));
+    m_pause->setPossible(nothing, paused ? tr("Goes on where it has paused.")
+                                         : tr("Finishes the row that is under way, then waits."));
+    m_step->setPossible(running() && !paused ? tr("It runs. Pause it first.")
+                        : paused             ? QString()
+                                             : whyNotStarted(sequence(), chosenRow().value_or(0), m_machine),
+                        tr("Runs one row, then waits. The first one is the chosen row."));
+    m_stop->setPossible(nothing, tr("Ends the sequence and stops its motors smoothly."));
+    m_foresee->setText(m_foreseeing ? tr("End dry run") : tr("Dry run"));
+    m_foresee->setPossible(
+        m_link.phase != LinkPhase::Connected ? texts::refusal(Refusal::NotConnected)
+        : name.isEmpty()                     ? tr("There is no sequence yet.")
+                                             : QString(),
+        tr("Shows how long the sequence takes, where each axis goes and what would be refused, "
+           "on a simulated copy. Nothing moves."));
+    look::setText(m_state, m_run ? texts::sequenceState(*m_run) : QString());
+}
+
+// ---- what is chosen ----
+
+std::vector<ModuleIndex> SequencesPage::chosenAxes() const {
+    std::vector<ModuleIndex> axes;
+    for (int i = 0; i < m_axes->count(); ++i)
+        if (m_axes->item(i)->checkState() == Qt::Checked)
+            axes.emplace_back(static_cast<std::uint8_t>(i));
+    return axes;
+}
+
+std::string SequencesPage::sequence() const {
+    return m_sequence->currentText().toStdString();
+}
+
+const Point* SequencesPage::chosenPoint() const {
+    const QModelIndexList rows = m_pointTable->selectionModel()->selectedRows();
+    const bool any = !rows.isEmpty() && rows.front().row() < static_cast<int>(m_program.points.size());
+    return any ? &m_program.points[static_cast<std::size_t>(rows.front().row())] : nullptr;
+}
+
+std::optional<std::size_t> SequencesPage::chosenRow() const {
+    const QModelIndexList rows = m_rowTable->selectionModel()->selectedRows();
+    if (rows.isEmpty() || rows.front().row() >= m_rows->rowCount())
+        return std::nullopt;
+    return static_cast<std::size_t>(rows.front().row());
+}
+
+AxisScale SequencesPage::scaleOf(ModuleIndex module) const {
+    const AxisSettings& axis = m_machine.axis(module);
+    if (module.value() < m_link.modules.size())
+        return nmc::scaleOf(m_link.modules[module.value()], axis);
+    const bool steps = axis.expected && axis.expected->type == ModuleType::Step;
+    return steps ? AxisScale::step(axis.unit) : AxisScale::servo(axis.unit, 1);
+}
+
+}  // namespace nmc

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QUndoStack>
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "link/dryrun/dryrun.h"
+#include "model/module/linkstate.h"
+#include "model/sequence/sequencerun.h"
+#include "model/settings/machine.h"
+
+class QComboBox;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QScrollArea;
+class QTableView;
+
+namespace nmc {
+
+class Command;
+class PointsModel;
+class RowsModel;
+
+/// Points and sequences: taught, edited, foreseen and run. Values in, wishes out; what is edited is one step
+/// to be undone each.
+class SequencesPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SequencesPage(QWidget* parent = nullptr);
+
+    void showSession(const LinkState& link, const Machine& machine);
+    void showRun(const SequenceReport& report);
+    void showForesight(const DryRun& dryRun);
+
+signals:
+    void programEdited(const nmc::Program& program);
+    void goToRequested(const std::string& point);
+    void startRequested(const std::string& sequence, std::size_t row, bool singleStep);
+    void pauseRequested();
+    void resumeRequested();
+    void stepRequested();
+    void stopRequested();
+    void foresightRequested(const std::string& sequence, std::size_t row);
+    void foresightDropped();
+
+private:
+    class Edit;
+    [[nodiscard]] QWidget* buildPoints();
+    [[nodiscard]] QWidget* buildSequences();
+    [[nodiscard]] QWidget* buildRowButtons(QGroupBox* box);
+    [[nodiscard]] QWidget* buildRunButtons(QGroupBox* box);
+
+    void edit(const QString& what, const std::function<void(Program&)>& change);
+    void editRows(const QString& what, const std::function<void(Sequence&)>& change);
+    void put(const Program& program);
+    void showForesightText(const QString& text);
+    void showProgram();
+    void showAxes();
+    void refresh();
+    void refreshPoints();
+    void refreshRows();
+    void refreshRun();
+
+    void teach();
+    void start(std::size_t row, bool singleStep);
+    void moveRow(int by);
+    [[nodiscard]] std::vector<ModuleIndex> chosenAxes() const;
+    [[nodiscard]] std::string sequence() const;
+    [[nodiscard]] const Point* chosenPoint() const;
+    [[nodiscard]] std::optional<std::size_t> chosenRow() const;
+    [[nodiscard]] bool running() const { return m_run && !m_run->over(); }
+    [[nodiscard]] AxisScale scaleOf(ModuleIndex module) const;
+    [[nodiscard]] QString whyNotStarted(const std::string& sequence, std::size_t row,
+                                        const Machine& machine) const;
+    [[nodiscard]] QString whyNotTaught() const;
+
+    LinkState m_link;
+    Machine m_machine;
+    Program m_program;
+    std::optional<SequenceReport> m_run;
+    bool m_foreseeing = false;
+    QUndoStack m_edits;
+
+    PointsModel* m_points;
+    RowsModel* m_rows;
+    QTableView* m_pointTable = nullptr;
+    QTableView* m_rowTable = nullptr;
+    QLineEdit* m_pointName = nullptr;
+    QListWidget* m_axes = nullptr;
+    QComboBox* m_sequence = nullptr;
+    QLineEdit* m_sequenceName = nullptr;
+    QLabel* m_state = nullptr;
+    QLabel* m_foresight = nullptr;
+    QScrollArea* m_foresightArea = nullptr;
+    Command* m_teach = nullptr;
+    Command* m_goTo = nullptr;
+    Command* m_removePoint = nullptr;
+    Command* m_newSequence = nullptr;
+    Command* m_removeSequence = nullptr;
+    Command* m_addRow = nullptr;
+    Command* m_removeRow = nullptr;
+    Command* m_duplicateRow = nullptr;
+    Command* m_rowUp = nullptr;
+    Command* m_rowDown = nullptr;
+    Command* m_undo = nullptr;
+    Command* m_redo = nullptr;
+    Command* m_start = nullptr;
+    Command* m_startHere = nullptr;
+    Command* m_pause = nullptr;
+    Command* m_step = nullptr;
+    Command* m_stop = nullptr;
+    Command* m_foresee = nullptr;
+};
+
+}  // namespace nmc
