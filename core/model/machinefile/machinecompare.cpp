@@ -21,9 +21,9 @@ constexpr MachinePart kAxisParts[] = {MachinePart::AxisName,   MachinePart::Unit
                                       MachinePart::Analog,     MachinePart::PinNames,
                                       MachinePart::Gains,      MachinePart::Io,
                                       MachinePart::Parameters, MachinePart::AccelerationTime};
-constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups,
-                                         MachinePart::Program, MachinePart::HomeOrder,
-                                          MachinePart::OperatorRights};
+constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate,
+                                         MachinePart::Groups,      MachinePart::Program,
+                                         MachinePart::HomeOrder,   MachinePart::OperatorRights};
 
 bool isSent(MachinePart part) {
     return part == MachinePart::Gains || part == MachinePart::Io || part == MachinePart::Parameters;
