@@ -35,6 +35,9 @@ void declareOptions(QCommandLineParser& parser) {
         CommandLine::tr("Control panel for Networked Modular Control motor modules."));
     QCommandLineOption benchmark(kQuitAfterFirstPaint);
     benchmark.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addPositionalArgument(QStringLiteral("file"),
+                                 CommandLine::tr("A machine file, opened at the start."),
+                                 QStringLiteral("[FILE]"));
     parser.addOptions({
         {kPort, CommandLine::tr("Connect to a serial port at once."), CommandLine::tr("NAME")},
         {kBaud, CommandLine::tr("Rate to run the chain at: 9600, 19200 (default), 57600 or 115200."),
@@ -56,12 +59,25 @@ void declareOptions(QCommandLineParser& parser) {
     });
 }
 
+/// Of what may be a chain or a file: there is such a file, and no such chain.
+bool isFile(const QString& argument) {
+    return !sim::parseChain(argument.toStdString()) && QFileInfo::exists(argument);
+}
+
 /// The library has no option with a value that may be left out.
-QStringList withSimulatorValue(QStringList arguments) {
-    for (QString& argument : arguments)
-        if (argument == QStringLiteral("--") + kSimulator)
-            argument += QLatin1Char('=') + QString::fromUtf8(sim::kDefaultChain);
-    return arguments;
+QStringList withSimulatorValue(const QStringList& arguments) {
+    QStringList all;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        QString argument = arguments[i];
+        if (argument == QStringLiteral("--") + kSimulator) {
+            const QString next = arguments.value(i + 1);
+            const bool given = !next.isEmpty() && !next.startsWith(QLatin1Char('-')) && !isFile(next);
+            argument += QLatin1Char('=') + (given ? next : QString::fromUtf8(sim::kDefaultChain));
+            i += given ? 1 : 0;
+        }
+        all << argument;
+    }
+    return all;
 }
 
 QString portTable(const QList<PortEntry>& ports) {
@@ -113,8 +129,8 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
         return Say{unknown.isEmpty() ? parser.errorText() : texts::unknownOption(unknown.first()),
                    kBadArguments};
     }
-    if (!parser.positionalArguments().isEmpty())
-        return Say{texts::unknownOption(parser.positionalArguments().first()), kBadArguments};
+    if (parser.positionalArguments().size() > 1)
+        return Say{texts::unknownOption(parser.positionalArguments().last()), kBadArguments};
     if (parser.isSet(kHelp))
         return Say{parser.helpText(), 0};
     if (parser.isSet(kVersion))
@@ -123,6 +139,8 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
         return Say{portTable(ports()), 0};
 
     Start start;
+    if (!parser.positionalArguments().isEmpty())
+        start.machine = parser.positionalArguments().first();
     start.quitAfterFirstPaint = parser.isSet(kQuitAfterFirstPaint);
     start.enableFaults = parser.isSet(kEnableFaults);
     if (parser.isSet(kBaud)) {

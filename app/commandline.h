@@ -21,6 +21,7 @@ struct Start {
     bool quitAfterFirstPaint = false;  ///< for the start-up benchmark
     bool enableFaults = false;         ///< the built-in simulator takes fault lines
     bool readOnly = false;             ///< with `port`: nothing is sent but questions
+    std::optional<QString> machine{};  ///< a machine file
 };
 
 /// Nothing to start: text for standard output, or for standard error when the exit code is not 0.

@@ -12,9 +12,15 @@
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
 #include "link/guardian/guardreport.h"
+#include "model/module/modulescale.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/words.h"
+#include "widgets/mainwindow/operatorlock.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 
 namespace nmc {
 
@@ -73,8 +79,13 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
       m_ports(std::move(places)),
       m_machine(settings, m_window, m_store, dataFolder, disk),
       m_recordings(m_window, m_store, disk),
-      m_motionMarker(markerFolder(dataFolder, settings), disk) {
+      m_motionMarker(markerFolder(dataFolder, settings), disk),
+      m_log(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("log"))),
+      m_positions(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("positions")), m_store,
+                  disk) {
     m_worker.addGuard(m_guardian);
+    keepMessages();
+    keepPositions();
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -102,6 +113,8 @@ void Composition::show(const Start& start) {
     tellOfSessionsBefore();
     checkSettings();
     m_machine.start();
+    if (start.machine)
+        m_machine.open(QFileInfo(*start.machine).absoluteFilePath());
     m_window.showPorts(m_ports.ports());
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
@@ -143,6 +156,10 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
     connect(&m_window, &MainWindow::holdRequested, this, &Composition::hold);
     wireChain();
+    OperatorLock& lock = m_window.operatorLock();
+    connect(&lock, &OperatorLock::rightsEdited, &m_machine, &MachineController::setOperatorRights);
+    connect(&lock, &OperatorLock::changed, &m_store, [this, &lock] { m_store.setRights(lock.rights()); });
+    m_store.setRights(lock.rights());
     wireSequences();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
@@ -158,6 +175,46 @@ void Composition::wireWindow() {
     // The end of the session: at once, while the program may still run, and without a question.
     connect(
         qApp, &QGuiApplication::commitDataRequest, this, [this] { stopAndQuit(); }, Qt::DirectConnection);
+}
+
+void Composition::keepMessages() {
+    MessagePanel& messages = m_window.messages();
+    const auto keep = [this, &messages](const QString& line) {
+        const QDateTime now = QDateTime::currentDateTime();
+        m_log.write(line.toStdString(), now);
+        messages.showLogFile(m_log.file(now));
+    };
+    connect(&messages.list(), &MessageList::told, this,
+            [keep](const MessageEntry& entry) { keep(messageLine(entry)); });
+    connect(&messages.list(), &MessageList::ended, this,
+            [keep](const MessageEntry& entry) { keep(overLine(entry)); });
+    connect(&m_log, &DayLog::failed, this, [this, &messages](const FileError& error) {
+        m_messages.tell(texts::messagesNotKept(error));
+        messages.showLogFile({});
+    });
+    messages.showLogFile(m_log.file(QDateTime::currentDateTime()));
+}
+
+void Composition::keepPositions() {
+    connect(&m_store, &BusStore::linkChanged, &m_positions, &PositionKeeper::look);
+    connect(&m_positions, &PositionKeeper::offered, this, [this](const PositionMemory::Offer& offer) {
+        const ModuleState* module = m_store.module(offer.module);
+        m_messages.tell(
+            texts::positionRemembered(offer, scaleOf(*module, m_machine.machine().axis(offer.module))));
+    });
+    connect(&m_positions, &PositionKeeper::over, this,
+            [this](ModuleIndex module) { m_messages.end(texts::key::position(module)); });
+}
+
+/// As a search that finds it would, which may not be left to who stands there.
+void Composition::takePosition(ModuleIndex module) {
+    const ModuleState* state = m_store.module(module);
+    if (state == nullptr)
+        return;
+    if (const auto refusal = whyNotTold(Request::SaveAsHome, *state))
+        m_messages.tellOf(texts::notPossible(module, texts::refusal(*refusal)));
+    else
+        m_store.takeHome(module);
 }
 
 void Composition::wireStore() {
@@ -220,6 +277,8 @@ void Composition::openNow(const ConnectTarget& target) {
     }
     m_messages.end(texts::key::port());
     m_motionMarker.begin(port, target.baud, !isSimulator(port) && !target.readOnly);
+    m_positions.begin(port, QString::fromStdString(m_machine.machine().name),
+                      !isSimulator(port) && !target.readOnly);
     m_store.begin(port, isSimulator(port), target.baud, target.readOnly);
     m_window.beginPackets(packetSession(port));
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
@@ -284,6 +343,10 @@ void Composition::act(const Message& message, MessageAction action) {
             carryOut(*message.module, intent::MotorOff{});
             carryOut(*message.module, intent::ClearStickyBits{});
             return;  // over when it is
+        case MessageAction::TakePosition:
+            return takePosition(*message.module);  // over when it is taken
+        case MessageAction::ForgetPosition:
+            return m_store.dropHome(*message.module);  // likewise
         case MessageAction::RestoreWork:
             m_machine.restoreWork();
             break;

@@ -18,6 +18,7 @@
 #include "app/messagecontroller.h"
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
+#include "app/positionkeeper.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
 #include "app/sequencecontroller.h"
@@ -25,6 +26,7 @@
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
 #include "link/connection/sleepinhibitor.h"
+#include "link/files/daylog.h"
 #include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -73,6 +75,10 @@ private:
     void wireChain();
     void wireSequences();
     void wireStore();
+    /// What is told outlives the session.
+    void keepMessages();
+    void keepPositions();
+    void takePosition(ModuleIndex module);
     void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
     void connectAnyway(const ConnectTarget& target);
@@ -161,6 +167,8 @@ private:
     RecordingController m_recordings;
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
+    DayLog m_log;
+    PositionKeeper m_positions;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;

@@ -18,6 +18,7 @@ void Composition::wireChain() {
         m_machine.noteGroup(change);
     };
     connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
+    connect(&chain, &ChainMenu::groupNamed, &m_machine, &MachineController::nameGroup);
     connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
     connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
         const bus::OperationId id(++m_lastOperation);

@@ -47,6 +47,7 @@ void Composition::told(const bus::OwedStopConfirmed& confirmed) {
 void Composition::told(const bus::ChainFound& found) {
     m_messages.chainFound();
     m_motionMarker.found(monotonicNow());
+    m_positions.found(found);
     if (m_troublePort == m_target->port) {
         m_troublePort.reset();
         m_messages.end(texts::key::gone());
@@ -114,6 +115,7 @@ void Composition::told(const bus::HealthChanged& changed) {
 }
 
 void Composition::told(const bus::Readdressed& readdressed) {
+    m_positions.restarted(readdressed.module.index);
     m_messages.end(texts::key::unaddressed());
     m_messages.tell(texts::readdressed(readdressed));
 }

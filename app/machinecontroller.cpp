@@ -111,6 +111,16 @@ void MachineController::noteGroup(const bus::GroupChange& change) {
     changed();
 }
 
+void MachineController::nameGroup(quint8 group, const QString& name) {
+    nmc::nameGroup(m_machine, group, name.toStdString());
+    changed();
+}
+
+void MachineController::setOperatorRights(const OperatorRights& rights) {
+    m_machine.operatorRights = rights;
+    changed();
+}
+
 void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
     if (m_machine.axes.size() < there.size())
         m_machine.axes.resize(there.size());

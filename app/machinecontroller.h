@@ -39,6 +39,8 @@ public:
     void noteSent(ModuleIndex module, const Intent& intent);
     /// The user has put a module into another group, or out of all.
     void noteGroup(const bus::GroupChange& change);
+    void nameGroup(quint8 group, const QString& name);
+    void setOperatorRights(const OperatorRights& rights);
     /// These modules are the expected ones from now on.
     void acceptChain(const std::vector<ModuleIdentity>& there);
     /// What an earlier session has left.

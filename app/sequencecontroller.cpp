@@ -11,6 +11,19 @@ namespace nmc {
 
 namespace {
 constexpr int kIntervalMs = 50;
+
+/// Where points and sequences are left to an operator, what they consist of is, too.
+ModuleState asOfSequence(ModuleState module) {
+    if (module.rights && module.rights->points)
+        module.rights.reset();
+    return module;
+}
+
+std::vector<ModuleState> asOfSequence(std::vector<ModuleState> modules) {
+    for (ModuleState& module : modules)
+        module = asOfSequence(std::move(module));
+    return modules;
+}
 }  // namespace
 
 SequenceController::SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
@@ -45,7 +58,9 @@ void SequenceController::begin(Machine machine, const std::string& sequence, std
     if (running())
         return;
     const LinkState& link = m_store.link();
-    auto problems = whyNotRun(sequence, row, machine, link.modules);
+    // Homing has a right of its own.
+    auto problems =
+        whyNotRun(sequence, row, machine, sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
     if (link.phase != LinkPhase::Connected)
         problems = {{.kind = SequenceProblem::Kind::Refused,
                      .sequence = sequence,
@@ -114,7 +129,7 @@ void SequenceController::look() {
 void SequenceController::advance() {
     if (!running())
         return;
-    SequenceRun::Next next = m_run->next(m_store.link().modules, monotonicNow());
+    SequenceRun::Next next = m_run->next(asOfSequence(m_store.link().modules), monotonicNow());
     if (auto* send = std::get_if<SequenceRun::Send>(&next))
         for (std::vector<bus::Step>& steps : send->operations)
             m_operations.push_back(m_submit(std::move(steps)));
@@ -129,8 +144,9 @@ void SequenceController::obey(const SequenceRun::Ask& ask) {
     if (std::holds_alternative<intent::CancelProcedure>(ask.intent))
         return m_procedures.cancel(ask.module);
     const ModuleState* module = m_store.module(ask.module);
-    const auto refusal = module != nullptr ? plan(ask.intent, *module) : tl::unexpected(Refusal::Silent);
-    auto procedure = refusal ? procedureFor(ask.intent, *module) : nullptr;
+    const auto refusal =
+        module != nullptr ? plan(ask.intent, asOfSequence(*module)) : tl::unexpected(Refusal::Silent);
+    auto procedure = refusal ? procedureFor(ask.intent, asOfSequence(*module)) : nullptr;
     if (!procedure || !m_procedures.begin(std::move(procedure)))
         m_run->onNotBegun(ask.module, refusal ? Refusal::Moving : refusal.error());
 }
@@ -173,9 +189,9 @@ void SequenceController::foresee(const Machine& machine, const std::string& sequ
     m_foresight.cancel();
     m_foreseen = std::make_shared<DryRun>();
     const LinkState& link = m_store.link();
-    m_foresight.start(
-        [result = m_foreseen, start = DryRunStart{machine, link.modules, sequence, row, link.baud}](
-            const BackgroundJob::Cancelled& cancelled) { *result = dryRun(start, cancelled); });
+    m_foresight.start([result = m_foreseen,
+                       start = DryRunStart{machine, asOfSequence(link.modules), sequence, row, link.baud}](
+                          const BackgroundJob::Cancelled& cancelled) { *result = dryRun(start, cancelled); });
 }
 
 }  // namespace nmc

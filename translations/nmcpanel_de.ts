@@ -162,6 +162,10 @@
         <source>With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.</source>
         <translation>Mit --port oder --simulator: nur ansehen. Außer Fragen wird nichts gesendet, und Schließen lässt Motoren, wie sie sind; ALLES STOPP wirkt.</translation>
     </message>
+    <message>
+        <source>A machine file, opened at the start.</source>
+        <translation>Eine Maschinendatei, die beim Start geöffnet wird.</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -312,6 +316,18 @@
         <source>What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.</source>
         <translation>Was der Chip zuletzt erfasst oder gespeichert hat, so wie er damals zählte: Auch ein Endschalter-Stopp schreibt es, und Hier nullen lässt es, wie es ist. Zur Referenz richtet sich nicht danach.</translation>
     </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>Referenz: %1, nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: it was taken from where the axis was seen last, %2 min ago. A search verifies it.</source>
+        <translation>Die Referenz ist bei %1, nicht bestätigt: Sie wurde vor %2 min daraus übernommen, wo die Achse zuletzt gesehen wurde. Eine Suche bestätigt sie.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. The position was declared right %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min für richtig erklärt.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -386,6 +402,21 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>&amp;Find a command…</source>
         <translation>Befehl &amp;finden…</translation>
+    </message>
+</context>
+<context>
+    <name>MessageLines</name>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>over at %1</source>
+        <translation>vorbei um %1</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>Vorbei: %1</translation>
     </message>
 </context>
 <context>
@@ -3259,6 +3290,74 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt: %1 waren in Bewegung.</translation>
     </message>
     <message>
+        <source>Left to the operator</source>
+        <translation>Dem Bediener überlassen</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Fahrten</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>Module %1 stood %2 from home when it was seen last.</source>
+        <translation>Modul %1 stand %2 von der Referenz entfernt, als es zuletzt gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>That was on %1; a search had found that home. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <translation>Das war am %1; die Referenz hatte eine Suche gefunden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+    </message>
+    <message>
+        <source>That was on %1; that home had been saved. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.</source>
+        <translation>Das war am %1; die Referenz war gespeichert worden. Hat seither nichts die Achse bewegt, kann sie daraus übernommen werden: nicht bestätigt, bis eine Suche sie findet.</translation>
+    </message>
+    <message>
+        <source>Take home from that</source>
+        <translation>Referenz daraus übernehmen</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Messages are not kept beyond this session.</source>
+        <translation>Meldungen werden nicht über diese Sitzung hinaus aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Everything else works; the list of messages has an export.</source>
+        <translation>%1 kann nicht geschrieben werden. Alles andere geht; die Liste der Meldungen lässt sich exportieren.</translation>
+    </message>
+    <message>
+        <source>Limit %1 of module %2 stopped its motor.</source>
+        <translation>Endschalter %1 von Modul %2 hat seinen Motor angehalten.</translation>
+    </message>
+    <message>
+        <source>The E-stop input of module %1 is active: its motor is on, and does not move.</source>
+        <translation>Der E-Stop-Eingang von Modul %1 ist aktiv: Sein Motor ist an und bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Release the input; nothing moves by that.</source>
+        <translation>Geben Sie den Eingang frei; dadurch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>The panel is in operator mode, and this is not left to the operator.</source>
+        <translation>Das Programm ist im Bedienermodus, und dies ist dem Bediener nicht überlassen.</translation>
+    </message>
+    <message>
         <source>A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.</source>
         <translation>Eine Trapezfahrt wird zuerst geladen und dann mit „Starten“ gestartet, damit ein gestörter Ladebefehl nie etwas bewegt.</translation>
     </message>
@@ -3289,10 +3388,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>a repeat goes back to a row above it.</source>
         <translation>eine Wiederholung springt zu einer Zeile über ihr zurück.</translation>
-    </message>
-    <message>
-        <source>Points and sequences</source>
-        <translation>Punkte und Abläufe</translation>
     </message>
     <message>
         <source>Order of Home all</source>
@@ -3593,6 +3688,161 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motors were the simulator&apos;s; yours may take longer.</source>
         <translation>Die Motoren waren die des Simulators; Ihre können länger brauchen.</translation>
+    </message>
+    <message>
+        <source>the lowest position of travel is not below the highest.</source>
+        <translation>die tiefste Position des Fahrwegs liegt nicht unter der höchsten.</translation>
+    </message>
+    <message>
+        <source>Limits of travel and speed</source>
+        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Endschalter-Stopp</translation>
+    </message>
+    <message>
+        <source>Lowest position, from home</source>
+        <translation>Tiefste Position, ab Referenz</translation>
+    </message>
+    <message>
+        <source>Highest position, from home</source>
+        <translation>Höchste Position, ab Referenz</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Distance beyond the goal</source>
+        <translation>Weg über das Ziel hinaus</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Armed for each motion</source>
+        <translation>Für jede Bewegung scharf</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: no home within its limits of travel, nor where home was.</source>
+        <translation>%1 wurde angehalten: keine Referenz innerhalb der Fahrweggrenzen, auch nicht dort, wo sie war.</translation>
+    </message>
+    <message>
+        <source>Check the switch and its cable, and the direction of the search. If the position is wrong, say so on the page Axis (Position in doubt): the search then goes by its own travel limit.</source>
+        <translation>Schalter, Kabel und Suchrichtung prüfen. Stimmt die Position nicht, das auf der Seite Achse angeben (Position zweifelhaft): Dann gilt für die Suche nur ihre eigene Weggrenze.</translation>
+    </message>
+    <message>
+        <source>Taking up backlash</source>
+        <translation>Spiel wird herausgefahren</translation>
+    </message>
+    <message>
+        <source>The way on leads beyond the limits of travel. The motor was stopped.</source>
+        <translation>Der weitere Weg führt über die Fahrweggrenzen hinaus. Der Motor wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Module %1 was told to stop: it was about to leave its limits of travel.</source>
+        <translation>Modul %1 wurde zum Anhalten aufgefordert: Es war im Begriff, seine Fahrweggrenzen zu verlassen.</translation>
+    </message>
+    <message>
+        <source>The chip does not end this kind of motion by itself, so the panel did. See where it stands before you go on.</source>
+        <translation>Der Chip beendet diese Art von Bewegung nicht selbst, deshalb tat es das Panel. Vor dem Weiterfahren nachsehen, wo sie steht.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel of this axis (page Axis).</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen dieser Achse (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The limit of travel is reached: there is no way on in that direction.</source>
+        <translation>Die Fahrweggrenze ist erreicht: In dieser Richtung geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>That is faster than this axis may go (page Axis).</source>
+        <translation>Das ist schneller, als diese Achse fahren darf (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>Towards a limit of travel a run starts from standstill, so that the chip ends it there: stop first.</source>
+        <translation>Auf eine Fahrweggrenze zu beginnt ein Lauf im Stillstand, damit der Chip ihn dort beendet: zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>The limit stop of this axis is not armed yet; it is about to be.</source>
+        <translation>Der Endschalter-Stopp dieser Achse ist noch nicht scharf; er wird es gleich.</translation>
+    </message>
+    <message>
+        <source>The current limit CL is 0 or unknown, so the current would never stop the motor.</source>
+        <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom würde den Motor also nie anhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>TravelTexts</name>
+    <message>
+        <source>That is %1; this axis goes at most %2 (page Axis).</source>
+        <translation>Das sind %1; diese Achse fährt höchstens %2 (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The lowest position of this axis is %1: there is no way on in reverse.</source>
+        <translation>Die tiefste Position dieser Achse ist %1: Rückwärts geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>The highest position of this axis is %1: there is no way on forward.</source>
+        <translation>Die höchste Position dieser Achse ist %1: Vorwärts geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel: the lowest position to go to is %1.</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die tiefste Position, die angefahren werden kann, ist %1.</translation>
+    </message>
+    <message>
+        <source>That is beyond the limits of travel: the highest position to go to is %1.</source>
+        <translation>Das liegt außerhalb der Fahrweggrenzen: Die höchste Position, die angefahren werden kann, ist %1.</translation>
+    </message>
+    <message>
+        <source>No limits of travel are set.</source>
+        <translation>Keine Fahrweggrenzen gesetzt.</translation>
+    </message>
+    <message>
+        <source>Not in force: home is not known. Search for it, save it, or declare the position right.</source>
+        <translation>Nicht in Kraft: Die Referenz ist nicht bekannt. Suchen, speichern oder die Position für richtig erklären.</translation>
+    </message>
+    <message>
+        <source>In force: not below %1.</source>
+        <translation>In Kraft: nicht unter %1.</translation>
+    </message>
+    <message>
+        <source>In force: not above %1.</source>
+        <translation>In Kraft: nicht über %1.</translation>
+    </message>
+    <message>
+        <source>In force: from %1 to %2.</source>
+        <translation>In Kraft: von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Limits of travel not in force</source>
+        <translation>Fahrweggrenzen nicht in Kraft</translation>
+    </message>
+    <message>
+        <source>At the lowest position</source>
+        <translation>An der tiefsten Position</translation>
+    </message>
+    <message>
+        <source>At the highest position</source>
+        <translation>An der höchsten Position</translation>
+    </message>
+    <message>
+        <source>Below the lowest position</source>
+        <translation>Unter der tiefsten Position</translation>
+    </message>
+    <message>
+        <source>Above the highest position</source>
+        <translation>Über der höchsten Position</translation>
+    </message>
+    <message>
+        <source>Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in force from there. If it is not, they protect the wrong places. Look at the axis itself first.</source>
+        <translation>Steht %1 jetzt wirklich bei %2? Dann liegt die Referenz, wo die Position 0 ist, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie die falschen Stellen. Zuerst die Achse selbst ansehen.</translation>
     </message>
 </context>
 <context>
@@ -3984,6 +4234,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Read all…</source>
         <translation>Alles lesen…</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Bell</name>
+    <message>
+        <source>S&amp;ounds</source>
+        <translation>&amp;Töne</translation>
+    </message>
+    <message>
+        <source>A sound at each fault, and at the end of a search for home or of moves by N.</source>
+        <translation>Ein Ton bei jedem Fehler und am Ende einer Referenzfahrt oder von Schritten um N.</translation>
     </message>
 </context>
 <context>
@@ -5418,6 +5679,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Each member captures its present position as home, in the same tick. Nothing moves.</source>
         <translation>Jedes Mitglied erfasst im selben Takt seine jetzige Position als Referenz. Nichts bewegt sich.</translation>
     </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>Name der Gruppe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What you call this group. Kept with the machine; nothing is sent.</source>
+        <translation>Wie Sie diese Gruppe nennen. Steht bei der Maschine; nichts wird gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::HomingBox</name>
@@ -5850,10 +6123,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1 or limit 2</source>
-        <translation>Endschalter 1 oder Endschalter 2</translation>
-    </message>
-    <message>
         <source>limit 1</source>
         <translation>Endschalter 1</translation>
     </message>
@@ -5996,6 +6265,62 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>? The chip watches for something that was not asked for in this connection.</source>
         <translation>? Der Chip überwacht etwas, das in dieser Verbindung nicht angefordert wurde.</translation>
+    </message>
+    <message>
+        <source>the position error limit</source>
+        <translation>Grenze des Positionsfehlers</translation>
+    </message>
+    <message>
+        <source>the current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>for each motion of this axis</source>
+        <translation>für jede Bewegung dieser Achse</translation>
+    </message>
+    <message>
+        <source>Stop when the position error exceeds its limit</source>
+        <translation>Anhalten, wenn der Positionsfehler seine Grenze überschreitet</translation>
+    </message>
+    <message>
+        <source>Stop when the current exceeds its limit</source>
+        <translation>Anhalten, wenn der Strom seine Grenze überschreitet</translation>
+    </message>
+    <message>
+        <source>Arm the limit stop for each motion of this axis</source>
+        <translation>Den Endschalter-Stopp für jede Bewegung dieser Achse scharf schalten</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>The motor stops when it is farther from where it should be than EL allows; the servo goes off then in any case.</source>
+        <translation>Der Motor hält an, wenn er weiter vom Sollort entfernt ist, als EL erlaubt; der Servo geht dann in jedem Fall aus.</translation>
+    </message>
+    <message>
+        <source>The motor stops when its current exceeds CL.</source>
+        <translation>Der Motor hält an, wenn sein Strom CL überschreitet.</translation>
+    </message>
+    <message>
+        <source>Whenever the motor stands with its servo on, the panel arms the limit stop, also after it has tripped; no motion begins before. Kept with the machine.</source>
+        <translation>Immer wenn der Motor mit eingeschaltetem Servo steht, schaltet das Panel den Endschalter-Stopp scharf, auch nachdem er ausgelöst hat; vorher beginnt keine Bewegung. Wird mit der Maschine gespeichert.</translation>
+    </message>
+    <message>
+        <source>The axis has it armed for each motion: it would be armed again at once.</source>
+        <translation>Die Achse hat ihn für jede Bewegung scharf: Er würde sofort wieder scharf geschaltet.</translation>
     </message>
 </context>
 <context>
@@ -6264,6 +6589,54 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Enter shows it on the page of its module; nothing is sent.</source>
         <translation>Eingabe zeigt ihn auf der Seite seines Moduls; es wird nichts gesendet.</translation>
     </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>Bedienermodus</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only what is left to the operator can be done. STOP ALL acts.</source>
+        <translation>BEDIENERMODUS — es geht nur, was dem Bediener überlassen ist. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Leave it…</source>
+        <translation>Verlassen…</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Fragt nach der PIN.</translation>
+    </message>
+    <message>
+        <source>Keyboard pendant</source>
+        <translation>Tastatur als Handgerät</translation>
+    </message>
+    <message>
+        <source>End it</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Arrow keys move nothing any more.</source>
+        <translation>Pfeiltasten bewegen nichts mehr.</translation>
+    </message>
+    <message>
+        <source>There is no module that could be moved.</source>
+        <translation>Es gibt kein Modul, das bewegt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Shift with ◂ or ▸ moves it while both are held. Esc ends this.</source>
+        <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden. Esc beendet das.</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>Nicht bewegt: %1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>HANDGERÄT — %1. %2</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
 </context>
 <context>
     <name>nmc::MessageList</name>
@@ -6274,6 +6647,97 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>No messages. What goes wrong, and when it is over, is told here.</source>
         <translation>Keine Meldungen. Was misslingt und wann es vorbei ist, steht hier.</translation>
+    </message>
+    <message>
+        <source>None of the messages passes the filter above.</source>
+        <translation>Der Filter oben lässt keine der Meldungen durch.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::MessagePanel</name>
+    <message>
+        <source>Messages and their filter</source>
+        <translation>Meldungen und ihr Filter</translation>
+    </message>
+    <message>
+        <source>Kind of messages shown</source>
+        <translation>Art der gezeigten Meldungen</translation>
+    </message>
+    <message>
+        <source>Which kind of messages is shown.</source>
+        <translation>Welche Art von Meldungen gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>News</source>
+        <translation>Neuigkeiten</translation>
+    </message>
+    <message>
+        <source>Module whose messages are shown</source>
+        <translation>Modul, dessen Meldungen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Of which module messages are shown.</source>
+        <translation>Von welchem Modul Meldungen gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Alle Module</translation>
+    </message>
+    <message>
+        <source>&amp;Not over</source>
+        <translation>&amp;Nicht vorbei</translation>
+    </message>
+    <message>
+        <source>Only messages that are not over</source>
+        <translation>Nur Meldungen, die nicht vorbei sind</translation>
+    </message>
+    <message>
+        <source>Shows only what is not over.</source>
+        <translation>Zeigt nur, was nicht vorbei ist.</translation>
+    </message>
+    <message>
+        <source>Words of the messages shown</source>
+        <translation>Wörter der gezeigten Meldungen</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>Shows only messages with these words.</source>
+        <translation>Zeigt nur Meldungen mit diesen Wörtern.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Export the messages shown</source>
+        <translation>Die gezeigten Meldungen exportieren</translation>
+    </message>
+    <message>
+        <source>Writes the messages that are shown to a text file.</source>
+        <translation>Schreibt die gezeigten Meldungen in eine Textdatei.</translation>
+    </message>
+    <message>
+        <source>Kept for this session only.</source>
+        <translation>Nur für diese Sitzung aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Aufbewahrt in %1</translation>
+    </message>
+    <message>
+        <source>Export messages</source>
+        <translation>Meldungen exportieren</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -6685,6 +7149,30 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Goes to home.</source>
         <translation>Fährt zur Referenz.</translation>
     </message>
+    <message>
+        <source>Take the nearest</source>
+        <translation>Nächste nehmen</translation>
+    </message>
+    <message>
+        <source>Put the nearest position that is allowed into the goal</source>
+        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Runs forward until it is stopped, or to its highest position.</source>
+        <translation>Läuft vorwärts, bis angehalten wird, oder bis zur höchsten Position.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until it is stopped, or to its lowest position.</source>
+        <translation>Läuft rückwärts, bis angehalten wird, oder bis zur tiefsten Position.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::NumberField</name>
@@ -6707,6 +7195,104 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1 needs a whole number.</source>
         <translation>%1 braucht eine ganze Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::OperatorDialog</name>
+    <message>
+        <source>Operator mode</source>
+        <translation>Bedienermodus</translation>
+    </message>
+    <message>
+        <source>Choose what is left to the operator. STOP ALL, Esc, each motor&apos;s stops and disconnecting always work. This keeps hands off by mistake; it is no security: who gets at the files of this computer gets around it.</source>
+        <translation>Wählen Sie, was dem Bediener überlassen bleibt. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Das schützt vor Versehen; es ist keine Sicherheit: Wer an die Dateien dieses Rechners kommt, kommt daran vorbei.</translation>
+    </message>
+    <message>
+        <source>&amp;Enable motors, clear faults</source>
+        <translation>Motoren &amp;einschalten, Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>&amp;Jog</source>
+        <translation>&amp;Tippen</translation>
+    </message>
+    <message>
+        <source>&amp;Points and sequences</source>
+        <translation>&amp;Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>&amp;Moves: go to, run, by N</source>
+        <translation>&amp;Fahrten: zu einem Ziel, dauernd, um N</translation>
+    </message>
+    <message>
+        <source>&amp;Homing</source>
+        <translation>&amp;Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>&amp;Outputs</source>
+        <translation>Aus&amp;gänge</translation>
+    </message>
+    <message>
+        <source>P&amp;IN to leave it, 4 characters at least</source>
+        <translation>P&amp;IN zum Verlassen, mindestens 4 Zeichen</translation>
+    </message>
+    <message>
+        <source>The same &amp;again</source>
+        <translation>Die&amp;selbe noch einmal</translation>
+    </message>
+    <message>
+        <source>&amp;Begin operator mode</source>
+        <translation>Bedienermodus be&amp;ginnen</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>&amp;Leave operator mode</source>
+        <translation>Bedienermodus &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave it as it is</source>
+        <translation>Lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>The PIN is too short: it needs 4 characters.</source>
+        <translation>Die PIN ist zu kurz: Sie braucht 4 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The two PINs differ. Type the same one twice.</source>
+        <translation>Die beiden PINs sind verschieden. Tippen Sie zweimal dieselbe.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. %1</source>
+        <translation>Das ist nicht die PIN. %1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::OperatorLock</name>
+    <message>
+        <source>If it is forgotten, close the panel and remove the part &quot;operator&quot; from %1.</source>
+        <translation>Ist sie vergessen, schließen Sie das Programm und entfernen Sie den Abschnitt „operator“ aus %1.</translation>
+    </message>
+    <message>
+        <source>Leave o&amp;perator mode…</source>
+        <translation>&amp;Bedienermodus verlassen…</translation>
+    </message>
+    <message>
+        <source>O&amp;perator mode…</source>
+        <translation>&amp;Bedienermodus…</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Fragt nach der PIN.</translation>
+    </message>
+    <message>
+        <source>Leaves to an operator only what you choose, until somebody has the PIN.</source>
+        <translation>Überlässt einem Bediener nur, was Sie wählen, bis jemand die PIN hat.</translation>
     </message>
 </context>
 <context>
@@ -7072,6 +7658,21 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Jumps without a profile to the position it has at this moment, then holds there.</source>
         <translation>Springt ohne Profil an die Position, die er in diesem Augenblick hat, und hält dort.</translation>
     </message>
+    <message>
+        <source>Limits of travel</source>
+        <translation>Fahrweggrenzen</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Pendant</name>
+    <message>
+        <source>&amp;Keyboard pendant</source>
+        <translation>&amp;Tastatur als Handgerät</translation>
+    </message>
+    <message>
+        <source>Shift with an arrow key moves the motor while both are held. (F12)</source>
+        <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden. (F12)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::PointsModel</name>
@@ -7192,6 +7793,18 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Tells every module the new rate, and asks each there.</source>
         <translation>Teilt jedem Modul die neue Rate mit und fragt jedes dort ab.</translation>
+    </message>
+    <message>
+        <source>Some modules do not answer, and would be left behind at the old rate: %1.</source>
+        <translation>Einige Module antworten nicht und blieben bei der alten Rate zurück: %1.</translation>
+    </message>
+    <message>
+        <source>The groups of some modules are not known, so they might not hear it: %1. Choose a group for them on the page Groups, or none.</source>
+        <translation>Die Gruppen einiger Module sind nicht bekannt, sie würden es also vielleicht nicht hören: %1. Wählen Sie auf der Seite Gruppen eine für sie, oder keine.</translation>
+    </message>
+    <message>
+        <source>A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.</source>
+        <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
     </message>
 </context>
 <context>
@@ -8712,6 +9325,22 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Stops smoothly, waits until the motor stands, then: %1</source>
         <translation>Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
     </message>
+    <message>
+        <source>Take the nearest</source>
+        <translation>Nächste nehmen</translation>
+    </message>
+    <message>
+        <source>Put the nearest position that is allowed into the goal</source>
+        <translation>Die nächste erlaubte Position als Ziel eintragen</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
+        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepPanel</name>
@@ -8845,10 +9474,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Empties the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>Sends all parameters at once. While the motor moves, the chip ignores the speed mode and the minimum speed.</source>
-        <translation>Sendet alle Parameter auf einmal. Solange der Motor sich bewegt, ignoriert der Chip Geschwindigkeitsmodus und Mindestgeschwindigkeit.</translation>
     </message>
 </context>
 <context>
@@ -9141,6 +9766,137 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TravelBox</name>
+    <message>
+        <source>Limits of travel and speed</source>
+        <translation>Grenzen von Fahrweg und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>State of the limits of travel</source>
+        <translation>Zustand der Fahrweggrenzen</translation>
+    </message>
+    <message>
+        <source>Lowest position</source>
+        <translation>Tiefste Position</translation>
+    </message>
+    <message>
+        <source>Highest position</source>
+        <translation>Höchste Position</translation>
+    </message>
+    <message>
+        <source>The lowest position</source>
+        <translation>Die tiefste Position</translation>
+    </message>
+    <message>
+        <source>The highest position</source>
+        <translation>Die höchste Position</translation>
+    </message>
+    <message>
+        <source>Counted from home. No motion goes beyond it while home is known. Empty: no limit.</source>
+        <translation>Ab der Referenz gezählt. Solange die Referenz bekannt ist, geht keine Bewegung darüber hinaus. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>Make the present position the lowest</source>
+        <translation>Die jetzige Position zur tiefsten machen</translation>
+    </message>
+    <message>
+        <source>Make the present position the highest</source>
+        <translation>Die jetzige Position zur höchsten machen</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The highest velocity</source>
+        <translation>Die höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as fast as the module can.</source>
+        <translation>Nichts bewegt diese Achse schneller: keine Fahrt, kein Lauf, kein Schritt, kein Tippen, keine Referenzsuche. Leer: so schnell das Modul kann.</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>The backlash</source>
+        <translation>Das Spiel</translation>
+    </message>
+    <message>
+        <source>Somewhat more than the play between motor and load. A move from the wrong side then goes beyond its goal by as much first, and comes back. Empty: none.</source>
+        <translation>Etwas mehr als das Spiel zwischen Motor und Last. Eine Fahrt von der falschen Seite geht dann zuerst um so viel über ihr Ziel hinaus und kommt zurück. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>Side from which every goal is come to</source>
+        <translation>Seite, von der jedes Ziel angefahren wird</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>von unten</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>Go to, Go home and Step come to their goal from this side. A loaded move goes straight.</source>
+        <translation>Fahrt, Referenzfahrt und Schritt kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht geradewegs.</translation>
+    </message>
+    <message>
+        <source>Declare position right…</source>
+        <translation>Position für richtig erklären…</translation>
+    </message>
+    <message>
+        <source>Declare that the position is right</source>
+        <translation>Die Position für richtig erklären</translation>
+    </message>
+    <message>
+        <source>Position in doubt</source>
+        <translation>Position zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Say that the position may be wrong</source>
+        <translation>Angeben, dass die Position falsch sein kann</translation>
+    </message>
+    <message>
+        <source>Declare the position right</source>
+        <translation>Die Position für richtig erklären</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>It &amp;is right</source>
+        <translation>Sie &amp;stimmt</translation>
+    </message>
+    <message>
+        <source>The lowest position has to be below the highest. What was set before stays.</source>
+        <translation>Die tiefste Position muss unter der höchsten liegen. Was vorher gesetzt war, bleibt.</translation>
+    </message>
+    <message>
+        <source>The axis goes no lower than where it is now.</source>
+        <translation>Die Achse fährt nicht tiefer, als sie jetzt steht.</translation>
+    </message>
+    <message>
+        <source>The axis goes no higher than where it is now.</source>
+        <translation>Die Achse fährt nicht höher, als sie jetzt steht.</translation>
+    </message>
+    <message>
+        <source>Takes your word that the position is right: home is where it is 0. Asks first.</source>
+        <translation>Nimmt Ihr Wort dafür, dass die Position stimmt: Die Referenz liegt, wo sie 0 ist. Fragt zuerst.</translation>
+    </message>
+    <message>
+        <source>Home is not known any more, and the limits of travel are not in force until it is.</source>
+        <translation>Die Referenz ist dann nicht mehr bekannt, und die Fahrweggrenzen gelten erst wieder, wenn sie es ist.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryFile>
+
 namespace nmc {
 namespace {
 
@@ -43,6 +45,29 @@ TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
     EXPECT_EQ(started(QStringLiteral("--simulator")).port, QStringLiteral("simulator=servo,servo,step"));
     EXPECT_EQ(started(QStringLiteral("--simulator=servo,servo@1")).port,
               QStringLiteral("simulator=servo,servo@1"));
+}
+
+TEST(CommandLine, TheChainMayStandBehindTheSimulatorAsTheHelpWritesIt) {
+    EXPECT_TRUE(said(QStringLiteral("--help")).text.contains(QStringLiteral("--simulator <CHAIN>")));
+    EXPECT_EQ(started(QStringLiteral("--simulator servo,servo@1")).port,
+              QStringLiteral("simulator=servo,servo@1"));
+    EXPECT_EQ(started(QStringLiteral("--simulator --baud 9600")).port,
+              QStringLiteral("simulator=servo,servo,step"));
+    EXPECT_EQ(started(QStringLiteral("--simulator step --baud 9600")).baud, 9'600U);
+    const Say say = said(QStringLiteral("--simulator servoo"));
+    EXPECT_EQ(say.exitCode, 2);
+    EXPECT_TRUE(say.text.contains(QStringLiteral("servoo"))) << say.text.toStdString();
+}
+
+TEST(CommandLine, TakesOneMachineFile) {
+    QTemporaryFile file;
+    ASSERT_TRUE(file.open());
+    EXPECT_EQ(started(QStringLiteral("mill.json")).machine, QStringLiteral("mill.json"));
+    EXPECT_FALSE(started(QString()).machine.has_value());
+    const Start both = started(QStringLiteral("--simulator ") + file.fileName());
+    EXPECT_EQ(both.machine, file.fileName()) << "it is there, and no chain";
+    EXPECT_EQ(both.port, QStringLiteral("simulator=servo,servo,step"));
+    EXPECT_EQ(said(QStringLiteral("mill.json lathe.json")).exitCode, 2);
 }
 
 TEST(CommandLine, LooksOnlyWhereAskedAndAtSomething) {
@@ -100,7 +125,7 @@ TEST(CommandLine, NamesWhatIsWrongInAChain) {
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow) {
-    for (const char* bad : {"--frobnicate", "surplus", "--port", "--list-ports=3"})
+    for (const char* bad : {"--frobnicate", "mill.json surplus", "--port", "--list-ports=3"})
         EXPECT_EQ(said(QLatin1String(bad)).exitCode, 2) << bad;
     EXPECT_TRUE(said(QStringLiteral("--frobnicate")).text.contains(QStringLiteral("frobnicate")));
 }

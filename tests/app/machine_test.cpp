@@ -139,6 +139,27 @@ protected:
     QString file;
 };
 
+TEST_F(MachineFiles, OneOfTheCommandLineIsOpenedAtTheStart) {
+    IntentPanel panel;
+    Start start;
+    start.machine = file;
+    panel.composition().show(start);
+    ASSERT_NE(table(panel), nullptr);
+    EXPECT_GT(table(panel)->topLevelItemCount(), 0);
+}
+
+TEST_F(MachineFiles, ABadOneOfTheCommandLineIsASentenceInTheWindow) {
+    for (const QString& bad : {directory.filePath(QStringLiteral("none.json")), write("bad.json", "{")}) {
+        IntentPanel panel;
+        Start start;
+        start.machine = bad;
+        panel.composition().show(start);
+        EXPECT_EQ(panel.count(QStringLiteral("was not opened")), 1)
+            << panel.headlines().join(QLatin1Char('|')).toStdString();
+        EXPECT_EQ(table(panel), nullptr);
+    }
+}
+
 TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
     NmcsimProcess sim(QStringLiteral("servo,servo"));
     IntentPanel panel;

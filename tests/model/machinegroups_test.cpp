@@ -55,5 +55,17 @@ TEST(MachineGroups, AModuleIsInOneGroupOnly) {
     EXPECT_EQ(machine.groups[0].address, 0x82);
 }
 
+TEST(MachineGroups, ANameStaysWhenTheLastMemberGoes) {
+    Machine machine;
+    nameGroup(machine, 0x81, "Table");
+    noteGroup(machine, {kFirst, {0x81, false}});
+    noteGroup(machine, {kFirst, {0xFF, false}});
+    ASSERT_EQ(machine.groups.size(), 1U);
+    EXPECT_EQ(machine.groups[0].name, "Table");
+    EXPECT_TRUE(machine.groups[0].members.empty());
+    nameGroup(machine, 0x81, "");
+    EXPECT_TRUE(machine.groups.empty());
+}
+
 }  // namespace
 }  // namespace nmc

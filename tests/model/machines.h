@@ -46,7 +46,10 @@ inline Machine mill() {
     return {"Mill",
             115'200,
             {servoAxis(), stepAxis()},
-            {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}}};
+            {{0x81, "Table", {ModuleIndex(0), ModuleIndex(1)}, ModuleIndex(1)}},
+            {},
+            {},
+            OperatorRights{.moves = true}};
 }
 
 /// Every kind of row, and two points.

@@ -200,6 +200,39 @@ TEST(StepState, MotorOffAtHomeIsNoFault) {
     EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
 }
 
+TEST(StepState, ASwitchThatWasLookedForIsNoLimitThatWasRunInto) {
+    Stepper stepper = Stepper::running();
+    step::SetHoming homing;
+    homing.onLimit1Change = homing.stopAbruptly = true;
+    stepper.was(homing);
+    stepper.says(kRuns | kHoming);
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.stepper.ended(), std::nullopt);
+    EXPECT_EQ(stepper.module.activity(), Activity::Holding);
+    EXPECT_FALSE(stepper.module.limits.ranInto(0));
+}
+
+// DS-S 4.3: a motion towards a limit that is closed already ends at once.
+TEST(StepState, ALimitThatEndsAMotionIsNotedThoughItWasClosedBefore) {
+    Stepper stepper = Stepper::holding();
+    stepper.inputs = kLimit1In;
+    stepper.says(kOn);
+    EXPECT_FALSE(stepper.module.limits.ranInto(0)) << "closed by hand, at rest";
+    step::LoadTrajectory load;
+    load.speed = std::uint8_t{40};
+    load.accelerationTime = std::uint8_t{4};
+    load.startNow = true;
+    stepper.was(load);
+    stepper.says(kOn);
+    EXPECT_EQ(stepper.module.stepper.ended(), Activity::StoppedByLimit);
+    EXPECT_TRUE(stepper.module.limits.ranInto(0));
+    EXPECT_FALSE(stepper.module.limits.ranInto(1));
+    stepper.inputs = 0;
+    stepper.says(kOn);
+    EXPECT_FALSE(stepper.module.limits.ranInto(0));
+}
+
 // Speed 40 is another speed in another speed mode.
 TEST(StepState, ForgetsALoadWhenTheSpeedModeChanges) {
     Stepper stepper = Stepper::holding();

@@ -3,6 +3,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -149,6 +153,95 @@ TEST_F(ChainWindow, TheRateChangesAtStandstillOnly) {
     click(u"changeRateButton"_s);
     ASSERT_EQ(rates.size(), 1);
     EXPECT_EQ(rates.at(0).at(0).toUInt(), 57'600U);
+}
+
+TEST_F(ChainWindow, ARateChangeThatWouldBeRefusedIsGreyedWithItsReason) {
+    const auto reason = [this] {
+        auto* rate = find<QComboBox>(u"chainRateBox"_s);
+        rate->setCurrentIndex(rate->findData(57'600));
+        EXPECT_EQ(button(u"changeRateButton"_s)->isEnabled(), text(u"chainRateReason"_s).isEmpty());
+        return text(u"chainRateReason"_s);
+    };
+    open("rateAction");
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    EXPECT_EQ(reason(), QString());
+    showGrouped({bus::GroupPlace{}, std::nullopt});
+    EXPECT_TRUE(
+        reason().endsWith(u"might not hear it: 2. Choose a group for them on the page Groups, or none."_s))
+        << reason().toStdString();
+    showGrouped({bus::GroupPlace{0x81, true}, bus::GroupPlace{0x81, false}});
+    EXPECT_TRUE(reason().endsWith(u"page Groups: 1."_s)) << reason().toStdString();
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    link.modules[1].silent = true;
+    window->showLink(link);
+    EXPECT_TRUE(reason().endsWith(u"at the old rate: 2."_s)) << reason().toStdString();
+    link.phase = LinkPhase::Lost;
+    window->showLink(link);
+    EXPECT_FALSE(reason().isEmpty());
+    link.phase = LinkPhase::Connected;
+    link.modules[1].silent = false;
+    link.readOnly = true;
+    window->showLink(link);
+    EXPECT_TRUE(reason().contains(u"read-only"_s));
+}
+
+TEST_F(ChainWindow, AGroupHasTheNameThatItIsGiven) {
+    QSignalSpy names(&window->chainMenu(), &ChainMenu::groupNamed);
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x82, false}});
+    open("groupsAction");
+    auto* groups = find<QComboBox>(u"groupBox"_s);
+    groups->setFocus();
+    QTest::keyClick(groups, Qt::Key_Down);
+    auto* field = find<QLineEdit>(u"groupNameField"_s);
+    field->setFocus();
+    QTest::keyClicks(field, u"Table"_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_EQ(names.size(), 1);
+    EXPECT_EQ(names.at(0).at(0).toUInt(), 0x82U);
+    EXPECT_EQ(names.at(0).at(1).toString(), u"Table"_s);
+    machine.groups = {{0x82, "Table", {ModuleIndex(1)}, {}}};
+    window->showMachine(machine);
+    EXPECT_EQ(find<QComboBox>(u"group2Box"_s)->currentText(), u"Group 82 \"Table\""_s);
+    EXPECT_EQ(groups->currentText(), u"Group 82 \"Table\""_s);
+    EXPECT_EQ(find<QComboBox>(u"group1Box"_s)->currentText(), u"Group 81"_s);
+    groups->setFocus();
+    QTest::keyClick(groups, Qt::Key_Up);
+    EXPECT_EQ(field->text(), QString());
+}
+
+TEST_F(ChainWindow, TheLongestChainFitsALowScreenAndScrolls) {
+    std::vector<std::optional<bus::GroupPlace>> places(32, bus::GroupPlace{});
+    showGrouped(places);
+    open("groupsAction");
+    auto* dialog = find(u"chainDialog"_s);
+    EXPECT_LE(dialog->minimumSizeHint().height(), 768 - 64) << "less what a desktop keeps for itself";
+    EXPECT_LE(dialog->height(), 768 - 64);
+    dialog->resize(dialog->width(), 500);
+    EXPECT_EQ(dialog->height(), 500);
+    auto* last = find<QComboBox>(u"group32Box"_s);
+    auto* scroll = find<QScrollArea>(u"groupsPageScroll"_s);
+    EXPECT_GT(scroll->verticalScrollBar()->maximum(), 0);
+    scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+    EXPECT_FALSE(last->visibleRegion().isEmpty());
+}
+
+TEST_F(ChainWindow, ItsKeysActWhileItHasTheFocus) {
+    showServos({{}});
+    open("groupsAction");
+    auto* dialog = find<QDialog>(u"chainDialog"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+    auto* pages = dialog->findChild<QTabWidget*>(u"chainPages"_s);
+    QTest::keyClick(dialog, Qt::Key_F8);
+    EXPECT_EQ(pages->currentIndex(), 2);
+    QTest::keyClick(dialog, Qt::Key_F6);
+    EXPECT_EQ(pages->currentIndex(), 0);
+    QSignalSpy scans(&window->chainMenu(), &ChainMenu::scanRequested);
+    QTest::keyClick(dialog, Qt::Key_F5);
+    EXPECT_EQ(scans.size(), 1);
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    EXPECT_EQ(pages->currentIndex(), 1);
 }
 
 TEST_F(ChainWindow, EscStopsTheMotorsFromHereToo) {

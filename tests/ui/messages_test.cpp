@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QPointer>
 
@@ -31,6 +33,28 @@ protected:
     void tripTheSecond() {
         window->showLink(connection(1));
         window->showMessage(texts::withRecord(texts::tripped(ModuleIndex(1), 400)));
+    }
+    /// Of the rows that can be seen, newest first.
+    [[nodiscard]] QStringList shownKeys() {
+        QStringList keys;
+        for (const MessageRow* row : list()->rows())
+            if (row->isVisibleTo(list()))
+                keys << row->message().key;
+        return keys;
+    }
+    /// So many down from the first.
+    void choose(const QString& box, int downs) {
+        auto* combo = find<QComboBox>(box);
+        combo->setFocus();
+        QTest::keyClick(combo, Qt::Key_Home);
+        for (int i = 0; i < downs; ++i)
+            QTest::keyClick(combo, Qt::Key_Down);
+    }
+    void tellThree() {
+        window->showLink(connection(1));
+        window->showMessage(texts::amplifierWentOff(ModuleIndex(0), Activity::Overheated));
+        window->showMessage(texts::amplifierWentOff(ModuleIndex(1), Activity::EstopActive));
+        window->showMessage(texts::rateChanged({115'200}));
     }
     QSignalSpy actions{window.get(), &MainWindow::messageAction};
 };
@@ -67,6 +91,86 @@ TEST_F(Messages, TheOthersAndAllWordsAreOneClickAway) {
     EXPECT_EQ(button(u"bannerAll"_s)->text(), u"1 more…"_s);
     click(u"bannerAll"_s);
     EXPECT_TRUE(list()->isVisible());
+}
+
+TEST_F(Messages, TheSameKeyWithOtherWordsIsAnotherCause) {
+    const bus::OperationFinished refused{bus::OperationId(1), bus::Outcome::Refused, ModuleIndex(0), 0x17};
+    bus::OperationFinished silent = refused;
+    silent.outcome = bus::Outcome::NoAnswer;
+    window->showMessage(texts::operationFailed(refused));
+    window->showMessage(texts::operationFailed(silent));
+    ASSERT_EQ(list()->rows().size(), 2);
+    EXPECT_FALSE(list()->rows().at(0)->over());
+    EXPECT_TRUE(list()->rows().at(1)->over());
+    EXPECT_EQ(list()->rows().at(1)->message().headline, texts::operationFailed(refused).headline);
+}
+
+TEST_F(Messages, WhatIsFilteredOutIsHiddenAndComesBack) {
+    tellThree();
+    ASSERT_EQ(shownKeys().size(), 3);
+    choose(u"messageKindBox"_s, 1);
+    EXPECT_EQ(shownKeys(), QStringList{u"overheated.1"_s});
+    choose(u"messageKindBox"_s, 2);
+    EXPECT_EQ(shownKeys(), QStringList{u"estop.2"_s});
+    choose(u"messageKindBox"_s, 0);
+    choose(u"messageModuleBox"_s, 2);
+    EXPECT_EQ(shownKeys(), QStringList{u"estop.2"_s});
+    choose(u"messageModuleBox"_s, 0);
+    QTest::keyClicks(find<QLineEdit>(u"messageTextField"_s), u"TOO HOT"_s);
+    EXPECT_EQ(shownKeys(), QStringList{u"overheated.1"_s});
+    QTest::keyClicks(find<QLineEdit>(u"messageTextField"_s), u" and cold"_s);
+    EXPECT_TRUE(shownKeys().isEmpty());
+    EXPECT_TRUE(find(u"noMessagesLabel"_s)->isVisible());
+    EXPECT_TRUE(find(u"banner"_s)->isVisible()) << "the worst that is not over, whatever the list shows";
+    find<QLineEdit>(u"messageTextField"_s)->selectAll();
+    QTest::keyClick(find<QLineEdit>(u"messageTextField"_s), Qt::Key_Delete);
+    EXPECT_EQ(shownKeys().size(), 3);
+}
+
+TEST_F(Messages, WhatIsOverLeavesTheListOfWhatIsNot) {
+    tellThree();
+    auto* box = button(u"messageNotOverBox"_s);
+    QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+    window->endMessage(u"overheated.1"_s);
+    EXPECT_FALSE(shownKeys().contains(u"overheated.1"_s));
+    EXPECT_TRUE(shownKeys().contains(u"estop.2"_s));
+}
+
+TEST_F(Messages, TheBannersButtonShowsItWhateverTheFilterHides) {
+    tellThree();
+    choose(u"messageKindBox"_s, 2);
+    ASSERT_FALSE(shownKeys().contains(u"overheated.1"_s));
+    click(u"bannerAll"_s);
+    EXPECT_TRUE(shownKeys().contains(u"overheated.1"_s));
+}
+
+TEST_F(Messages, WhatIsShownIsExportedTheOldestFirst) {
+    tellThree();
+    window->endMessage(u"overheated.1"_s);
+    choose(u"messageModuleBox"_s, 1);
+    QSignalSpy saved(window.get(), &MainWindow::saveRequested);
+    click(u"messageExportButton"_s);
+    auto* dialog = window->findChild<QFileDialog*>(u"messageExportDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>()->setText(directory.filePath(u"out"_s));
+    QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+    ASSERT_EQ(saved.size(), 1);
+    EXPECT_EQ(saved.at(0).at(0).toString(), directory.filePath(u"out.txt"_s));
+    const QString text = QString::fromStdString(saved.at(0).at(1).value<FileContent>()());
+    const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), 1) << text.toStdString();
+    EXPECT_TRUE(
+        lines.front().contains(u"\tModule 1\tModule 1 switched its motor off because it is too hot.\t"_s));
+    EXPECT_TRUE(lines.front().contains(u"over at"_s));
+}
+
+TEST_F(Messages, AnEntryOfAnotherDaySaysTheDay) {
+    const QDateTime before(QDate(2026, 11, 21), QTime(23, 59, 58));
+    EXPECT_EQ(timeText(before, QDate(2026, 11, 21)), u"23:59:58"_s);
+    EXPECT_EQ(timeText(before, QDate(2026, 11, 22)), u"2026-11-21 23:59:58"_s);
+    MessageEntry entry{texts::powerLost(ModuleIndex(0)), before};
+    entry.over = before.addSecs(4);
+    EXPECT_TRUE(messageLine(entry).endsWith(u"over at 2026-11-22 00:00:02"_s));
 }
 
 TEST_F(Messages, NewestIsFirst) {

@@ -20,7 +20,8 @@ ModuleState Servo::state() const {
     ModuleState module;
     module.info = {ModuleIndex(static_cast<std::uint8_t>(index)),
                    BusAddress(static_cast<std::uint8_t>(index + 1)),
-                   {ModuleType::Servo, version}};
+                   {ModuleType::Servo, version},
+                   bus::GroupPlace{}};
     bus::Sample sample;
     sample.module = module.info.index;
     sample.time = TimePoint(std::chrono::milliseconds(1000 + millisecond));

@@ -2,8 +2,10 @@
 #include "widgets/axes/axesdock.h"
 
 #include <QAction>
+#include <QScrollArea>
 
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 
 namespace nmc {
 
@@ -36,7 +38,7 @@ AxesPage& AxesDock::page() {
         connect(m_page, &AxesPage::holdReleased, this, &AxesDock::holdReleased);
         connect(m_page, &AxesPage::homeAllRequested, this, &AxesDock::homeAllRequested);
         connect(m_page, &AxesPage::homeOrderEdited, this, &AxesDock::homeOrderEdited);
-        setWidget(m_page);
+        setWidget(scrolled(m_page));
     }
     return *m_page;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/chaindialog.h"
 
+#include <QScreen>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -10,6 +12,7 @@
 #include "widgets/chain/ratepage.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 
 namespace nmc {
 
@@ -28,20 +31,23 @@ ChainDialog::ChainDialog(QWidget* parent)
     look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and rate"));
     m_pages->tabBar()->setObjectName(u"chainPagesBar"_s);
     m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());
-    m_pages->addTab(m_doctor, tr("Doctor"));
-    m_pages->addTab(m_groups, tr("Groups"));
-    m_pages->addTab(m_rate, tr("Rate"));
+    m_pages->addTab(scrolled(m_doctor), tr("Doctor"));
+    m_pages->addTab(scrolled(m_groups), tr("Groups"));
+    m_pages->addTab(scrolled(m_rate), tr("Rate"));
     keepFocusOnTabs(*m_pages);
     auto* layout = new QVBoxLayout(this);
     const int unit = look::gridUnit(this);
     layout->setContentsMargins(unit, unit, unit, unit);
     layout->addWidget(m_pages);
-    resize(fontMetrics().height() * 44, fontMetrics().height() * 26);
+    const int em = fontMetrics().height();
+    const QSize room = screen()->availableSize() * 0.9;
+    resize(qMin(em * 44, room.width()), qMin(em * 26, room.height()));
     connect(m_doctor, &DoctorPage::scanRequested, this, &ChainDialog::scanRequested);
     connect(m_doctor, &DoctorPage::restartRequested, this, &ChainDialog::restartRequested);
     connect(m_doctor, &DoctorPage::acceptRequested, this, &ChainDialog::acceptRequested);
     connect(m_groups, &GroupsPage::groupChangeRequested, this, &ChainDialog::groupChangeRequested);
     connect(m_groups, &GroupsPage::groupCommandRequested, this, &ChainDialog::groupCommandRequested);
+    connect(m_groups, &GroupsPage::groupNamed, this, &ChainDialog::groupNamed);
     connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);
 }
 
@@ -58,7 +64,7 @@ void ChainDialog::openAt(Page page) {
 
 void ChainDialog::showChain(const Machine& machine, const LinkState& link) {
     m_doctor->showChain(diagnose(machine, link), whyNotTold(link));
-    m_groups->showLink(link);
+    m_groups->showLink(link, machine.groups);
     m_rate->showLink(link);
 }
 

@@ -39,6 +39,7 @@ signals:
     void acceptRequested();
     void groupChangeRequested(const nmc::bus::GroupChange& change);
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
+    void groupNamed(quint8 group, const QString& name);
     void rateRequested(quint32 baud);
 
 private:

@@ -118,7 +118,7 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case Position:
             return row.facts.scale.native() ? row.position : row.position + u' ' + row.unit;
         case HomeIsKnown:
-            return row.facts.home.has_value();
+            return row.facts.home && row.facts.home->verified();
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:

@@ -5,8 +5,10 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <set>
 
 #include "widgets/common/doctortexts.h"
@@ -45,6 +47,10 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_group = new QComboBox(this);
     look::name(m_group, u"groupBox"_s, tr("Group to be commanded"));
     m_group->setToolTip(tr("Which group the two buttons are for."));
+    m_name = new QLineEdit(this);
+    look::name(m_name, u"groupNameField"_s, tr("Name of the group"));
+    m_name->setMaxLength(40);
+    m_name->setPlaceholderText(tr("Name"));
     m_start = new QPushButton(icons::tinted(u"player-play"_s), tr("St&art loaded moves"), this);
     look::name(m_start, u"groupStartButton"_s, tr("Start the loaded moves of this group"));
     m_saveHome = new QPushButton(icons::tinted(u"home"_s), tr("Save &home"), this);
@@ -52,9 +58,9 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     auto* commands = new QHBoxLayout;
     commands->setSpacing(unit);
     commands->addWidget(m_group);
+    commands->addWidget(m_name, 1);
     commands->addWidget(m_start);
     commands->addWidget(m_saveHome);
-    commands->addStretch(1);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, unit, unit);
@@ -65,11 +71,12 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     layout->addLayout(commands);
     layout->addStretch(1);
     connect(m_group, &QComboBox::currentIndexChanged, this, &GroupsPage::refreshCommands);
+    connect(m_name, &QLineEdit::editingFinished, this, &GroupsPage::nameGroup);
     connect(m_start, &QPushButton::clicked, this,
             [this] { command(bus::GroupCommand::Action::StartMotion); });
     connect(m_saveHome, &QPushButton::clicked, this,
             [this] { command(bus::GroupCommand::Action::SaveAsHome); });
-    showLink({});
+    showLink({}, {});
 }
 
 void GroupsPage::addMember() {
@@ -82,7 +89,7 @@ void GroupsPage::addMember() {
     member.group->setToolTip(tr("The group this module listens to. Sent at once; nothing moves."));
     member.group->addItem(texts::groupName(kNoGroup), kNoGroup);
     for (int group = kFirstGroup; group <= kLastGroup; ++group)
-        member.group->addItem(texts::groupName(static_cast<std::uint8_t>(group)), group);
+        member.group->addItem(titleOf(group), group);
     member.leader = new QCheckBox(tr("leads"), this);
     look::name(member.leader, u"leader%1Box"_s.arg(number), tr("Module %1 leads its group").arg(number));
     member.load = look::newMutedLabel({}, this);
@@ -103,16 +110,17 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     const QSignalBlocker leaderBlocker(row.leader);
     int index = row.group->findData(place ? place->group : kUnknown);
     if (index < 0) {
-        const QString text = place ? texts::groupName(place->group) : tr("unknown");
+        const QString text = place ? titleOf(place->group) : tr("unknown");
         row.group->addItem(text, place ? place->group : kUnknown);
         index = row.group->count() - 1;
     }
     row.group->setCurrentIndex(index);
     row.leader->setChecked(place && place->leader);
     const bool connected = m_link.phase == LinkPhase::Connected && !module.silent && !module.hasRestarted;
-    const QString reason = module.readOnly ? texts::refusal(Refusal::ReadOnly)
-                           : !connected    ? texts::refusal(Refusal::Silent)
-                                           : QString();
+    const auto refusal = whyNotTold(m_link);
+    const QString reason = !connected ? texts::refusal(Refusal::Silent)
+                           : refusal  ? texts::refusal(*refusal)
+                                      : QString();
     look::setPossible(row.group, reason,
                       tr("The group this module listens to. Sent at once; nothing moves."));
     look::setPossible(row.leader,
@@ -123,8 +131,9 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     look::setText(row.load, module.loadWaiting ? tr("move loaded") : QString());
 }
 
-void GroupsPage::showLink(const LinkState& link) {
+void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings>& groups) {
     m_link = link;
+    m_groups = groups;
     while (m_members.size() < link.modules.size())
         addMember();
     for (std::size_t i = 0; i < m_members.size(); ++i) {
@@ -138,7 +147,38 @@ void GroupsPage::showLink(const LinkState& link) {
     }
     m_none->setVisible(link.modules.empty());
     offerGroups();
+    showNames();
     refreshCommands();
+}
+
+QString GroupsPage::nameOf(int group) const {
+    const auto named = std::find_if(m_groups.begin(), m_groups.end(),
+                                    [group](const GroupSettings& g) { return g.address == group; });
+    return named != m_groups.end() ? QString::fromStdString(named->name) : QString();
+}
+
+QString GroupsPage::titleOf(int group) const {
+    const QString title = texts::groupName(static_cast<std::uint8_t>(group));
+    const QString name = nameOf(group);
+    return name.isEmpty() ? title : title + u" \""_s + name + u'"';
+}
+
+/// Wherever a group is offered.
+void GroupsPage::showNames() {
+    std::vector<QComboBox*> boxes{m_group};
+    for (const Member& member : m_members)
+        boxes.push_back(member.group);
+    for (QComboBox* box : boxes)
+        for (int i = 0; i < box->count(); ++i)
+            if (const int group = box->itemData(i).toInt(); group != kUnknown)
+                box->setItemText(i, titleOf(group));
+}
+
+void GroupsPage::nameGroup() {
+    const QVariant group = m_group->currentData();
+    const QString name = m_name->text().simplified();
+    if (group.isValid() && name != nameOf(group.toInt()))
+        emit groupNamed(static_cast<quint8>(group.toInt()), name);
 }
 
 /// The groups in use, in order.
@@ -156,7 +196,7 @@ void GroupsPage::offerGroups() {
     const QVariant chosen = m_group->currentData();
     m_group->clear();
     for (const std::uint8_t group : used)
-        m_group->addItem(texts::groupName(group), group);
+        m_group->addItem(titleOf(group), group);
     m_group->setCurrentIndex(qMax(0, m_group->findData(chosen)));
 }
 
@@ -173,16 +213,24 @@ QString GroupsPage::whyNotStart(std::uint8_t group) const {
 void GroupsPage::refreshCommands() {
     const bool any = m_group->count() > 0 && m_link.phase == LinkPhase::Connected;
     const QString none = tr("No module is in a group yet.");
-    const QString readOnly = m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
+    const auto refusal = whyNotTold(m_link);
+    const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     const auto group = static_cast<std::uint8_t>(m_group->currentData().toInt());
     look::setPossible(
         m_start, any ? whyNotStart(group) : none,
         tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every "
            "member has confirmed its load."));
     look::setPossible(
-        m_saveHome, any ? readOnly : none,
+        m_saveHome, any ? notTold : none,
         tr("Each member captures its present position as home, in the same tick. Nothing moves."));
     m_group->setEnabled(any);
+    look::setPossible(m_name,
+                      m_group->count() == 0 ? none
+                      : m_link.rights       ? notTold
+                                            : QString(),
+                      tr("What you call this group. Kept with the machine; nothing is sent."));
+    if (!m_name->hasFocus())
+        m_name->setText(nameOf(group));
 }
 
 void GroupsPage::changed(std::size_t row) {

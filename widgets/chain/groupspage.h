@@ -7,11 +7,13 @@
 #include "bus/types.h"
 #include "model/intent/intent.h"
 #include "model/module/linkstate.h"
+#include "model/settings/machine.h"
 
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace nmc {
@@ -25,9 +27,11 @@ public:
     explicit GroupsPage(QWidget* parent = nullptr);
 
     /// Emits nothing.
-    void showLink(const LinkState& link);
+    void showLink(const LinkState& link, const std::vector<GroupSettings>& groups);
 
 signals:
+    /// What its user calls it; nothing is sent by that.
+    void groupNamed(quint8 group, const QString& name);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
 
@@ -43,6 +47,11 @@ private:
     void changed(std::size_t row);
     void command(bus::GroupCommand::Action action);
     void offerGroups();
+    void showNames();
+    void nameGroup();
+    [[nodiscard]] QString nameOf(int group) const;
+    /// "Group 81 "Table""
+    [[nodiscard]] QString titleOf(int group) const;
     void refreshCommands();
     [[nodiscard]] QString whyNotStart(std::uint8_t group) const;
 
@@ -50,9 +59,11 @@ private:
     QGridLayout* m_grid = nullptr;
     QLabel* m_none = nullptr;
     QComboBox* m_group = nullptr;
+    QLineEdit* m_name = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_saveHome = nullptr;
     LinkState m_link;
+    std::vector<GroupSettings> m_groups;
 };
 
 }  // namespace nmc

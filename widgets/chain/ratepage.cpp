@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <algorithm>
 
 #include "model/intent/intent.h"
 #include "protocol/baud.h"
@@ -20,12 +19,15 @@ RatePage::RatePage(QWidget* parent)
     : QWidget(parent),
       m_now(new QLabel(this)),
       m_rate(new QComboBox(this)),
-      m_change(new QPushButton(tr("&Change the rate"), this)) {
+      m_change(new QPushButton(tr("&Change the rate"), this)),
+      m_reason(new QLabel(this)) {
     look::name(this, u"ratePage"_s, tr("Rate"));
     look::name(m_rate, u"chainRateBox"_s, tr("New rate of the chain"));
     m_rate->setToolTip(tr("The rate that the whole chain shall run at."));
     look::name(m_change, u"changeRateButton"_s, tr("Change the rate of the whole chain"));
     m_now->setObjectName(u"chainRateLabel"_s);
+    m_reason->setObjectName(u"chainRateReason"_s);
+    m_reason->setWordWrap(true);
     for (const BaudRow& row : kBaudRows)
         m_rate->addItem(tr("%1 Bd").arg(texts::grouped(row.nominal)), row.nominal);
     auto* remark =
@@ -41,8 +43,9 @@ RatePage::RatePage(QWidget* parent)
     grid->addWidget(m_now, 0, 0, 1, 3);
     grid->addWidget(m_rate, 1, 0);
     grid->addWidget(m_change, 1, 1);
-    grid->addWidget(remark, 2, 0, 1, 3);
-    grid->setRowStretch(3, 1);
+    grid->addWidget(m_reason, 2, 0, 1, 3);
+    grid->addWidget(remark, 3, 0, 1, 3);
+    grid->setRowStretch(4, 1);
     grid->setColumnStretch(2, 1);
     connect(m_rate, &QComboBox::currentIndexChanged, this, &RatePage::refresh);
     connect(m_change, &QPushButton::clicked, this,
@@ -51,31 +54,52 @@ RatePage::RatePage(QWidget* parent)
 }
 
 void RatePage::showLink(const LinkState& link) {
-    const bool news = m_baud != link.baud;
-    m_phase = link.phase;
-    m_readOnly = link.readOnly;
-    m_baud = link.baud;
-    m_moving = std::any_of(link.modules.begin(), link.modules.end(),
-                           [](const ModuleState& module) { return module.moving(); });
+    const bool news = m_link.baud != link.baud;
+    m_link = link;
     if (news)
-        m_rate->setCurrentIndex(m_rate->findData(m_baud));
+        m_rate->setCurrentIndex(m_rate->findData(link.baud));
     refresh();
 }
 
+QString RatePage::whyNot() const {
+    if (m_link.phase != LinkPhase::Connected)
+        return texts::refusal(Refusal::NotConnected);
+    if (const auto refusal = whyNotTold(m_link))
+        return texts::refusal(*refusal);
+    const auto those = [this](auto unfit) {
+        std::vector<ModuleIndex> modules;
+        for (const ModuleState& module : m_link.modules)
+            if (unfit(module))
+                modules.push_back(module.info.index);
+        return modules.empty() ? QString() : texts::listOfModules(modules);
+    };
+    if (const QString gone = those([](const ModuleState& m) { return m.silent || m.hasRestarted; });
+        !gone.isEmpty())
+        return tr("Some modules do not answer, and would be left behind at the old rate: %1.").arg(gone);
+    if (!those([](const ModuleState& m) { return m.moving(); }).isEmpty())
+        return tr("A motor is moving. The rate changes at standstill only.");
+    if (const QString unknown = those([](const ModuleState& m) { return !m.info.group; }); !unknown.isEmpty())
+        return tr("The groups of some modules are not known, so they might not hear it: %1. Choose a group "
+                  "for "
+                  "them on the page Groups, or none.")
+            .arg(unknown);
+    if (const QString leaders = those([](const ModuleState& m) { return m.info.group->leader; });
+        !leaders.isEmpty())
+        return tr("A leader of a group would answer while the rate changes. Take that from these on the page "
+                  "Groups: %1.")
+            .arg(leaders);
+    if (m_rate->currentData().toUInt() == m_link.baud)
+        return tr("The chain runs at this rate already.");
+    return {};
+}
+
 void RatePage::refresh() {
-    const bool connected = m_phase == LinkPhase::Connected;
-    look::setText(m_now, connected ? tr("The chain runs at %1 Bd.").arg(texts::grouped(m_baud))
-                                   : texts::refusal(Refusal::NotConnected));
-    QString reason;
-    if (!connected)
-        reason = texts::refusal(Refusal::NotConnected);
-    else if (m_readOnly)
-        reason = texts::refusal(Refusal::ReadOnly);
-    else if (m_moving)
-        reason = tr("A motor is moving. The rate changes at standstill only.");
-    else if (m_rate->currentData().toUInt() == m_baud)
-        reason = tr("The chain runs at this rate already.");
+    look::setText(m_now, m_link.phase == LinkPhase::Connected
+                             ? tr("The chain runs at %1 Bd.").arg(texts::grouped(m_link.baud))
+                             : texts::refusal(Refusal::NotConnected));
+    const QString reason = whyNot();
     look::setPossible(m_change, reason, tr("Tells every module the new rate, and asks each there."));
+    look::setText(m_reason, reason);
 }
 
 }  // namespace nmc

@@ -31,10 +31,11 @@ private:
     QLabel* m_now;
     QComboBox* m_rate;
     QPushButton* m_change;
-    LinkPhase m_phase = LinkPhase::Disconnected;
-    bool m_readOnly = false;
-    quint32 m_baud = 0;
-    bool m_moving = false;
+    QLabel* m_reason;  ///< why not, for whoever does not look for a tool tip
+    /// Why the bus would refuse it (bus::RateChangeFailed); empty: it would not.
+    [[nodiscard]] QString whyNot() const;
+
+    LinkState m_link;
 };
 
 }  // namespace nmc

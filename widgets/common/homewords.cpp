@@ -21,7 +21,11 @@ class Texts {
 }  // namespace
 
 QString home(const Place& place, const AxisScale& scale) {
-    return place ? Texts::tr("Home: %1").arg(position(scale, place->counts)) : Texts::tr("Home: not known");
+    if (!place)
+        return Texts::tr("Home: not known");
+    const QString where = position(scale, place->counts);
+    return place->verified() ? Texts::tr("Home: %1").arg(where)
+                             : Texts::tr("Home: %1, not verified").arg(where);
 }
 
 QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
@@ -32,13 +36,23 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
-    if (place->source == HomeFact::Source::Declared)
-        return Texts::tr("Home is at %1. The position was declared right %2 min ago.")
-            .arg(where)
-            .arg(minutes);
-    return place->source == HomeFact::Source::Search
-               ? Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes)
-               : Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
+    switch (place->source) {
+        case HomeFact::Source::Search:
+            return Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes);
+        case HomeFact::Source::Saved:
+            return Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
+        case HomeFact::Source::Declared:
+            return Texts::tr("Home is at %1. The position was declared right %2 min ago.")
+                .arg(where)
+                .arg(minutes);
+        case HomeFact::Source::Remembered:
+            return Texts::tr(
+                       "Home is at %1, not verified: it was taken from where the axis was seen last, %2 min "
+                       "ago. A search verifies it.")
+                .arg(where)
+                .arg(minutes);
+    }
+    return {};
 }
 
 QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {

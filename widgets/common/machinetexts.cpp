@@ -269,6 +269,8 @@ QString machinePart(MachinePart part) {
             return Texts::tr("Rate");
         case MachinePart::Groups:
             return Texts::tr("Groups");
+        case MachinePart::OperatorRights:
+            return Texts::tr("Left to the operator");
         case MachinePart::Program:
             return Texts::tr("Points and sequences");
         case MachinePart::HomeOrder:
@@ -308,6 +310,12 @@ QString machinePart(MachinePart part) {
 QString machineField(const QString& key) {
     static const QHash<QString, const char*> words{
         {u"name"_s, QT_TRANSLATE_NOOP("Texts", "Name")},
+        {u"enable"_s, QT_TRANSLATE_NOOP("Texts", "Enable")},
+        {u"jog"_s, QT_TRANSLATE_NOOP("Texts", "Jog")},
+        {u"points"_s, QT_TRANSLATE_NOOP("Texts", "Points and sequences")},
+        {u"moves"_s, QT_TRANSLATE_NOOP("Texts", "Moves")},
+        {u"homing"_s, QT_TRANSLATE_NOOP("Texts", "Homing")},
+        {u"outputs"_s, QT_TRANSLATE_NOOP("Texts", "Outputs")},
         {u"rate_bd"_s, QT_TRANSLATE_NOOP("Texts", "Rate, Bd")},
         {u"hardware"_s, QT_TRANSLATE_NOOP("Texts", "Type and version")},
         {u"kind"_s, QT_TRANSLATE_NOOP("Texts", "Unit")},

@@ -16,9 +16,11 @@ bool mayAct(const Message& message, MessageAction action, const LinkState& link)
         case MessageAction::Readdress:
         case MessageAction::ClearAndStayOff:
         case MessageAction::RestartNetwork:
+        case MessageAction::TakePosition:
             return own && !link.readOnly;
         case MessageAction::StopAll:
         case MessageAction::WorkWith:
+        case MessageAction::ForgetPosition:
             return own;
         case MessageAction::Retry:
         case MessageAction::ScanAgain:

@@ -35,6 +35,8 @@ enum class MessageAction : std::uint8_t {
     ShowRecord,
     LookFirst,  ///< connects read-only
     ConnectFully,
+    TakePosition,    ///< that was remembered of an axis
+    ForgetPosition,  ///< likewise
 };
 Q_ENUM_NS(MessageAction)
 

@@ -155,6 +155,16 @@ Message settingsNotSaved(const QString& file) {
         .stands = true};
 }
 
+Message messagesNotKept(const FileError& error) {
+    return {
+        .key = u"messageLog"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Messages are not kept beyond this session."),
+        .body = Texts::tr("%1 cannot be written. Everything else works; the list of messages has an export.")
+                    .arg(error.path),
+        .details = error.detail};
+}
+
 Message withRecord(Message message) {
     message.actions.prepend({MessageAction::ShowRecord, Texts::tr("Show the last 2 s")});
     return message;

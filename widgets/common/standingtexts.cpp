@@ -14,8 +14,11 @@ Message limitClosed(const ModuleState& module, int limit) {
     m.severity = Severity::Attention;
     const QString number = moduleNumber(index);
     if (module.isStepper()) {
-        m.headline =
-            Texts::tr("Limit %1 of module %2 closed while its motor was moving.").arg(limit).arg(number);
+        m.headline = module.stepper.ended() == Activity::StoppedByLimit
+                         ? Texts::tr("Limit %1 of module %2 stopped its motor.").arg(limit).arg(number)
+                         : Texts::tr("Limit %1 of module %2 closed while its motor was moving.")
+                               .arg(limit)
+                               .arg(number);
         m.body = Texts::tr(
             "The module lets its motor go no farther that way while the switch is closed. Move it the other "
             "way.");
@@ -31,6 +34,16 @@ Message limitClosed(const ModuleState& module, int limit) {
         m.actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}};
     }
     return m;
+}
+
+Message estopActive(ModuleIndex module) {
+    return {
+        .key = ofModule(u"estopActive"_s, module),
+        .module = module,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("The E-stop input of module %1 is active: its motor is on, and does not move.")
+                        .arg(moduleNumber(module)),
+        .body = Texts::tr("Release the input; nothing moves by that.")};
 }
 
 Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
@@ -53,11 +66,23 @@ namespace {
 Message wentOff(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
     if (module.isStepper())
-        return amplifierWentOff(index, module.stepper.activity());
+        return amplifierWentOff(index, module.stepper.ended().value_or(Activity::WentOff));
     if (module.powerLostWhileOn)
         return powerLost(index);
     return tripped(index, module.gains ? std::optional<int>(module.gains->el) : std::nullopt,
                    module.tripCause);
+}
+
+/// Of a stepper whose motor is on, and does not move for it.
+bool estopHolds(const ModuleState& module) {
+    return module.isStepper() && module.stepper.amplifierOn() && module.stepper.estopActs();
+}
+
+/// One text for one cause: what switched the motor off is told of that.
+bool tellsOfLimit(const ModuleState& module, int limit) {
+    const bool switchedOff =
+        module.isStepper() && module.switchedItselfOff && module.stepper.ended() == Activity::StoppedByLimit;
+    return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff;
 }
 
 /// It cannot be spoken to; what it said before stands behind that.
@@ -92,8 +117,10 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
         if (module.currentWasLimited())
             all.push_back(withRecord(currentLimited(index)));
         for (const int limit : {1, 2})
-            if (module.limits.ranInto(static_cast<std::size_t>(limit - 1)))
+            if (tellsOfLimit(module, limit))
                 all.push_back(withRecord(limitClosed(module, limit)));
+        if (estopHolds(module))
+            all.push_back(withRecord(estopActive(index)));
         const HomeWatch& watch = module.homing;
         if (watch.state() == HomeWatch::State::Tripped && watch.stops() &&
             (watch.onLimit1() || watch.onLimit2()) && !(runs && runs(index)))

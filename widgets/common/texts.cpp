@@ -167,6 +167,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
             message.body = Texts::tr("It stays off when power returns.");
             break;
         case Activity::Overheated:
+            message.key = ofModule(u"overheated"_s, module);
             message.headline =
                 Texts::tr("Module %1 switched its motor off because it is too hot.").arg(number);
             message.body = Texts::tr(
@@ -175,12 +176,14 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
                 "and the limit on the Parameters page.");
             break;
         case Activity::EstopActive:
+            message.key = ofModule(u"estop"_s, module);
             message.severity = Severity::Attention;
             message.headline =
                 Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number);
             message.body = Texts::tr("It stays off when the input is released.");
             break;
         case Activity::StoppedByLimit:
+            message.key = ofModule(u"limitOff"_s, module);
             message.severity = Severity::Attention;
             message.headline =
                 Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number);

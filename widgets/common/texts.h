@@ -84,7 +84,9 @@ namespace texts {
 [[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
 /// A limit stop that was armed has stopped the motor.
 [[nodiscard]] Message limitStopTripped(ModuleIndex module, const HomeWatch& watch);
-/// A PIC-STEP switched its motor off; `activity` says why.
+/// PIC-STEP: the motor stays on.
+[[nodiscard]] Message estopActive(ModuleIndex module);
+/// A PIC-STEP switched its motor off; `activity` says why, and each cause is another message.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
 /// A request that the chip does not allow now, for a log or a command line; the window greys the control out.
@@ -132,6 +134,8 @@ namespace texts {
 [[nodiscard]] Message guardianMissing(GuardianProblem problem);
 /// `file`: where they belong.
 [[nodiscard]] Message settingsNotSaved(const QString& file);
+/// Of the log of messages.
+[[nodiscard]] Message messagesNotKept(const FileError& error);
 /// `holding`: some servo is on and keeps its motor where it is.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, bool holding);
 /// There were modules, and each is known to have stopped.

@@ -166,6 +166,8 @@ QString refusal(Refusal refusal) {
         case Refusal::ReadOnly:
             return Texts::tr(
                 "This connection is read-only: nothing is sent but questions. Connect fully first.");
+        case Refusal::OperatorMode:
+            return Texts::tr("The panel is in operator mode, and this is not left to the operator.");
         case Refusal::NotAServo:
             return Texts::tr("This module is not a PIC-SERVO.");
         case Refusal::Silent:

@@ -46,6 +46,7 @@ bool hasFields(MachinePart part) {
         case MachinePart::HomeOrder:
             return false;
         case MachinePart::Groups:
+        case MachinePart::OperatorRights:
         case MachinePart::Program:
         case MachinePart::Unit:
         case MachinePart::Motion:

@@ -75,12 +75,24 @@ void MachineMenu::showFile(const MachineFile& file) {
     m_file = file;
     if (otherRecent)
         fillRecent();
-    for (QAction* action : {m_new, m_open, m_save, m_saveAs})
-        action->setEnabled(!m_file.saving);
-    m_recent->setEnabled(!m_file.saving && !m_file.recent.isEmpty());
+    refresh();
     emit shown();
     if (done)
         goOnAfterSaving();
+}
+
+void MachineMenu::setLocked(bool locked) {
+    m_locked = locked;
+    if (locked)
+        closeDifferences();
+    refresh();
+}
+
+void MachineMenu::refresh() {
+    const bool possible = !m_file.saving && !m_locked;
+    for (QAction* action : {m_new, m_open, m_save, m_saveAs})
+        action->setEnabled(possible);
+    m_recent->setEnabled(possible && !m_file.recent.isEmpty());
 }
 
 void MachineMenu::fillRecent() {

@@ -35,6 +35,8 @@ public:
     explicit MachineMenu(QWidget* window);
 
     void addTo(QMenu& menu);
+    /// In operator mode the machine stays as it is.
+    void setLocked(bool locked);
     /// Emits shown() only.
     void showFile(const MachineFile& file);
     [[nodiscard]] const MachineFile& file() const { return m_file; }
@@ -64,6 +66,7 @@ private:
     QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
                        const QString& tip);
     void fillRecent();
+    void refresh();
     /// Calls `go` at once when nothing is unsaved.
     void askFirst(const Go& go);
     void ask(const QString& saveText, const QString& goOnText, const Go& go);
@@ -78,6 +81,7 @@ private:
 
     QWidget* m_window;
     MachineFile m_file;
+    bool m_locked = false;
     Go m_afterSaving;  ///< if it works
     QAction* m_new;
     QAction* m_open;

@@ -16,11 +16,14 @@
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/machine/machinemenu.h"
+#include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
+#include "widgets/mainwindow/operatorlock.h"
 #include "widgets/mainwindow/otherwindows.h"
+#include "widgets/mainwindow/pendant.h"
 #include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/promptfilter.h"
 #include "widgets/mainwindow/repeatfilter.h"
@@ -29,6 +32,7 @@
 #include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/response/stepresponsedock.h"
@@ -59,12 +63,16 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     new WheelFilter(this);  // before the first box asks for the focus by the wheel
     buildCentre();
     buildDocks();
+    m_pendant = new Pendant(*this, *m_panel);
+    m_operator = new OperatorLock(settings, this);
+    m_bell = new Bell(settings, this);
     buildTop();
     m_linkBar = new LinkBar(this);
     setStatusBar(m_linkBar);
     connectParts();
     showSession();
     showSelected();
+    showOperator();
     restoreLayout();
     showSafetyOnce();
 }
@@ -94,6 +102,8 @@ void MainWindow::buildTop() {
     layout->addWidget(m_bar);
     layout->addWidget(m_simulatorRibbon);
     layout->addWidget(m_readOnlyRibbon);
+    layout->addWidget(m_operatorRibbon);
+    layout->addWidget(m_pendantRibbon);
     layout->addWidget(m_banner);
     setMenuWidget(top);
     setMinimumWidth(m_bar->minimumSizeHint().width());
@@ -110,6 +120,17 @@ void MainWindow::buildRibbons(QWidget* top) {
         u"connectFullyButton"_s, tr("Connect fully"),
         tr("Connects to the same port so that commands can be sent. Nothing moves by it."));
     connect(fully, &QPushButton::clicked, this, &MainWindow::connectFullyRequested);
+    m_operatorRibbon =
+        new Ribbon(u"operatorRibbon"_s, tr("Operator mode"),
+                   tr("OPERATOR MODE — only what is left to the operator can be done. STOP ALL acts."), top);
+    QPushButton* leave =
+        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave it…"), tr("Asks for the PIN."));
+    connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
+    m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Keyboard pendant"), {}, top);
+    QPushButton* end = m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End it"),
+                                                  tr("Arrow keys move nothing any more."));
+    end->setFocusPolicy(Qt::NoFocus);
+    connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });
 }
 
 void MainWindow::buildCentre() {
@@ -124,6 +145,8 @@ void MainWindow::connectParts() {
         if (const ModuleState* module = selectedState(); module != nullptr && m_session.viewOf(*module).age)
             showSelected();
     });
+    connect(m_pendant, &Pendant::changed, this, &MainWindow::showPendant);
+    connect(m_operator, &OperatorLock::changed, this, &MainWindow::showOperator);
     connect(&m_session, &Session::disconnectRequested, this, &MainWindow::disconnectRequested);
     connect(m_bar, &ConnectionBar::connectRequested, this,
             [this](const QString& port, quint32 baud, bool readOnly) {
@@ -163,12 +186,36 @@ void MainWindow::connectParts() {
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(&m_scope->files(), &ScopeFiles::saveRequested, this, &MainWindow::saveRequested);
     connect(m_monitor, &MonitorDock::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_messages, &MessagePanel::saveRequested, this, &MainWindow::saveRequested);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);
         m_messages->reveal(key);
     });
-    connect(m_messages, &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+    connect(&m_messages->list(), &MessageList::actionTriggered, this, &MainWindow::takeMessageAction);
+}
+
+/// The mode, or the axis that it is for.
+void MainWindow::showPendant() {
+    const ModuleState* module = selectedState();
+    const auto refusal = whyNotTold(m_session.link());
+    const bool told =
+        m_session.link().phase == LinkPhase::Connected && (!refusal || refusal == Refusal::OperatorMode);
+    m_pendant->showModule(!told ? texts::refusal(refusal.value_or(Refusal::NotConnected))
+                          : m_panel->page() == nullptr ? tr("There is no module that could be moved.")
+                                                       : QString());
+    m_pendantRibbon->setVisible(m_pendant->isOn());
+    if (module == nullptr)
+        return;
+    const QString what = m_pendant->problem().isEmpty()
+                             ? tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.")
+                             : tr("Not moved: %1").arg(m_pendant->problem());
+    m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
+}
+
+void MainWindow::showOperator() {
+    m_operatorRibbon->setVisible(m_operator->isLocked());
+    m_machineMenu->setLocked(m_operator->isLocked());
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -205,7 +252,7 @@ void MainWindow::showPhase(LinkPhase before) {
         m_preparing.start(kPrepareInterval);
     showSession();
     m_banner->review(link);
-    m_messages->review(link);
+    m_messages->list().review(link);
 }
 
 void MainWindow::showModules() {
@@ -274,6 +321,7 @@ void MainWindow::showSelected() {
         m_stepResponse->showNothing();
     }
     m_simulator->showSelected(selectedModule());
+    showPendant();
     showScopeModules();
     AskDialog::reviewAll(*this);
 }
@@ -297,9 +345,14 @@ void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
 
 void MainWindow::showMachine(const Machine& machine) {
     m_session.setMachine(machine);
+    m_operator->showRights(machine.operatorRights.value_or(OperatorRights{}));
 }
 
 void MainWindow::showProcedure(const ProcedureReport& report) {
+    const auto before = m_session.procedures().find(report.module);
+    const bool ran = before != m_session.procedures().end() && !before->second.over();
+    if (ran && report.over())
+        m_bell->ring();
     m_session.setProcedure(report);
 }
 
@@ -320,16 +373,18 @@ void MainWindow::showMessage(const Message& news) {
     const Message message = ofThisConnection(news);
     m_messages->showMessage(message);
     m_banner->showMessage(message);
+    if (message.severity == Severity::Fault)
+        m_bell->ring();
 }
 
 void MainWindow::amendMessage(const Message& news) {
     const Message message = ofThisConnection(news);
-    m_messages->amendMessage(message);
+    m_messages->list().amendMessage(message);
     m_banner->amendMessage(message);
 }
 
 void MainWindow::endMessage(const QString& key) {
-    m_messages->endMessage(key);
+    m_messages->list().endMessage(key);
     m_banner->endMessage(key);
 }
 

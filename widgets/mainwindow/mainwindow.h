@@ -31,15 +31,18 @@ namespace nmc {
 
 class AxesDock;
 class Banner;
+class Bell;
 class ChainView;
 class ConnectionBar;
 class FocusKeeper;
 class LinkBar;
 class ChainMenu;
 class MachineMenu;
-class MessageList;
+class MessagePanel;
 class ModulePanel;
 class MonitorDock;
+class OperatorLock;
+class Pendant;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
@@ -101,6 +104,9 @@ public:
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
+    [[nodiscard]] Bell& bell() { return *m_bell; }
+    [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
+    [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Points and sequences: edited, foreseen, run.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
     /// All axes at once.
@@ -192,6 +198,8 @@ private:
     void addOtherModules(std::vector<CommandPalette::Entry>& entries);
     void showPhase(LinkPhase before);
     void showScopeModules();
+    void showPendant();
+    void showOperator();
     void requestStop();
     void askBeforeDisconnect();
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
@@ -208,11 +216,16 @@ private:
     ConnectionBar* m_bar = nullptr;
     Ribbon* m_simulatorRibbon = nullptr;
     Ribbon* m_readOnlyRibbon = nullptr;
+    Ribbon* m_pendantRibbon = nullptr;
+    Ribbon* m_operatorRibbon = nullptr;
+    Pendant* m_pendant = nullptr;
+    OperatorLock* m_operator = nullptr;
+    Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
-    MessageList* m_messages = nullptr;
+    MessagePanel* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;

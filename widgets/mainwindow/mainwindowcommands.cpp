@@ -9,6 +9,7 @@
 #include "widgets/common/words.h"
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/mainwindow.h"
+#include "widgets/mainwindow/pendant.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
@@ -65,6 +66,8 @@ void MainWindow::fillModuleMenu(QMenu& menu) {
         box = command->box();
         menu.addAction(command);
     }
+    menu.addSeparator();
+    menu.addAction(m_pendant->action());
 }
 
 void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
@@ -72,6 +75,11 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
     if (page == nullptr)
         return;
     page->context().catchUp();
+    QAction* pendant = m_pendant->action();
+    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), tr("Module"), keyOf(*pendant),
+                       pendant->toolTip(),
+                       [pendant] { return pendant->isEnabled() ? QString() : pendant->toolTip(); },
+                       [pendant] { pendant->trigger(); }});
     for (Command* command : page->commands()) {
         if (!command->isVisible())
             continue;

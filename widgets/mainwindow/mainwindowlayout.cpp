@@ -2,16 +2,18 @@
 // The window's docks: where they stand at first, and where the user left them.
 #include <QDockWidget>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 
 #include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/monitorplace.h"
 #include "widgets/mainwindow/settingskeys.h"
-#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
@@ -43,7 +45,7 @@ QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title
 
 void MainWindow::showDockOf(const QWidget& content) {
     for (QDockWidget* dock : m_docks)
-        if (dock->widget() == &content) {
+        if (dock->isAncestorOf(&content)) {
             dock->show();
             dock->raise();
         }
@@ -54,10 +56,11 @@ void MainWindow::buildDocks() {
     m_chain = new ChainView(this);
     m_scope = new ScopePanel(this);
     m_scope->setSetup(ScopeSetup::fromText(m_settings.value(kScope).toString()));
-    m_messages = new MessageList(this);
+    m_messages = new MessagePanel(this);
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
-    QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), m_scope, Qt::BottomDockWidgetArea);
-    QDockWidget* messages = addDock(u"messagesDock"_s, tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
+    QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), scrolled(m_scope), Qt::BottomDockWidgetArea);
+    QDockWidget* messages =
+        addDock(u"messagesDock"_s, tr("Messages"), scrolled(m_messages), Qt::BottomDockWidgetArea);
     addSimulatorDock();
     m_monitor = new MonitorDock(this);
     placeMonitor(*this, *m_monitor, *messages, *scope);

@@ -12,7 +12,9 @@
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
+#include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/mainwindow.h"
+#include "widgets/mainwindow/operatorlock.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -67,6 +69,8 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
     file->addSeparator();
     file->addAction(window.scopeFiles().openAction());
     file->addSeparator();
+    file->addAction(window.operatorLock().action());
+    file->addSeparator();
     QAction* quit = add(file, Menus::tr("&Quit"), u"quitAction"_s);
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
@@ -97,6 +101,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
         view->addAction(toggle);
     }
     view->addSeparator();
+    view->addAction(window.bell().action());
     QObject::connect(add(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
                      &window, &MainWindow::resetLayout);
 

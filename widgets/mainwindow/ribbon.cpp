@@ -13,20 +13,23 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 Ribbon::Ribbon(const QString& objectName, const QString& accessibleName, const QString& text, QWidget* parent)
-    : QFrame(parent), m_layout(new QHBoxLayout(this)) {
+    : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(new QLabel(text, this)) {
     look::name(this, objectName, accessibleName);
-    auto* label = new QLabel(text, this);
-    label->setObjectName(objectName + u"Text"_s);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setAlignment(Qt::AlignCenter);
+    m_text->setObjectName(objectName + u"Text"_s);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignCenter);
     const int unit = look::gridUnit(this);
     m_layout->setContentsMargins(unit, unit / 3, unit, unit / 3);
     m_layout->setSpacing(unit);
-    m_layout->addWidget(label, 1);
+    m_layout->addWidget(m_text, 1);
     setAutoFillBackground(true);
     invert();
     hide();
+}
+
+void Ribbon::setText(const QString& text) {
+    look::setText(m_text, text);
 }
 
 QPushButton* Ribbon::addButton(const QString& objectName, const QString& text, const QString& meaning) {

@@ -4,6 +4,7 @@
 #include <QFrame>
 
 class QHBoxLayout;
+class QLabel;
 class QPushButton;
 
 namespace nmc {
@@ -16,6 +17,7 @@ class Ribbon : public QFrame {
 public:
     Ribbon(const QString& objectName, const QString& accessibleName, const QString& text, QWidget* parent);
 
+    void setText(const QString& text);
     /// Behind the text.
     QPushButton* addButton(const QString& objectName, const QString& text, const QString& meaning);
 
@@ -26,6 +28,7 @@ private:
     void invert();
 
     QHBoxLayout* m_layout;
+    QLabel* m_text;
 };
 
 }  // namespace nmc

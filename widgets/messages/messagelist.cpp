@@ -28,13 +28,14 @@ MessageList::MessageList(QWidget* parent) : QScrollArea(parent) {
     m_layout = new QVBoxLayout(page);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(0);
-    m_empty =
-        look::newMutedLabel(tr("No messages. What goes wrong, and when it is over, is told here."), page);
+    m_empty = look::newMutedLabel({}, page);
+    m_empty->setObjectName(u"noMessagesLabel"_s);
     m_empty->setWordWrap(true);
     m_empty->setMargin(look::gridUnit(this));
     m_layout->addWidget(m_empty);
     m_layout->addStretch(1);
     setWidget(page);
+    showWhetherEmpty();
 }
 
 MessageRow* MessageList::active(const QString& key) const {
@@ -45,8 +46,11 @@ MessageRow* MessageList::active(const QString& key) const {
 }
 
 void MessageList::showMessage(const Message& message, const QDateTime& time) {
-    m_empty->hide();
     MessageRow* row = active(message.key);
+    if (row != nullptr && row->message().headline != message.headline) {
+        endRow(*row, time);
+        row = nullptr;
+    }
     if (row != nullptr) {
         row->repeat(message, time);
         m_rows.removeOne(row);
@@ -57,20 +61,57 @@ void MessageList::showMessage(const Message& message, const QDateTime& time) {
     }
     m_rows.prepend(row);
     m_layout->insertWidget(0, row);
-    row->show();
+    showRow(*row);
     verticalScrollBar()->setValue(0);
     while (m_rows.size() > kMaxRows)
         delete m_rows.takeLast();
+    showWhetherEmpty();
+    emit told(row->entry());
+}
+
+void MessageList::showRow(MessageRow& row) {
+    row.setVisible(m_filter.passes(row.entry()));
+}
+
+void MessageList::setFilter(const MessageFilter& filter) {
+    m_filter = filter;
+    for (MessageRow* row : m_rows)
+        showRow(*row);
+    showWhetherEmpty();
+}
+
+std::vector<MessageEntry> MessageList::shownEntries() const {
+    std::vector<MessageEntry> entries;
+    for (const MessageRow* row : m_rows)
+        if (m_filter.passes(row->entry()))
+            entries.push_back(row->entry());
+    return entries;
+}
+
+void MessageList::showWhetherEmpty() {
+    m_empty->setVisible(shownEntries().empty());
+    look::setText(m_empty, m_rows.isEmpty()
+                               ? tr("No messages. What goes wrong, and when it is over, is told here.")
+                               : tr("None of the messages passes the filter above."));
 }
 
 void MessageList::amendMessage(const Message& message) {
-    if (MessageRow* row = active(message.key))
+    if (MessageRow* row = active(message.key)) {
         row->amend(message);
+        emit told(row->entry());
+    }
 }
 
 void MessageList::endMessage(const QString& key, const QDateTime& time) {
     if (MessageRow* row = active(key))
-        row->end(time);
+        endRow(*row, time);
+}
+
+void MessageList::endRow(MessageRow& row, const QDateTime& time) {
+    row.end(time);
+    showRow(row);
+    showWhetherEmpty();
+    emit ended(row.entry());
 }
 
 void MessageList::review(const LinkState& link) {

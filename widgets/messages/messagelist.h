@@ -5,7 +5,7 @@
 #include <QList>
 #include <QScrollArea>
 
-#include "widgets/common/message.h"
+#include "widgets/messages/messagelines.h"
 
 class QVBoxLayout;
 class QLabel;
@@ -14,7 +14,8 @@ namespace nmc {
 
 class MessageRow;
 
-/// What happened in this session, newest first; one row for one cause, repeats are counted.
+/// What happened in this session, newest first; one row for one cause, repeats are counted. The same key with
+/// another headline is another cause.
 class MessageList : public QScrollArea {
     Q_OBJECT
 
@@ -32,18 +33,28 @@ public:
     /// Scrolls to it, if it is not over.
     void reveal(const QString& key);
 
-    /// The rows, newest first.
+    void setFilter(const MessageFilter& filter);
+    /// Of the rows that the filter lets pass, newest first.
+    [[nodiscard]] std::vector<MessageEntry> shownEntries() const;
+    /// The rows, newest first; those that are filtered out are hidden.
     [[nodiscard]] const QList<MessageRow*>& rows() const { return m_rows; }
 
 signals:
     void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
+    /// For whoever keeps it: a cause was told, or told again; or it is over.
+    void told(const nmc::MessageEntry& entry);
+    void ended(const nmc::MessageEntry& entry);
 
 private:
     [[nodiscard]] MessageRow* active(const QString& key) const;
+    void endRow(MessageRow& row, const QDateTime& time);
+    void showRow(MessageRow& row);
+    void showWhetherEmpty();
 
     QList<MessageRow*> m_rows;
     QVBoxLayout* m_layout;
     QLabel* m_empty;
+    MessageFilter m_filter;
 };
 
 }  // namespace nmc

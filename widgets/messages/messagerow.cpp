@@ -15,8 +15,7 @@ using namespace Qt::StringLiterals;
 
 MessageRow::MessageRow(const Message& message, const QDateTime& time, QWidget* parent)
     : QFrame(parent),
-      m_message(message),
-      m_time(time),
+      m_entry{message, time},
       m_glyph(new GlyphLabel(this)),
       m_when(look::newMutedLabel({}, this)),
       m_headline(new QLabel(this)),
@@ -51,38 +50,38 @@ MessageRow::MessageRow(const Message& message, const QDateTime& time, QWidget* p
 }
 
 void MessageRow::repeat(const Message& message, const QDateTime& time) {
-    m_message = message;
-    m_time = time;
-    ++m_count;
+    m_entry.message = message;
+    m_entry.time = time;
+    ++m_entry.count;
     present();
 }
 
 void MessageRow::amend(const Message& message) {
-    m_message = message;
+    m_entry.message = message;
     present();
 }
 
 void MessageRow::end(const QDateTime& time) {
-    m_over = time;
+    m_entry.over = time;
     present();
 }
 
 void MessageRow::present() {
-    const QString format = u"HH:mm:ss"_s;
-    QStringList when{m_time.time().toString(format)};
-    if (m_message.severity != Severity::Normal)
-        when << texts::severity(m_message.severity);
-    if (m_count > 1)
-        when << tr("%1 times").arg(m_count);
-    if (m_over.isValid())
-        when << tr("over at %1").arg(m_over.time().toString(format));
+    const QDate today = QDate::currentDate();
+    QStringList when{timeText(m_entry.time, today)};
+    if (m_entry.message.severity != Severity::Normal)
+        when << texts::severity(m_entry.message.severity);
+    if (m_entry.count > 1)
+        when << tr("%1 times").arg(m_entry.count);
+    if (m_entry.over.isValid())
+        when << tr("over at %1").arg(timeText(m_entry.over, m_entry.time.date()));
     m_when->setText(when.join(u" · "_s));
-    m_glyph->showSeverity(m_over.isValid() ? Severity::Normal : m_message.severity);
-    m_headline->setText(m_message.headline);
-    m_body->setText(m_message.body);
-    m_body->setVisible(!m_message.body.isEmpty());
-    setToolTip(m_message.details);
-    setAccessibleName(when.join(u", "_s) + u": "_s + m_message.headline);
+    m_glyph->showSeverity(m_entry.over.isValid() ? Severity::Normal : m_entry.message.severity);
+    m_headline->setText(m_entry.message.headline);
+    m_body->setText(m_entry.message.body);
+    m_body->setVisible(!m_entry.message.body.isEmpty());
+    setToolTip(m_entry.message.details);
+    setAccessibleName(when.join(u", "_s) + u": "_s + m_entry.message.headline);
     while (QLayoutItem* item = m_actions->takeAt(0)) {
         // It may be the very button whose click brought us here.
         if (QWidget* button = item->widget()) {
@@ -92,15 +91,15 @@ void MessageRow::present() {
         }
         delete item;
     }
-    for (const Message::Action& action : m_message.actions) {
+    for (const Message::Action& action : m_entry.message.actions) {
         // What was kept of it can be looked at for ever; nothing else is to be done any more.
-        if (m_over.isValid() && action.id != MessageAction::ShowRecord)
+        if (m_entry.over.isValid() && action.id != MessageAction::ShowRecord)
             continue;
         auto* button = new QPushButton(action.text, this);
         button->setFlat(true);
         look::name(button, u"listAction_"_s + nmc::objectName(action.id), action.text);
         connect(button, &QPushButton::clicked, this,
-                [this, id = action.id] { emit actionTriggered(m_message, id); });
+                [this, id = action.id] { emit actionTriggered(m_entry.message, id); });
         m_actions->addWidget(button);
     }
     m_actions->addStretch(1);

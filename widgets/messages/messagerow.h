@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QFrame>
 
-#include "widgets/common/message.h"
+#include "widgets/messages/messagelines.h"
 
 class QLabel;
 class QHBoxLayout;
@@ -26,9 +26,10 @@ public:
     void amend(const Message& message);
     void end(const QDateTime& time);
 
-    [[nodiscard]] const Message& message() const { return m_message; }
-    [[nodiscard]] int count() const { return m_count; }
-    [[nodiscard]] bool over() const { return m_over.isValid(); }
+    [[nodiscard]] const MessageEntry& entry() const { return m_entry; }
+    [[nodiscard]] const Message& message() const { return m_entry.message; }
+    [[nodiscard]] int count() const { return m_entry.count; }
+    [[nodiscard]] bool over() const { return m_entry.over.isValid(); }
 
 signals:
     void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
@@ -36,10 +37,7 @@ signals:
 private:
     void present();
 
-    Message m_message;
-    QDateTime m_time;
-    QDateTime m_over;
-    int m_count = 1;
+    MessageEntry m_entry;
     GlyphLabel* m_glyph;
     QLabel* m_when;
     QLabel* m_headline;

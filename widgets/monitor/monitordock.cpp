@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/monitordock.h"
 
+#include <QScrollArea>
 #include <utility>
 
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/monitor/packetmonitor.h"
 
 namespace nmc {
@@ -28,7 +30,7 @@ PacketMonitor& MonitorDock::page() {
         m_page->begin(m_session);
         m_page->offerModules(m_modules);
         m_page->showFigures(m_figures);
-        setWidget(m_page);
+        setWidget(scrolled(m_page));
     }
     return *m_page;
 }

@@ -32,6 +32,13 @@ void HoldButton::begin() {
     emit held();
 }
 
+void HoldButton::beginHold() {
+    if (!isVisible())
+        return;
+    setDown(isEnabled());
+    begin();
+}
+
 void HoldButton::endHold() {
     if (!isHeld())
         return;

@@ -16,6 +16,12 @@ class HoldButton : public QPushButton {
 public:
     explicit HoldButton(QWidget* parent = nullptr);
 
+    /// Which way it moves the motor; PWM is no way.
+    enum class Way { None, Forward, Reverse };
+    void setWay(Way way) { m_way = way; }
+    [[nodiscard]] Way way() const { return m_way; }
+    /// A press from elsewhere: as one of the mouse, where it is enabled and in sight.
+    void beginHold();
     /// How often held() comes while it is held; 100 ms.
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
     [[nodiscard]] bool isHeld() const { return m_timer.isActive(); }
@@ -41,6 +47,7 @@ private:
 
     QTimer m_timer;
     quint32 m_press = 0;
+    Way m_way = Way::None;
 };
 
 }  // namespace nmc

@@ -70,6 +70,8 @@ void JogBox::build() {
             m_typed = velocity;
         refresh();
     });
+    m_forward->setWay(HoldButton::Way::Forward);
+    m_reverse->setWay(HoldButton::Way::Reverse);
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse}) {

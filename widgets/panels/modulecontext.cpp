@@ -120,7 +120,8 @@ void ModuleContext::ask(const Intent& intent) {
 void ModuleContext::edit(const SettingsEdit& edit) {
     AxisSettings settings = m_settings;
     edit(settings);
-    if (m_showing || settings == m_settings)
+    // In operator mode the machine stays as it is.
+    if (m_showing || m_state.rights || settings == m_settings)
         return;
     m_settings = settings;
     emit edited(settings);

@@ -12,7 +12,13 @@
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/panels/command.h"
+#include "widgets/panels/detailsbox.h"
+#include "widgets/panels/holdbutton.h"
+#include "widgets/panels/homingbox.h"
+#include "widgets/panels/stepdetailsbox.h"
+#include "widgets/panels/stepiobox.h"
 
 namespace nmc {
 
@@ -23,23 +29,13 @@ namespace {
 constexpr int kNarrowestPages = 17;  ///< lines of text
 constexpr int kWindowChanges = 250;  ///< ms
 
-QScrollArea* newScroll(QWidget* content, const QString& name, const QString& accessibleName) {
-    auto* scroll = new QScrollArea;
-    look::name(scroll, name, accessibleName);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(content);
-    return scroll;
-}
-
 /// What does not fit is scrolled for itself, and the motions stay where they are.
 void letScroll(QTabWidget& pages) {
     for (int i = 0; i < pages.count(); ++i) {
         QWidget* page = pages.widget(i);
         const QString title = pages.tabText(i);
         pages.removeTab(i);
-        pages.insertTab(i, newScroll(page, page->objectName() + u"Scroll"_s, page->accessibleName()), title);
+        pages.insertTab(i, scrolled(page), title);
     }
     pages.setCurrentIndex(0);
 }
@@ -57,7 +53,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     auto* left = new QWidget;
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
-    m_motions = newScroll(left, u"panelScroll"_s, tr("Motions of the selected module"));
+    m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
     m_motions->setMinimumWidth(left->minimumSizeHint().width() +
                                m_motions->verticalScrollBar()->sizeHint().width());
     m_columns = new QHBoxLayout;
@@ -73,6 +69,8 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     layout->setSpacing(0);
     layout->addLayout(heading);
     layout->addLayout(m_columns, 1);
+    connect(&m_context, &ModuleContext::changed, this, &ModulePage::lockPages);
+    lockPages();
     // What acts is seen, whatever it was asked by.
     for (Command* command : commands())
         connect(command, &QAction::triggered, this, [this, command] { reveal(*command->box()); });
@@ -106,6 +104,32 @@ void ModulePage::reveal(const QWidget& box) {
     for (int i = 0; i < m_pages->count(); ++i)
         if (m_pages->widget(i)->isAncestorOf(&box))
             m_pages->setCurrentIndex(i);
+}
+
+void ModulePage::lockPages() {
+    const std::optional<OperatorRights>& rights = m_context.state().rights;
+    const auto mayUse = [&rights](const QWidget& page) {
+        if (page.findChild<const HomingBox*>() != nullptr)
+            return rights->homing;
+        if (page.findChild<const StepIoBox*>() != nullptr)
+            return rights->outputs;
+        return page.findChild<const DetailsBox*>() != nullptr ||
+               page.findChild<const StepDetailsBox*>() != nullptr;
+    };
+    for (int i = 0; i < m_pages->count(); ++i)
+        if (QWidget* page = m_pages->widget(i); page != m_motions)
+            page->setEnabled(!rights || mayUse(*page));
+}
+
+HoldButton* ModulePage::holdButton(bool reverse) {
+    const auto way = reverse ? HoldButton::Way::Reverse : HoldButton::Way::Forward;
+    for (HoldButton* button : findChildren<HoldButton*>())
+        if (button->way() == way) {
+            reveal(*button);
+            m_motions->ensureWidgetVisible(button);
+            return button;
+        }
+    return nullptr;
 }
 
 void ModulePage::showCommand(const QString& name) {

@@ -13,6 +13,7 @@ class QTabWidget;
 namespace nmc {
 
 class Command;
+class HoldButton;
 
 /// Everything that one module can be asked for: its head, which is always in view, the motions below at the
 /// left, and pages beside them. Made for one module of one connection, and gone with it.
@@ -30,6 +31,9 @@ public:
     [[nodiscard]] QList<Command*> commands() const;
     /// Its button comes in sight, with its tool tip; `name` is that of the button.
     void showCommand(const QString& name);
+
+    /// The one that moves it that way while it is held, which comes in sight; none: it has none.
+    [[nodiscard]] HoldButton* holdButton(bool reverse);
 
     /// How much higher their room is than the motions need; below 0: not all of them are in view.
     [[nodiscard]] int spareHeight() const;
@@ -49,6 +53,9 @@ protected:
     void reveal(const QWidget& box);
 
 private:
+    /// In operator mode, pages whose fields are not the operator's.
+    void lockPages();
+
     QTabWidget* m_pages = nullptr;
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;

@@ -71,6 +71,8 @@ StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
             m_typed = speed;
         refresh();
     });
+    m_forward->setWay(HoldButton::Way::Forward);
+    m_reverse->setWay(HoldButton::Way::Reverse);
     connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
     connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
     for (HoldButton* button : {m_forward, m_reverse}) {
@@ -145,8 +147,8 @@ QString StepHoldBox::reasonFor(bool reverse) const {
     const ModuleState& module = m_context.state();
     const stepintent::Move move{*wanted};
     // Towards a limit of travel what moves is stopped first, by the bus.
-    const auto refusal =
-        travelEnd(module, reverse) ? whyNotFromStandstill(move.motion, module) : whyNot(move.motion, module);
+    const auto refusal = travelEnd(module, reverse) ? whyNotFromStandstill(move.motion, module, Request::Hold)
+                                                    : whyNot(move.motion, module, Request::Hold);
     return refusal ? texts::refusal(*refusal, move, module, m_context.scale()) : QString();
 }
 

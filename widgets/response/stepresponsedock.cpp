@@ -2,8 +2,10 @@
 #include "widgets/response/stepresponsedock.h"
 
 #include <QAction>
+#include <QScrollArea>
 
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 
 namespace nmc {
 
@@ -34,7 +36,7 @@ StepResponsePage& StepResponseDock::page() {
         connect(m_page, &StepResponsePage::stepRequested, this, &StepResponseDock::stepRequested);
         connect(m_page, &StepResponsePage::gainsWanted, this, &StepResponseDock::gainsWanted);
         connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
-        setWidget(m_page);
+        setWidget(scrolled(m_page));
     }
     return *m_page;
 }

@@ -2,8 +2,10 @@
 #include "widgets/sequences/sequencesdock.h"
 
 #include <QAction>
+#include <QScrollArea>
 
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 
 namespace nmc {
 
@@ -42,7 +44,7 @@ SequencesPage& SequencesDock::page() {
         connect(m_page, &SequencesPage::foresightDropped, this, &SequencesDock::foresightDropped);
         if (m_run)
             m_page->showRun(*m_run);
-        setWidget(m_page);
+        setWidget(scrolled(m_page));
     }
     return *m_page;
 }

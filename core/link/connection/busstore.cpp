@@ -206,6 +206,34 @@ void BusStore::setMachine(const Machine& machine) {
     emit linkChanged();
 }
 
+void BusStore::offerHome(ModuleIndex module, std::int32_t counts) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.offer(counts);
+    emit linkChanged();
+}
+
+void BusStore::takeHome(ModuleIndex module) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.takeOffer(m_link.modules[module.value()].latestTime);
+    emit linkChanged();
+}
+
+void BusStore::dropHome(ModuleIndex module) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.dropOffer();
+    emit linkChanged();
+}
+
+void BusStore::setRights(const std::optional<OperatorRights>& rights) {
+    m_link.rights = rights;
+    for (ModuleState& module : m_link.modules)
+        module.rights = rights;
+    emit linkChanged();
+}
+
 void BusStore::note(const bus::OwedStopConfirmed& confirmed) {
     if (known(confirmed.module))
         m_link.modules[confirmed.module.value()].confirmedAtRest();
@@ -233,6 +261,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
     m_link.take(m_machine);
+    module.rights = m_link.rights;
 }
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {
@@ -296,6 +325,7 @@ void BusStore::note(const bus::ChainFound& chain) {
         ModuleState module;
         module.info = info;
         module.readOnly = chain.readOnly;
+        module.rights = m_link.rights;
         if (chain.attached)
             module.attached();
         module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();

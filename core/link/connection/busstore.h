@@ -49,6 +49,13 @@ public:
     void declarePosition(ModuleIndex module, bool right);
     /// How its axes may move, as the user has set it.
     void setMachine(const Machine& machine);
+    /// Where its home is if what was remembered is true.
+    void offerHome(ModuleIndex module, std::int32_t counts);
+    /// The user has taken that, or does not want it.
+    void takeHome(ModuleIndex module);
+    void dropHome(ModuleIndex module);
+    /// The panel is locked for an operator, or not any more.
+    void setRights(const std::optional<OperatorRights>& rights);
 
     /// Rates since the last call, from the worker's counters; for the status bar's 1 Hz pull.
     [[nodiscard]] LinkFigures pullFigures(TimePoint now);

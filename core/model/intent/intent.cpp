@@ -236,6 +236,8 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
     if (std::holds_alternative<intent::AskAnew>(intent))
         return stepsFor(module, Nop{});
     if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
+        if (module.rights)
+            return tl::unexpected(Refusal::OperatorMode);
         if (const auto refusal = whyNotDirect(direct->command, module))
             return tl::unexpected(*refusal);
         return Steps{{module.info.index, direct->command}};
@@ -338,9 +340,52 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
     return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
 
+namespace {
+
+[[nodiscard]] bool allows(const OperatorRights& rights, Request request) {
+    switch (request) {
+        case Request::StopMotion:
+        case Request::MotorOff:
+            return true;
+        case Request::Enable:
+        case Request::ClearStickyBits:
+            return rights.enable;
+        case Request::Hold:
+            return rights.jog;
+        case Request::Move:
+        case Request::Load:
+        case Request::GoHome:
+        case Request::Run:
+        case Request::StartLoaded:
+            return rights.moves;
+        case Request::Home:
+        case Request::ResetPosition:
+        case Request::SaveAsHome:
+            return rights.homing;
+        case Request::SetOutputs:
+            return rights.outputs;
+        case Request::ApplyGains:
+        case Request::StopHere:  // it lets the motor turn to another place
+        case Request::DrivePwm:
+        case Request::CheckDirection:
+        case Request::SetAmplifier:
+        case Request::ControlIo:
+        case Request::ArmLimitStop:
+        case Request::SetParameters:
+        case Request::ResetModule:
+        case Request::DeclarePosition:
+            return false;
+    }
+    return false;
+}
+
+}  // namespace
+
 std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {
     if (module.readOnly)
         return Refusal::ReadOnly;
+    if (module.rights && !allows(*module.rights, request))
+        return Refusal::OperatorMode;
     const bool heard = !module.silent && module.latest;
     return heard || request == Request::MotorOff ? std::nullopt : std::optional(Refusal::Silent);
 }
@@ -348,7 +393,9 @@ std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {
 std::optional<Refusal> whyNotTold(const LinkState& link) {
     if (link.phase == LinkPhase::Disconnected)
         return Refusal::NotConnected;
-    return link.readOnly ? std::optional(Refusal::ReadOnly) : std::nullopt;
+    if (link.readOnly)
+        return Refusal::ReadOnly;
+    return link.rights ? std::optional(Refusal::OperatorMode) : std::nullopt;
 }
 
 }  // namespace nmc

@@ -133,7 +133,8 @@ using Intent =
 /// Why something cannot be asked for now; the window's texts have a sentence for each.
 enum class Refusal : std::uint8_t {
     NotConnected,
-    ReadOnly,  ///< the connection only looks
+    ReadOnly,      ///< the connection only looks
+    OperatorMode,  ///< the panel is locked
     NotAServo,
     Silent,
     NoPower,

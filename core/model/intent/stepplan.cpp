@@ -41,9 +41,9 @@ struct GoalOf {
 };
 
 /// What keeps it from moving at all, whatever is asked for.
-[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module) {
+[[nodiscard]] std::optional<Refusal> whyNoMotion(const ModuleState& module, Request as) {
     const StepState& stepper = module.stepper;
-    if (const auto refusal = whyNotTold(Request::Move, module))
+    if (const auto refusal = whyNotTold(as, module))
         return refusal;
     if (!stepper.powered())
         return Refusal::NoPower;
@@ -267,13 +267,13 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::SetAmplifier:
             return whyNotEnable(module);
         case Request::Move:
-            if (const auto refusal = whyNoMotion(module))
+            if (const auto refusal = whyNoMotion(module, request))
                 return refusal;
             return module.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
         case Request::Load:
         case Request::Run:
         case Request::Hold:
-            return whyNoMotion(module);
+            return whyNoMotion(module, request);
         case Request::StartLoaded:
             return whyNotStart(module);
         case Request::ResetPosition:
@@ -302,8 +302,8 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module) {
-    if (const auto refusal = whyNoMotion(module))
+std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module, Request as) {
+    if (const auto refusal = whyNoMotion(module, as))
         return refusal;
     if (const auto refusal = whyNotThatFar(motion, module))
         return refusal;
@@ -315,8 +315,8 @@ std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const Modu
     return std::nullopt;
 }
 
-std::optional<Refusal> whyNot(const StepMotion& wanted, const ModuleState& module) {
-    if (const auto refusal = whyNotFromStandstill(wanted, module))
+std::optional<Refusal> whyNot(const StepMotion& wanted, const ModuleState& module, Request as) {
+    if (const auto refusal = whyNotFromStandstill(wanted, module, as))
         return refusal;
     const StepMotion motion = withinTravel(wanted, module);
     const StepState& stepper = module.stepper;
@@ -345,7 +345,7 @@ std::optional<Refusal> whyNotSet(const step::SetParameters& parameters, const Mo
 
 std::optional<Refusal> whyNotStarted(const step::LoadTrajectory& load, const ModuleState& module) {
     const StepState& stepper = module.stepper;
-    if (const auto refusal = whyNoMotion(module))
+    if (const auto refusal = whyNoMotion(module, Request::StartLoaded))
         return refusal;
     const bool reverse =
         load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;

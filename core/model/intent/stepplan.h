@@ -12,11 +12,13 @@ namespace nmc {
                                                                      const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotStep(Request request, const ModuleState& module);
 
-/// Why a motion cannot be started now. NeedsStop: stepintent::ChangeMotion could do it.
-[[nodiscard]] std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module);
+/// Why a motion cannot be started now. NeedsStop: stepintent::ChangeMotion could do it. `as`: what it is
+/// asked for as, Move or Hold.
+[[nodiscard]] std::optional<Refusal> whyNot(const StepMotion& motion, const ModuleState& module,
+                                            Request as = Request::Move);
 /// As if it stood still already.
-[[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion,
-                                                          const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module,
+                                                          Request as = Request::Move);
 
 /// Why these cannot be set now: some of them not in motion.
 [[nodiscard]] std::optional<Refusal> whyNotSet(const step::SetParameters& parameters,

@@ -21,8 +21,9 @@ constexpr MachinePart kAxisParts[] = {
     MachinePart::Backlash,        MachinePart::Homing, MachinePart::LimitStop, MachinePart::Analog,
     MachinePart::PinNames,        MachinePart::Gains,  MachinePart::Io,        MachinePart::Parameters,
     MachinePart::AccelerationTime};
-constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate, MachinePart::Groups,
-                                         MachinePart::Program, MachinePart::HomeOrder};
+constexpr MachinePart kMachineParts[] = {MachinePart::MachineName, MachinePart::Rate,
+                                         MachinePart::Groups,      MachinePart::Program,
+                                         MachinePart::HomeOrder,   MachinePart::OperatorRights};
 
 bool isSent(MachinePart part) {
     return part == MachinePart::Gains || part == MachinePart::Io || part == MachinePart::Parameters;
@@ -117,6 +118,8 @@ Fields machineFields(const Machine& machine, MachinePart part) {
         return programFields(machine.program);
     else if (part == MachinePart::HomeOrder)
         return orderFields(machine.homeOrder);
+    else if (part == MachinePart::OperatorRights)
+        return layout::listed(machine.operatorRights);
     return list.fields();
 }
 
@@ -159,6 +162,7 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::Groups:
         case MachinePart::Program:
         case MachinePart::HomeOrder:
+        case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
     }
@@ -364,6 +368,7 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
         case MachinePart::Groups:
         case MachinePart::Program:
         case MachinePart::HomeOrder:
+        case MachinePart::OperatorRights:
         case MachinePart::Hardware:
             break;
     }
@@ -380,6 +385,8 @@ void take(MachinePart part, const Machine& from, Machine& into) {
         into.program = from.program;
     else if (part == MachinePart::HomeOrder)
         into.homeOrder = from.homeOrder;
+    else if (part == MachinePart::OperatorRights)
+        into.operatorRights = from.operatorRights;
 }
 
 void makeRoom(Machine& machine, std::size_t axes) {

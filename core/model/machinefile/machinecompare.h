@@ -19,6 +19,7 @@ enum class MachinePart : std::uint8_t {
     Groups,
     Program,  ///< points and sequences, which belong together
     HomeOrder,
+    OperatorRights,
     Hardware,  ///< which module the file is for; applying changes nothing
     AxisName,
     Unit,

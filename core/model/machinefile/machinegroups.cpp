@@ -17,6 +17,18 @@ constexpr std::uint8_t kNoGroup = 0xFF;
     return {kNoGroup, false};
 }
 
+[[nodiscard]] GroupSettings& settingsOf(Machine& machine, std::uint8_t address) {
+    for (GroupSettings& group : machine.groups)
+        if (group.address == address)
+            return group;
+    return machine.groups.emplace_back(GroupSettings{address, {}, {}, {}});
+}
+
+void forgetEmpty(Machine& machine) {
+    std::erase_if(machine.groups,
+                  [](const GroupSettings& group) { return group.members.empty() && group.name.empty(); });
+}
+
 }  // namespace
 
 std::vector<bus::GroupChange> groupChanges(const Machine& machine, const std::vector<ModuleState>& modules) {
@@ -38,18 +50,18 @@ void noteGroup(Machine& machine, const bus::GroupChange& change) {
             group.leader.reset();
     }
     if (change.place.group != kNoGroup) {
-        auto group =
-            std::find_if(machine.groups.begin(), machine.groups.end(),
-                         [&](const GroupSettings& known) { return known.address == change.place.group; });
-        if (group == machine.groups.end())
-            group =
-                machine.groups.insert(machine.groups.end(), GroupSettings{change.place.group, {}, {}, {}});
-        group->members.push_back(change.module);
-        std::sort(group->members.begin(), group->members.end());
+        GroupSettings& group = settingsOf(machine, change.place.group);
+        group.members.push_back(change.module);
+        std::sort(group.members.begin(), group.members.end());
         if (change.place.leader)
-            group->leader = change.module;
+            group.leader = change.module;
     }
-    std::erase_if(machine.groups, [](const GroupSettings& group) { return group.members.empty(); });
+    forgetEmpty(machine);
+}
+
+void nameGroup(Machine& machine, std::uint8_t address, const std::string& name) {
+    settingsOf(machine, address).name = name;
+    forgetEmpty(machine);
 }
 
 }  // namespace nmc

@@ -13,7 +13,8 @@ namespace nmc {
 [[nodiscard]] std::vector<bus::GroupChange> groupChanges(const Machine& machine,
                                                          const std::vector<ModuleState>& modules);
 
-/// Keeps what a module was told in the machine's groups; those without a member go.
+/// Keeps what a module was told in the machine's groups; those without a member and a name go.
 void noteGroup(Machine& machine, const bus::GroupChange& change);
+void nameGroup(Machine& machine, std::uint8_t address, const std::string& name);
 
 }  // namespace nmc

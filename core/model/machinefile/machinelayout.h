@@ -252,6 +252,17 @@ void fields(Form& form, T& group) {
     form.module("leader", leader);
 }
 
+template <typename Form, As<OperatorRights> T>
+void fields(Form& form, T& rights) {
+    auto& [enable, jog, points, moves, homing, outputs] = rights;
+    form.flag("enable", enable);
+    form.flag("jog", jog);
+    form.flag("points", points);
+    form.flag("moves", moves);
+    form.flag("homing", homing);
+    form.flag("outputs", outputs);
+}
+
 template <typename Form, As<PointAxis> T>
 void fields(Form& form, T& axis) {
     auto& [module, counts, fromHome] = axis;
@@ -338,7 +349,7 @@ void fields(Form& form, T& sequence) {
 
 template <typename Form, As<Machine> T>
 void fields(Form& form, T& machine) {
-    auto& [name, baud, axes, groups, program, homeOrder] = machine;
+    auto& [name, baud, axes, groups, program, homeOrder, operatorRights] = machine;
     form.text("name", name);
     form.whole("rate_bd", baud, {0, 1'000'000}, Need::Optional);
     form.list("axes", axes, kMaxAxes);
@@ -347,6 +358,7 @@ void fields(Form& form, T& machine) {
     form.list("points", points, kMaxPoints);
     form.list("sequences", sequences, kMaxSequences);
     form.modules("home_order", homeOrder);
+    form.part("operator", operatorRights);
 }
 
 }  // namespace nmc::layout

@@ -29,8 +29,20 @@ void HomeFact::declare(TimePoint time) {
     m_place = Place{0, time, Source::Declared};
 }
 
+void HomeFact::offer(std::int32_t counts) {
+    if (!m_place && !m_saved)
+        m_offered = counts;
+}
+
+void HomeFact::takeOffer(TimePoint time) {
+    if (m_offered)
+        m_place = Place{*m_offered, time, Source::Remembered};
+    m_offered.reset();
+}
+
 void HomeFact::forget() {
     m_place.reset();
+    m_offered.reset();
     m_saved.reset();
     m_reading.reset();
 }
@@ -46,10 +58,12 @@ void HomeFact::apply(const bus::CommandExecuted& executed) {
 
 void HomeFact::counterReset(TimePoint time) {
     const bool stood = m_look && m_look->still && m_look->time < time && time - m_look->time < kFresh;
-    if (m_place && stood)
-        m_place->counts = countsBetween(m_look->position, m_place->counts);
-    else
+    if (!stood)
         forget();
+    if (m_place)
+        m_place->counts = countsBetween(m_look->position, m_place->counts);
+    if (m_offered)
+        m_offered = countsBetween(m_look->position, *m_offered);
     m_saved.reset();
     m_look.reset();
 }

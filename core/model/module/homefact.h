@@ -21,11 +21,14 @@ public:
         Search,
         Saved,
         Declared,  ///< somebody has said that the position is right: home is where the counter is 0
+        Remembered,  ///< from where the axis was seen last, before its module restarted; nobody has checked
+                     ///< it
     };
     struct Place {
         std::int32_t counts = 0;
         TimePoint since;  ///< when it was found, saved or declared
         Source source = Source::Search;
+        [[nodiscard]] bool verified() const { return source != Source::Remembered; }
         bool operator==(const Place&) const = default;
     };
 
@@ -36,6 +39,13 @@ public:
     void found(std::int32_t counts, TimePoint time);
     /// The counter is right, says the user.
     void declare(TimePoint time);
+    /// Where home is if what was remembered of the axis is still true (model/module/positionmemory.h);
+    /// nothing as long as nobody has taken it. It goes along with the counter as a place does.
+    [[nodiscard]] const std::optional<std::int32_t>& offered() const { return m_offered; }
+    void offer(std::int32_t counts);
+    /// The user has taken it.
+    void takeOffer(TimePoint time);
+    void dropOffer() { m_offered.reset(); }
     void forget();
     void apply(const bus::CommandExecuted& executed);
     void apply(const bus::Sample& sample);
@@ -50,6 +60,7 @@ private:
     };
 
     std::optional<Place> m_place;
+    std::optional<std::int32_t> m_offered;
     /// Save as home was carried out then; where that was, the register tells, in two looks that agree.
     std::optional<TimePoint> m_saved;
     std::optional<std::int32_t> m_reading;

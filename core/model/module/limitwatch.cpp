@@ -3,12 +3,13 @@
 
 namespace nmc {
 
-void LimitWatch::apply(Limits closed, bool moves, Limits expected) {
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-        const bool justClosed = m_seen && closed[i] && !m_closed[i];
-        m_ranInto[i] = closed[i] && (m_ranInto[i] || (justClosed && moves && !expected[i]));
+void LimitWatch::apply(const Look& look) {
+    for (std::size_t i = 0; i < look.closed.size(); ++i) {
+        const bool justClosed = m_seen && !m_closed[i];
+        const bool met = (justClosed && look.moves) || look.ended;
+        m_ranInto[i] = look.closed[i] && (m_ranInto[i] || (met && !look.expected[i]));
     }
-    m_closed = closed;
+    m_closed = look.closed;
     m_seen = true;
 }
 

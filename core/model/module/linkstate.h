@@ -23,6 +23,8 @@ struct LinkState {
     bool simulated = false;
     /// Nothing is sent but questions, and a stop of all: what moves is nobody's here (faults.md H-02).
     bool readOnly = false;
+    /// What an operator may ask for; empty: the panel is not locked.
+    std::optional<OperatorRights> rights{};
     std::uint32_t baud = 0;
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
     std::uint8_t found = 0;            ///< modules found so far while connecting

@@ -60,13 +60,14 @@ void ModuleState::apply(const bus::Sample& sample) {
     if (sample.report.position)
         speed.apply(sample.time, *sample.report.position);
     home.apply(sample);
-    watchHome(sample);
+    const bool homeFound = watchHome(sample);
+    const std::optional<Activity> endedBefore = stepper.ended();
     if (isStepper()) {
-        stepper.apply(*latest, sample.time);
+        stepper.apply(*latest, sample.time, homeFound);
         switchedItselfOff = stepper.offByItself();
         powerLostWhileOn = switchedItselfOff && stepper.activity() == Activity::PowerLost;
     }
-    watchLimits(wasMoving, watchBefore);
+    watchLimits(wasMoving, watchBefore, endedBefore);
     if (!isServo() || !sample.report.aux)
         return;
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
@@ -113,12 +114,15 @@ LimitWatch::Limits ModuleState::closedLimits() const {
     return {status.limit1() && (!io || io->limit1IsInput), status.limit2() && (!io || io->limit2IsInput)};
 }
 
-void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before) {
+void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore) {
     if (!isServo() && !isStepper())
         return;
     const bool watched = before.state() == HomeWatch::State::Armed;
-    limits.apply(closedLimits(), wasMoving || moving(),
-                 {watched && before.onLimit1(), watched && before.onLimit2()});
+    const bool ended = stepper.ended() == Activity::StoppedByLimit && endedBefore != Activity::StoppedByLimit;
+    limits.apply({.closed = closedLimits(),
+                  .moves = wasMoving || moving(),
+                  .ended = isStepper() && ended,
+                  .expected = {watched && before.onLimit1(), watched && before.onLimit2()}});
 }
 
 /// `velocity`: counts per tick. Before the command has changed anything here.
@@ -128,9 +132,11 @@ void ModuleState::noteCommand(TimePoint time, int direction, double velocity) {
 }
 
 /// The chip has stopped the motor by itself, or switched it off, because it was told to (DS-V 5.2).
-void ModuleState::watchHome(const bus::Sample& sample) {
-    if (!homing.apply(sample) || !isServo())
-        return;
+/// True when this sample tells that it has just come to that.
+bool ModuleState::watchHome(const bus::Sample& sample) {
+    const bool found = homing.apply(sample);
+    if (!found || !isServo())
+        return found;
     const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
     if (off && homing.switchesOff()) {
         offCommanded = true;
@@ -145,6 +151,7 @@ void ModuleState::watchHome(const bus::Sample& sample) {
         loadWaiting = false;
         m_goal.reset();
     }
+    return true;
 }
 
 void ModuleState::apply(const bus::CommandExecuted& executed) {

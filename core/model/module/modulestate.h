@@ -15,6 +15,7 @@
 #include "model/module/stepstate.h"
 #include "model/module/tripwatch.h"
 #include "model/settings/machine.h"
+#include "model/settings/operatorrights.h"
 
 namespace nmc {
 
@@ -35,6 +36,8 @@ struct ModuleState {
     bool hasRestarted = false;
     /// Of a read-only connection: it is told nothing (faults.md H-02).
     bool readOnly = false;
+    /// What an operator may ask of it; empty: the panel is not locked.
+    std::optional<OperatorRights> rights;
     /// What it was asked for last by this panel, as long as that has not ended; stops apart.
     std::optional<bus::OperationId> awaited;
     /// Gains as last confirmed; empty: unknown.
@@ -111,8 +114,8 @@ private:
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
     void watchDrift(const bus::Sample& sample, bool wasOn);
-    void watchHome(const bus::Sample& sample);
-    void watchLimits(bool wasMoving, const HomeWatch& before);
+    [[nodiscard]] bool watchHome(const bus::Sample& sample);
+    void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();
     void noteCommand(TimePoint time, int direction, double velocity);

@@ -16,7 +16,7 @@ void StepState::restarted() {
 
 // ---- What the module says ----
 
-void StepState::apply(const StatusReport& latest, TimePoint time) {
+void StepState::apply(const StatusReport& latest, TimePoint time, bool homeFound) {
     const bool wasMoving = moving();
     const bool wasOn = m_on;
     m_status = latest.stepStatus();
@@ -33,7 +33,7 @@ void StepState::apply(const StatusReport& latest, TimePoint time) {
     // A smaller count is a slower timer.
     m_slowing = m_timer && latest.timerCount && *latest.timerCount < *m_timer;
     m_timer = latest.timerCount;
-    watchMotion(wasMoving);
+    watchMotion(wasMoving, homeFound);
 }
 
 void StepState::watchAmplifier(bool wasOn) {
@@ -64,11 +64,12 @@ std::optional<Activity> StepState::whatActs() const {
     return std::nullopt;
 }
 
-void StepState::watchMotion(bool wasMoving) {
+/// A switch that was looked for is home, and no limit that was run into.
+void StepState::watchMotion(bool wasMoving, bool homeFound) {
     if (moving())
         return;
     m_stopping = false;
-    if (!wasMoving || m_ourStop || m_offByItself || (m_goal && m_position == m_goal))
+    if (!wasMoving || homeFound || m_ourStop || m_offByItself || (m_goal && m_position == m_goal))
         return;
     if (estopActs())
         m_ended = Activity::EstopActive;

@@ -20,8 +20,9 @@ public:
     void attached();
     /// It lost everything it was told.
     void restarted();
-    /// `latest` has every item ever reported, `time` is when its status was latched.
-    void apply(const StatusReport& latest, TimePoint time);
+    /// `latest` has every item ever reported, `time` is when its status was latched. `homeFound`: it tells
+    /// that what homing watched for has just come.
+    void apply(const StatusReport& latest, TimePoint time, bool homeFound = false);
     void apply(const StepCommand& executed, TimePoint time);
 
     /// Empty: not set in this connection, so nothing may move.
@@ -41,6 +42,9 @@ public:
     /// Direction of the present motion; empty: it stands, or another host started it.
     [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_reverse : std::nullopt; }
 
+    /// What ended the last motion, or switched the amplifier off, unless it was told to; until it is told to
+    /// move, to stop or to switch.
+    [[nodiscard]] std::optional<Activity> ended() const { return m_ended; }
     [[nodiscard]] bool powered() const { return m_status.powerOn(); }
     [[nodiscard]] bool estopActs() const;
     /// The limit switch of that direction is active, and stops the motor.
@@ -57,7 +61,7 @@ private:
     void started(const step::LoadTrajectory& load, TimePoint time);
     void stopped(const step::StopMotor& stop, TimePoint time);
     void watchAmplifier(bool wasOn);
-    void watchMotion(bool wasMoving);
+    void watchMotion(bool wasMoving, bool homeFound);
     [[nodiscard]] std::optional<Activity> whatActs() const;
 
     step::StatusByte m_status;

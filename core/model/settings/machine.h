@@ -10,6 +10,7 @@
 #include "base/strong.h"
 #include "model/sequence/sequence.h"
 #include "model/settings/axisscale.h"
+#include "model/settings/operatorrights.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
 #include "protocol/stepcommands.h"
@@ -137,6 +138,7 @@ struct Machine {
     Program program{};
     /// In which order "Home all" goes through the axes; those that are not in it come last.
     std::vector<ModuleIndex> homeOrder{};
+    std::optional<OperatorRights> operatorRights{};  ///< not said: as they are by themselves
 
     /// The settings of a module that may not have any yet.
     [[nodiscard]] const AxisSettings& axis(ModuleIndex module) const {

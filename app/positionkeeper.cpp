@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/positionkeeper.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QScopedValueRollback>
+#include <algorithm>
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+constexpr std::size_t kMostBytes = 16'384;
+/// Between what a shaft that is turned by hand tells and its being kept.
+constexpr int kKeepAfterMs = 500;
+
+QString fileOf(const QString& folder, const QString& port, const QString& machine) {
+    const QByteArray whose = (port + QLatin1Char('\n') + machine).toUtf8();
+    const QByteArray name = QCryptographicHash::hash(whose, QCryptographicHash::Sha1).toHex().left(16);
+    return QDir(folder).filePath(QStringLiteral("positions-%1.json").arg(QLatin1String(name)));
+}
+
+FileWriter::Disk makingFolders(FileWriter::Disk disk) {
+    return [disk = std::move(disk)](const QString& path, std::string_view content) {
+        QDir().mkpath(QFileInfo(path).path());
+        return disk(path, content);
+    };
+}
+
+bool startsMoving(const RememberedPositions& now, const RememberedPositions& kept) {
+    return std::any_of(now.begin(), now.end(), [&kept](const auto& axis) {
+        const auto before = kept.find(axis.first);
+        return axis.second.moving && (before == kept.end() || !before->second.moving);
+    });
+}
+
+}  // namespace
+
+PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk, QObject* parent)
+    : QObject(parent), m_folder(std::move(folder)), m_store(store), m_files(makingFolders(std::move(disk))) {
+    m_keepTimer.setSingleShot(true);
+    m_keepTimer.setInterval(kKeepAfterMs);
+    connect(&m_keepTimer, &QTimer::timeout, this, &PositionKeeper::keep);
+    connect(&m_loading, &BackgroundJob::ended, this, &PositionKeeper::loaded);
+}
+
+void PositionKeeper::begin(const QString& port, const QString& machine, bool owns) {
+    keep();
+    m_loading.cancel();
+    m_found.reset();
+    const QString file = owns ? fileOf(m_folder, port, machine) : QString();
+    m_memory = {};
+    // What this session has kept may not be on the disk yet.
+    if (file == m_file && m_loaded)
+        return m_memory.begin(m_kept);
+    m_file = file;
+    m_kept.clear();
+    m_loaded = false;
+    if (!owns)
+        return;
+    m_read = std::make_shared<std::string>();
+    m_loading.start([into = m_read, path = m_file](const BackgroundJob::Cancelled& /*cancelled*/) {
+        if (auto text = readFile(path, kMostBytes))
+            *into = std::move(*text);
+    });
+}
+
+void PositionKeeper::loaded() {
+    m_kept = readPositions(*m_read);
+    m_memory.begin(m_kept);
+    m_loaded = true;
+    if (m_found)
+        m_memory.found(m_found->modules, m_found->attached);
+    look();
+}
+
+void PositionKeeper::found(const bus::ChainFound& found) {
+    if (m_loaded)
+        m_memory.found(found.modules, found.attached);
+    else
+        m_found = found;
+}
+
+void PositionKeeper::look() {
+    // What it puts into the store is news as well.
+    if (m_file.isEmpty() || !m_loaded || m_looking)
+        return;
+    const QScopedValueRollback<bool> looking(m_looking, true);
+    const auto offers = m_memory.look(m_store.link(), QDateTime::currentSecsSinceEpoch());
+    for (const PositionMemory::Offer& offer : offers) {
+        m_offered.push_back(offer.module);
+        m_store.offerHome(offer.module, offer.home);
+        emit offered(offer);
+    }
+    std::erase_if(m_offered, [this](ModuleIndex module) {
+        const ModuleState* state = m_store.module(module);
+        const bool gone = state == nullptr || !state->home.offered();
+        if (gone)
+            emit over(module);
+        return gone;
+    });
+    if (startsMoving(m_memory.remembered(), m_kept))
+        keep();
+    else if (m_memory.remembered() != m_kept && !m_keepTimer.isActive())
+        m_keepTimer.start();
+}
+
+void PositionKeeper::keep() {
+    m_keepTimer.stop();
+    if (m_file.isEmpty() || !m_loaded || m_memory.remembered() == m_kept)
+        return;
+    m_kept = m_memory.remembered();
+    m_files.write(m_file, [positions = m_kept] { return writePositions(positions); });
+}
+
+}  // namespace nmc

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "link/files/daylog.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+/// Those of earlier days that are one too many. Their names are in the order of their days.
+void removeOldest(const QDir& folder) {
+    QStringList files = folder.entryList({QStringLiteral("messages-*-*-*.log")}, QDir::Files, QDir::Name);
+    while (files.size() > DayLog::kMostFiles) {
+        const QString oldest = folder.filePath(files.takeFirst());
+        QFile::remove(oldest);
+        QFile::remove(oldest + QStringLiteral(".old"));
+    }
+}
+
+}  // namespace
+
+struct DayLog::Waiting {
+    std::mutex mutex;
+    std::map<QString, std::string> lines;  ///< by file, under the mutex
+
+    /// Whoever comes to the disk next takes all of them.
+    std::string take(const QString& path) {
+        const std::scoped_lock lock(mutex);
+        return std::exchange(lines[path], {});
+    }
+};
+
+DayLog::DayLog(QString folder, Append append, QObject* parent)
+    : QObject(parent),
+      m_folder(std::move(folder)),
+      m_waiting(std::make_shared<Waiting>()),
+      m_files(std::move(append)) {}
+
+QString DayLog::file(const QDateTime& now) const {
+    return QDir(m_folder).filePath(QStringLiteral("messages-%1.log").arg(now.date().toString(Qt::ISODate)));
+}
+
+void DayLog::write(const std::string& line, const QDateTime& now) {
+    const QString path = file(now);
+    {
+        const std::scoped_lock lock(m_waiting->mutex);
+        m_waiting->lines[path] += line + '\n';
+    }
+    m_files.write(
+        path, [waiting = m_waiting, path] { return waiting->take(path); },
+        [this](const FileWriter::Result& result) {
+            if (!std::exchange(m_failed, !result) && !result)
+                emit failed(result.error());
+        });
+}
+
+FileWriter::Result DayLog::appendToFile(const QString& path, std::string_view lines) {
+    const QFileInfo info(path);
+    const QDir folder = info.dir();
+    folder.mkpath(QStringLiteral("."));
+    if (info.size() + static_cast<qint64>(lines.size()) > kMostBytes) {
+        QFile::remove(path + QStringLiteral(".old"));
+        QFile::rename(path, path + QStringLiteral(".old"));
+    }
+    const bool begins = !QFileInfo::exists(path);
+    QFile file(path);
+    const auto bytes = static_cast<qint64>(lines.size());
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Append) || file.write(lines.data(), bytes) != bytes ||
+        !file.flush())
+        return tl::unexpected(FileError{FileTrouble::Other, path, file.errorString()});
+    if (begins)
+        removeOldest(folder);
+    return {};
+}
+
+}  // namespace nmc

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pendant and operator mode in the whole program, against what nmcsim knows of the motor.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLineEdit>
+
+#include "tests/app/panel.h"
+#include "widgets/mainwindow/operatorlock.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class ByHand : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_TRUE(panel.answersFor(0.3));
+    }
+    void TearDown() override { texts::setModuleNames({}); }
+    QWidget* focused() {
+        QWidget* widget = QApplication::focusWidget();
+        return widget != nullptr ? widget : &panel.window();
+    }
+    void press() {
+        QTest::keyPress(focused(), Qt::Key_Shift);
+        QTest::keyPress(focused(), Qt::Key_Right, Qt::ShiftModifier);
+    }
+    [[nodiscard]] double shaft() { return sim.state(1)[u"position"_s].toDouble(); }
+    void lock() {
+        panel.window().findChild<QAction*>(u"operatorAction"_s)->trigger();
+        for (const char* name : {"operatorPinField", "operatorPinAgainField"})
+            QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
+        panel.click("operatorBeginButton");
+        panel.window().activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
+    }
+    NmcsimProcess sim{u"servo,servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(ByHand, TheMotorMovesWhileBothKeysAreHeldAndStopsWithTheFirstThatIsReleased) {
+    QTest::keyClick(focused(), Qt::Key_F12);
+    const double before = shaft();
+    press();
+    ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
+    QTest::keyRelease(focused(), Qt::Key_Shift);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    const double rest = shaft();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), rest, 2) << "the arrow is still held";
+    QTest::keyRelease(focused(), Qt::Key_Right);
+}
+
+TEST_F(ByHand, LosingTheFocusStopsItAndEndsTheMode) {
+    QTest::keyClick(focused(), Qt::Key_F12);
+    press();
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_FALSE(panel.window().findChild<QAction*>(u"pendantAction"_s)->isChecked());
+}
+
+TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {
+    ASSERT_NO_FATAL_FAILURE(lock());
+    const double before = shaft();
+    panel.ask(intent::GoTo{Counts(5'000), CountsPerTick(65'536), CountsPerTickSquared(100)});
+    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(100), false});
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), before, 2);
+    EXPECT_GE(panel.count(u"Not possible for module 1"_s), 1);
+    auto* forward = panel.window().findChild<QWidget*>(u"holdForwardButton"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return forward->isEnabled(); })) << forward->toolTip().toStdString();
+    QTest::mousePress(forward, Qt::LeftButton);
+    ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
+    panel.pressStopAll();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    panel.disconnect();
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+}
+
+TEST_F(ByHand, AMotorThatRunsWhenTheModeBeginsCanBeStopped) {
+    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
+    ASSERT_NO_FATAL_FAILURE(lock());
+    panel.click("stopSmoothlyButton");
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an axis was is offered after its module lost its power, through the window.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class PositionKept : public testing::Test {
+protected:
+    /// Home is saved where the servo is, and it goes 5 000 counts away from there.
+    void leaveAt5000(IntentPanel& panel) {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        panel.ask(intent::SaveAsHome{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
+        const std::int32_t home = panel.module().home.place()->counts;
+        panel.ask(intent::GoTo{Counts(home + 5'000), CountsPerTick(8 << 16), CountsPerTickSquared(6'554)});
+        ASSERT_TRUE(panel.waitFor([&] {
+            return !panel.module().moving() && std::abs(*panel.module().latest->position - home - 5'000) < 5;
+        }));
+        ASSERT_TRUE(panel.answersFor(0.3));
+    }
+    /// All modules lose their power and have it again.
+    void power() { (void)sim.control(u"power-cycle all"_s); }
+    [[nodiscard]] static QString head(IntentPanel& panel) {
+        return panel.window().findChild<QLabel*>(u"homeState"_s)->text();
+    }
+    NmcsimProcess sim{u"servo,servo"_s};
+    QTemporaryDir folder;
+    const QString offer = u"from home when it was seen last"_s;
+};
+
+TEST_F(PositionKept, IsOfferedAfterAPowerOffAndIsNotVerifiedUntilHomeIsSavedAgain) {
+    {
+        IntentPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+        panel.disconnect();
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    }
+    power();
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }))
+        << panel.headlines().join(u" | "_s).toStdString();
+    EXPECT_FALSE(panel.module().home.place().has_value()) << "never by itself";
+    EXPECT_EQ(head(panel), u"Home: not known"_s);
+    ASSERT_TRUE(panel.press(offer, u"Take home from that"_s));
+    ASSERT_TRUE(panel.module().home.place().has_value());
+    // It stood at 5 000, within 4 counts, and is kept anew from 5 counts on; its counter began at 0 there.
+    EXPECT_NEAR(panel.module().home.place()->counts, -5'000, 4 + 5);
+    EXPECT_TRUE(panel.waitFor([&] { return head(panel).endsWith(u"not verified"_s); }))
+        << head(panel).toStdString();
+    EXPECT_EQ(panel.standing(offer), nullptr);
+    panel.ask(intent::SaveAsHome{});
+    EXPECT_TRUE(panel.waitFor([&] {
+        const auto& place = panel.module().home.place();
+        return place && place->verified();
+    }));
+    EXPECT_TRUE(panel.waitFor([&] { return !head(panel).contains(u"not verified"_s); }));
+}
+
+TEST_F(PositionKept, WhatIsForgottenIsNotOfferedAgain) {
+    {
+        IntentPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+    }
+    power();
+    {
+        IntentPanel panel({}, {}, folder.path());
+        panel.start();
+        ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+        ASSERT_TRUE(panel.press(offer, u"Forget it"_s));
+        EXPECT_EQ(panel.standing(offer), nullptr);
+        ASSERT_TRUE(panel.answersFor(1.0));
+    }
+    power();
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(offer), 0);
+}
+
+TEST_F(PositionKept, OneThatMovedWhenItsPowerWentIsNotOffered) {
+    {
+        IntentPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+        panel.ask(intent::RunAtVelocity{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
+        power();
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().silent || !panel.connected(); }));
+    }
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(offer), 0);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an axis was is offered to a module that has forgotten it, by hand arithmetic.
+#include "model/module/positionmemory.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "servofixture.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr ModuleIndex kFirst{0};
+constexpr std::int64_t kMonday = 1'700'000'000;
+
+/// A servo at a port, followed from one session to the next.
+struct Axis {
+    PositionMemory memory;
+    LinkState link;
+    double time = 1.0;
+
+    Axis() { link.phase = LinkPhase::Connected; }
+    ModuleState& module() { return link.modules.front(); }
+    void find(bool attached) {
+        link.modules = {servoModule()};
+        memory.found({link.modules.front().info}, attached);
+    }
+    void says(std::int32_t position, int status = kMoveDone | kPower) {
+        module().apply(sampleOf(time += 0.05, static_cast<std::uint8_t>(status), kServoOn, position));
+    }
+    /// As the program does: what is offered goes into the home of its module.
+    std::vector<PositionMemory::Offer> look(std::int64_t now = kMonday) {
+        auto offers = memory.look(link, now);
+        for (const PositionMemory::Offer& offer : offers)
+            module().home.offer(offer.home);
+        return offers;
+    }
+    /// Its home was found at 300, and it stands 700 before it, or wherever it is said.
+    void wasLeft(std::int32_t counter = -400, std::int32_t home = 300) {
+        find(false);
+        says(counter);
+        (void)look();
+        module().home.found(home, atSeconds(time));
+        says(counter);
+        (void)look();
+    }
+    /// Another session at the same port.
+    void another() {
+        const RememberedPositions kept = readPositions(writePositions(memory.remembered()));
+        memory = {};
+        memory.begin(kept);
+    }
+};
+
+TEST(PositionMemory, KnowsNothingOfAnAxisWithoutAHome) {
+    Axis axis;
+    axis.find(false);
+    axis.says(500);
+    EXPECT_TRUE(axis.look().empty());
+    EXPECT_TRUE(axis.memory.remembered().empty());
+}
+
+TEST(PositionMemory, AModuleThatRestartedHasItsHomeOnTheOtherSideOfZero) {
+    Axis axis;
+    axis.wasLeft();  // 700 before home
+    axis.another();
+    axis.find(false);
+    EXPECT_TRUE(axis.look().empty()) << "it has said nothing yet";
+    axis.says(0);
+    const auto offers = axis.look(kMonday + 60);
+    ASSERT_EQ(offers.size(), 1U);
+    EXPECT_EQ(offers[0].module, kFirst);
+    EXPECT_EQ(offers[0].home, 700) << "0 is 700 before it";
+    EXPECT_EQ(offers[0].remembered.fromHome, -700);
+    EXPECT_EQ(offers[0].remembered.seen, kMonday);
+    EXPECT_EQ(offers[0].remembered.source, HomeFact::Source::Search);
+    EXPECT_FALSE(axis.module().home.place()) << "not applied by itself";
+    EXPECT_TRUE(axis.look().empty()) << "once";
+}
+
+TEST(PositionMemory, WhatIsTakenIsNotVerifiedUntilItIsFoundAgain) {
+    Axis axis;
+    axis.wasLeft();
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    (void)axis.look();
+    axis.module().home.takeOffer(atSeconds(axis.time));
+    ASSERT_TRUE(axis.module().home.place());
+    EXPECT_EQ(axis.module().home.place()->counts, 700);
+    EXPECT_FALSE(axis.module().home.place()->verified());
+    EXPECT_FALSE(axis.module().home.offered());
+    axis.module().home.found(690, atSeconds(axis.time));
+    EXPECT_TRUE(axis.module().home.place()->verified());
+}
+
+TEST(PositionMemory, AnOfferThatNobodyTakesGoesAlongWithTheMotor) {
+    Axis axis;
+    axis.wasLeft();
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    (void)axis.look();
+    axis.says(250);
+    (void)axis.look(kMonday + 100);
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    const auto offers = axis.look();
+    ASSERT_EQ(offers.size(), 1U);
+    EXPECT_EQ(offers[0].home, 450) << "it was 450 before home";
+    EXPECT_EQ(offers[0].remembered.seen, kMonday + 100);
+}
+
+TEST(PositionMemory, OneThatMovedWhenItWasSeenLastIsNotOffered) {
+    Axis axis;
+    axis.wasLeft();
+    axis.module().apply(executedAt(axis.time += 0.05, velocityMode(65'536, 100)));
+    axis.says(-300, kPower);
+    (void)axis.look();
+    ASSERT_TRUE(axis.memory.remembered().at(kFirst).moving);
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    EXPECT_TRUE(axis.look().empty());
+    axis.says(0);
+    (void)axis.look();
+    EXPECT_TRUE(axis.memory.remembered().empty()) << "and never will be";
+}
+
+TEST(PositionMemory, AnotherModuleAtThatPlaceGetsNothing) {
+    Axis axis;
+    axis.wasLeft();
+    axis.another();
+    axis.link.modules = {servoModule(1)};
+    axis.memory.found({axis.module().info}, false);
+    axis.says(0);
+    EXPECT_TRUE(axis.look().empty());
+}
+
+TEST(PositionMemory, ACounterThatGoesOnHasToStandWhereItStood) {
+    for (const std::int32_t counter : {-400, -402, -500}) {
+        Axis axis;
+        axis.wasLeft();
+        axis.another();
+        axis.find(true);
+        axis.says(counter);
+        const auto offers = axis.look();
+        EXPECT_EQ(offers.size(), counter == -500 ? 0U : 1U) << counter;
+        for (const PositionMemory::Offer& offer : offers)
+            EXPECT_EQ(offer.home, 300) << "where it is on the chip's own count";
+    }
+}
+
+TEST(PositionMemory, ZeroHereTakesTheOfferAlong) {
+    Axis axis;
+    axis.wasLeft();
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    (void)axis.look();
+    axis.says(100);
+    axis.says(100);
+    axis.module().apply(executedAt(axis.time += 0.005, ResetPosition{}));
+    EXPECT_EQ(axis.module().home.offered(), 600);
+}
+
+TEST(PositionMemory, AJumpOfTheCounterWithdrawsIt) {
+    Axis axis;
+    axis.wasLeft();
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    (void)axis.look();
+    bus::Sample jump = sampleOf(axis.time += 0.05, kMoveDone | kPower, kServoOn, 5'000);
+    jump.jumped = true;
+    axis.module().apply(jump);
+    EXPECT_FALSE(axis.module().home.offered());
+    (void)axis.look();
+    EXPECT_TRUE(axis.memory.remembered().empty());
+}
+
+TEST(PositionMemory, OneThatRestartsInTheMiddleOfASessionIsOfferedWhereItWas) {
+    Axis axis;
+    axis.wasLeft();
+    axis.module().restarted();
+    axis.module().silent = true;
+    (void)axis.look();
+    axis.link.modules = {servoModule()};
+    axis.memory.restarted(kFirst);
+    axis.says(0);
+    const auto offers = axis.look();
+    ASSERT_EQ(offers.size(), 1U);
+    EXPECT_EQ(offers[0].home, 700);
+}
+
+TEST(PositionMemory, AFileThatIsNoneOfOursIsNothing) {
+    Axis axis;
+    axis.wasLeft();
+    const std::string whole = writePositions(axis.memory.remembered());
+    EXPECT_EQ(readPositions(whole), axis.memory.remembered());
+    for (const char* text : {"", "[]", "{\"positions\": 3}", "{\"positions\": [3]}",
+                             "{\"positions\": [{\"module\": 1}]}", "\xff\xfe"})
+        EXPECT_TRUE(readPositions(text).empty()) << text;
+    for (std::size_t length = 0; length + 2 < whole.size(); ++length)
+        EXPECT_TRUE(readPositions(std::string_view(whole).substr(0, length)).empty()) << length;
+    std::string far = whole;
+    far.replace(far.find("-700"), 4, "9999999999");
+    EXPECT_TRUE(readPositions(far).empty());
+}
+
+TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {
+    constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
+    Axis axis;
+    axis.wasLeft(kLast, -kLast);
+    axis.another();
+    axis.find(false);
+    axis.says(0);
+    const auto offers = axis.look();
+    ASSERT_EQ(offers.size(), 1U);
+    EXPECT_EQ(offers[0].home, 2) << "by way of the wrap, -2 from home";
+}
+
+}  // namespace
+}  // namespace nmc

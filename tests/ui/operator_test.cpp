@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Operator mode in the window: who begins it, who leaves it, and what is in reach meanwhile.
+#include <QAction>
+#include <QCheckBox>
+#include <QMenu>
+#include <QTabWidget>
+
+#include "widgets/mainwindow/bell.h"
+#include "widgets/mainwindow/operatorlock.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class OperatorMode : public WindowTest {
+protected:
+    OperatorMode() {
+        // As the program does with what the lock says.
+        QObject::connect(&window->operatorLock(), &OperatorLock::changed, window.get(), [this] { show(); });
+        show();
+    }
+    void show(LinkState link = connectedTo({Servo{}.state()})) {
+        link.rights = window->operatorLock().rights();
+        for (ModuleState& module : link.modules)
+            module.rights = link.rights;
+        window->showLink(link);
+    }
+    void open() {
+        settle();
+        window->findChild<QAction*>(u"operatorAction"_s)->trigger();
+    }
+    /// A question that was answered is gone.
+    static void settle() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
+    void typePin(const QString& field, const QString& pin) {
+        auto* edit = find<QLineEdit>(field);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, pin);
+    }
+    void begin() {
+        open();
+        typePin(u"operatorPinField"_s, u"4711"_s);
+        typePin(u"operatorPinAgainField"_s, u"4711"_s);
+        click(u"operatorBeginButton"_s);
+        ASSERT_TRUE(window->operatorLock().isLocked());
+        settle();
+    }
+    [[nodiscard]] bool enabled(const char* name) { return button(QString::fromLatin1(name))->isEnabled(); }
+};
+
+TEST_F(OperatorMode, LeavesJogAndStopsAndTakesTheRest) {
+    ASSERT_TRUE(enabled("runForwardButton"));
+    begin();
+    EXPECT_TRUE(find(u"operatorRibbon"_s)->isVisible());
+    for (const char* left : {"holdForwardButton", "holdReverseButton", "stopSmoothlyButton",
+                             "stopAbruptlyButton", "motorOffButton", "stopAllButton", "disconnectButton"})
+        EXPECT_TRUE(enabled(left)) << left;
+    for (const char* taken : {"runForwardButton", "goButton", "goHomeButton", "zeroHereButton"})
+        EXPECT_FALSE(enabled(taken)) << taken;
+    EXPECT_TRUE(button(u"runForwardButton"_s)->toolTip().contains(u"operator mode"_s));
+    for (const char* action :
+         {"newMachineAction", "openMachineAction", "saveMachineAction", "restartNetworkAction"})
+        EXPECT_FALSE(window->findChild<QAction*>(QString::fromLatin1(action))->isEnabled()) << action;
+    EXPECT_FALSE(field(u"kpField"_s)->isEnabled());
+}
+
+TEST_F(OperatorMode, IsLeftWithThePinOnly) {
+    begin();
+    click(u"leaveOperatorButton"_s);
+    typePin(u"operatorPinField"_s, u"4712"_s);
+    click(u"operatorLeaveButton"_s);
+    EXPECT_TRUE(window->operatorLock().isLocked());
+    EXPECT_TRUE(text(u"operatorProblem"_s).startsWith(u"That is not the PIN."_s));
+    typePin(u"operatorPinField"_s, u"4711"_s);
+    QTest::keyClick(find<QLineEdit>(u"operatorPinField"_s), Qt::Key_Return);
+    EXPECT_FALSE(window->operatorLock().isLocked());
+    EXPECT_TRUE(enabled("runForwardButton"));
+    EXPECT_FALSE(find(u"operatorRibbon"_s)->isVisible());
+    EXPECT_TRUE(field(u"kpField"_s)->isEnabled());
+}
+
+TEST_F(OperatorMode, APinHasFourCharactersTwiceTheSame) {
+    open();
+    typePin(u"operatorPinField"_s, u"471"_s);
+    typePin(u"operatorPinAgainField"_s, u"471"_s);
+    click(u"operatorBeginButton"_s);
+    EXPECT_TRUE(text(u"operatorProblem"_s).contains(u"too short"_s));
+    typePin(u"operatorPinField"_s, u"4711"_s);
+    click(u"operatorBeginButton"_s);
+    EXPECT_TRUE(text(u"operatorProblem"_s).contains(u"differ"_s));
+    EXPECT_FALSE(window->operatorLock().isLocked());
+}
+
+TEST_F(OperatorMode, OutlivesTheSessionAndThePinIsNotInTheSettings) {
+    begin();
+    for (const QString& key : settings.allKeys())
+        EXPECT_FALSE(settings.value(key).toString().contains(u"4711"_s)) << key.toStdString();
+    window = std::make_unique<MainWindow>(settings);
+    EXPECT_TRUE(window->operatorLock().isLocked());
+}
+
+TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {
+    QSignalSpy edited(&window->operatorLock(), &OperatorLock::rightsEdited);
+    open();
+    auto* homing = button(u"operatorHomingBox"_s);
+    auto* jog = button(u"operatorJogBox"_s);
+    for (auto* box : {homing, jog})
+        QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+    typePin(u"operatorPinField"_s, u"4711"_s);
+    typePin(u"operatorPinAgainField"_s, u"4711"_s);
+    click(u"operatorBeginButton"_s);
+    ASSERT_EQ(edited.size(), 1);
+    const auto rights = edited.at(0).at(0).value<OperatorRights>();
+    EXPECT_TRUE(rights.homing);
+    EXPECT_FALSE(rights.jog);
+    EXPECT_FALSE(enabled("holdForwardButton"));
+}
+
+TEST_F(OperatorMode, AMachineThatSaysOtherwiseIsFollowedAtOnce) {
+    begin();
+    EXPECT_FALSE(enabled("runForwardButton"));
+    machine.operatorRights = OperatorRights{.moves = true};
+    window->showMachine(machine);
+    EXPECT_TRUE(enabled("runForwardButton"));
+}
+
+TEST_F(OperatorMode, StopsInEveryPhaseAndWhileItsQuestionStands) {
+    QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    begin();
+    int expected = 0;
+    LinkState link = connectedTo({Servo{.moveDone = false}.state()});
+    for (const LinkPhase phase : {LinkPhase::Connected, LinkPhase::Connecting, LinkPhase::Lost}) {
+        link.phase = phase;
+        show(link);
+        click(u"stopAllButton"_s);
+        EXPECT_EQ(stops.size(), ++expected);
+        click(u"leaveOperatorButton"_s);
+        QTest::keyClick(find(u"operatorDialog"_s), Qt::Key_Escape);
+        EXPECT_EQ(stops.size(), ++expected) << "Esc, in the question";
+        settle();
+    }
+}
+
+TEST_F(OperatorMode, DoesNotKeepAnybodyFromLeavingThePort) {
+    begin();
+    QSignalSpy disconnects(window.get(), &MainWindow::disconnectRequested);
+    click(u"disconnectButton"_s);
+    EXPECT_EQ(disconnects.size(), 1);
+}
+
+class BellTest : public WindowTest {
+protected:
+    QSignalSpy rings{&window->bell(), &Bell::rang};
+};
+
+TEST_F(BellTest, RingsForAFaultAndNotForNews) {
+    window->showMessage(texts::rateChanged({115'200}));
+    EXPECT_EQ(rings.size(), 0);
+    window->showMessage(texts::tripped(ModuleIndex(0), 400));
+    EXPECT_EQ(rings.size(), 1);
+}
+
+TEST_F(BellTest, RingsWhenAProcedureEndsAndNotWhenItIsShownAgain) {
+    showServo();
+    ProcedureReport report;
+    report.module = ModuleIndex(0);
+    report.kind = ProcedureKind::Homing;
+    report.stage = ProcedureStage::Searching;
+    window->showProcedure(report);
+    EXPECT_EQ(rings.size(), 0);
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    window->showProcedure(report);
+    EXPECT_EQ(rings.size(), 1);
+}
+
+TEST_F(BellTest, CanBeOffAndStaysSo) {
+    window->findChild<QAction*>(u"soundsAction"_s)->trigger();
+    window->showMessage(texts::tripped(ModuleIndex(0), 400));
+    EXPECT_EQ(rings.size(), 0);
+    window = std::make_unique<MainWindow>(settings);
+    EXPECT_FALSE(window->findChild<QAction*>(u"soundsAction"_s)->isChecked());
+}
+
+}  // namespace
+}  // namespace nmc

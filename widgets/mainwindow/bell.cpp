@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/bell.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QSettings>
+
+#include "widgets/mainwindow/settingskeys.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr qint64 kPauseMs = 1'000;
+}
+
+Bell::Bell(QSettings& settings, QObject* parent)
+    : QObject(parent), m_action(new QAction(tr("S&ounds"), this)) {
+    m_action->setObjectName(u"soundsAction"_s);
+    m_action->setCheckable(true);
+    m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());
+    m_action->setToolTip(tr("A sound at each fault, and at the end of a search for home or of moves by N."));
+    connect(m_action, &QAction::toggled, this,
+            [&settings](bool on) { settings.setValue(settingskeys::kSounds, on); });
+}
+
+void Bell::ring() {
+    if (!m_action->isChecked() || (m_since.isValid() && m_since.elapsed() < kPauseMs))
+        return;
+    m_since.start();
+    QApplication::beep();
+    emit rang();
+}
+
+}  // namespace nmc

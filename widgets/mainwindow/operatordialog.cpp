@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/operatordialog.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr qsizetype kShortestPin = 4;
+}
+
+OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
+    look::name(this, u"operatorDialog"_s, tr("Operator mode"));
+    setWindowTitle(tr("Operator mode"));
+    setModal(false);
+    setAttribute(Qt::WA_DeleteOnClose);
+    const int unit = look::gridUnit(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit * 2, unit * 2, unit * 2, unit);
+    layout->setSpacing(unit);
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(u"operatorProblem"_s);
+    m_problem->setTextFormat(Qt::PlainText);
+    m_problem->setWordWrap(true);
+}
+
+OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : OperatorDialog(window) {
+    auto* text =
+        new QLabel(tr("Choose what is left to the operator. STOP ALL, Esc, each motor's stops and "
+                      "disconnecting always work. This keeps hands off by mistake; it is no security: "
+                      "who gets at the files of this computer gets around it."),
+                   this);
+    text->setWordWrap(true);
+    layout()->addWidget(text);
+    const struct {
+        const char* name;
+        QString text;
+        bool OperatorRights::*right;
+    } all[] = {
+        {"operatorEnableBox", tr("&Enable motors, clear faults"), &OperatorRights::enable},
+        {"operatorJogBox", tr("&Jog"), &OperatorRights::jog},
+        {"operatorPointsBox", tr("&Points and sequences"), &OperatorRights::points},
+        {"operatorMovesBox", tr("&Moves: go to, run, by N"), &OperatorRights::moves},
+        {"operatorHomingBox", tr("&Homing"), &OperatorRights::homing},
+        {"operatorOutputsBox", tr("&Outputs"), &OperatorRights::outputs},
+    };
+    for (const auto& one : all) {
+        auto* box = new QCheckBox(one.text, this);
+        look::name(box, QString::fromLatin1(one.name), QString(one.text).remove(u'&'));
+        box->setChecked(rights.*one.right);
+        layout()->addWidget(box);
+        m_rights.push_back({box, one.right});
+    }
+    m_pin = newPinField(u"operatorPinField"_s, tr("P&IN to leave it, 4 characters at least"));
+    m_again = newPinField(u"operatorPinAgainField"_s, tr("The same &again"));
+    addEnd(tr("&Begin operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
+}
+
+OperatorDialog::OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten,
+                               QWidget* window)
+    : OperatorDialog(window) {
+    m_isPin = std::move(isPin);
+    m_forgotten = forgotten;
+    m_pin = newPinField(u"operatorPinField"_s, tr("P&IN"));
+    addEnd(tr("&Leave operator mode"), u"operatorLeaveButton"_s, [this] { unlock(); });
+}
+
+QLineEdit* OperatorDialog::newPinField(const QString& name, const QString& label) {
+    auto* field = new QLineEdit(this);
+    look::name(field, name, QString(label).remove(u'&'));
+    field->setEchoMode(QLineEdit::Password);
+    field->setMaxLength(32);
+    auto* words = new QLabel(label, this);
+    words->setBuddy(field);
+    layout()->addWidget(words);
+    layout()->addWidget(field);
+    return field;
+}
+
+void OperatorDialog::addEnd(const QString& goOn, const QString& goOnName, const std::function<void()>& act) {
+    auto* go = new QPushButton(goOn, this);
+    look::name(go, goOnName, QString(goOn).remove(u'&'));
+    go->setDefault(true);
+    connect(go, &QPushButton::clicked, this, act);
+    auto* cancel = new QPushButton(tr("&Cancel"), this);
+    look::name(cancel, u"operatorCancelButton"_s, tr("Leave it as it is"));
+    cancel->setAutoDefault(false);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(go);
+    buttons->addWidget(cancel);
+    layout()->addWidget(m_problem);
+    static_cast<QVBoxLayout*>(layout())->addLayout(buttons);
+    m_pin->setFocus();
+}
+
+void OperatorDialog::lock() {
+    const QString pin = m_pin->text();
+    if (pin.size() < kShortestPin)
+        return m_problem->setText(tr("The PIN is too short: it needs 4 characters."));
+    if (pin != m_again->text())
+        return m_problem->setText(tr("The two PINs differ. Type the same one twice."));
+    OperatorRights rights;
+    for (const Right& one : m_rights)
+        rights.*one.right = one.box->isChecked();
+    emit locked(rights, pin);
+    accept();
+}
+
+void OperatorDialog::unlock() {
+    if (!m_isPin(m_pin->text())) {
+        m_problem->setText(tr("That is not the PIN. %1").arg(m_forgotten));
+        m_pin->selectAll();
+        return;
+    }
+    emit unlocked();
+    accept();
+}
+
+}  // namespace nmc

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+#include "model/settings/operatorrights.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+
+namespace nmc {
+
+/// Asks for the PIN, once to leave operator mode; twice, and what is left to the operator, to begin it. Not
+/// modal: the panel stays usable, and STOP ALL with it.
+class OperatorDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// To begin the mode.
+    OperatorDialog(const OperatorRights& rights, QWidget* window);
+    /// To leave it. `isPin`: what is typed is right; `forgotten`: what to do without.
+    OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten, QWidget* window);
+
+signals:
+    void locked(const nmc::OperatorRights& rights, const QString& pin);
+    void unlocked();
+
+private:
+    struct Right {
+        QCheckBox* box;
+        bool OperatorRights::*right;
+    };
+    explicit OperatorDialog(QWidget* window);
+    QLineEdit* newPinField(const QString& name, const QString& label);
+    void addEnd(const QString& goOn, const QString& goOnName, const std::function<void()>& act);
+    void lock();
+    void unlock();
+
+    std::vector<Right> m_rights;
+    QLineEdit* m_pin = nullptr;
+    QLineEdit* m_again = nullptr;
+    QLabel* m_problem = nullptr;
+    std::function<bool(const QString&)> m_isPin;
+    QString m_forgotten;
+};
+
+}  // namespace nmc

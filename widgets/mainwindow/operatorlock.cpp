@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/operatorlock.h"
+
+#include <QAction>
+#include <QCryptographicHash>
+#include <QRandomGenerator>
+#include <QSettings>
+
+#include "widgets/mainwindow/operatordialog.h"
+#include "widgets/mainwindow/settingskeys.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+using namespace settingskeys;
+
+namespace {
+
+QByteArray hashOf(const QByteArray& salt, const QString& pin) {
+    return QCryptographicHash::hash(salt + pin.toUtf8(), QCryptographicHash::Sha256).toHex();
+}
+
+QByteArray newSalt() {
+    QByteArray salt(16, Qt::Uninitialized);
+    QRandomGenerator::system()->generate(salt.begin(), salt.end());
+    return salt.toHex();
+}
+
+}  // namespace
+
+OperatorLock::OperatorLock(QSettings& settings, QWidget* window)
+    : QObject(window),
+      m_settings(settings),
+      m_window(window),
+      m_action(new QAction(window)),
+      m_locked(settings.value(kOperatorMode, false).toBool() && settings.contains(kOperatorPin)) {
+    m_action->setObjectName(u"operatorAction"_s);
+    connect(m_action, &QAction::triggered, this, &OperatorLock::open);
+    present();
+}
+
+std::optional<OperatorRights> OperatorLock::rights() const {
+    if (!m_locked)
+        return std::nullopt;
+    return m_rights;
+}
+
+void OperatorLock::showRights(const OperatorRights& rights) {
+    if (m_rights == rights)
+        return;
+    m_rights = rights;
+    emit changed();
+}
+
+void OperatorLock::open() {
+    if (!m_dialog) {
+        m_dialog = m_locked ? new OperatorDialog([this](const QString& pin) { return isPin(pin); },
+                                                 tr("If it is forgotten, close the panel and remove the part "
+                                                    "\"operator\" from %1.")
+                                                     .arg(m_settings.fileName()),
+                                                 m_window)
+                            : new OperatorDialog(m_rights, m_window);
+        connect(m_dialog, &OperatorDialog::locked, this, &OperatorLock::begin);
+        connect(m_dialog, &OperatorDialog::unlocked, this, &OperatorLock::leave);
+        connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); });
+    }
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void OperatorLock::begin(const OperatorRights& rights, const QString& pin) {
+    const QByteArray salt = newSalt();
+    m_settings.setValue(kOperatorSalt, salt);
+    m_settings.setValue(kOperatorPin, hashOf(salt, pin));
+    m_settings.setValue(kOperatorMode, true);
+    m_locked = true;
+    if (m_rights != rights)
+        emit rightsEdited(rights);  // before nothing can be edited any more
+    m_rights = rights;
+    present();
+    emit changed();
+}
+
+void OperatorLock::leave() {
+    m_settings.setValue(kOperatorMode, false);
+    m_locked = false;
+    present();
+    emit changed();
+}
+
+bool OperatorLock::isPin(const QString& pin) const {
+    return hashOf(m_settings.value(kOperatorSalt).toByteArray(), pin) ==
+           m_settings.value(kOperatorPin).toByteArray();
+}
+
+void OperatorLock::present() {
+    m_action->setText(m_locked ? tr("Leave o&perator mode…") : tr("O&perator mode…"));
+    m_action->setToolTip(m_locked
+                             ? tr("Asks for the PIN.")
+                             : tr("Leaves to an operator only what you choose, until somebody has the PIN."));
+}
+
+}  // namespace nmc

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow/pendant.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QWidget>
+#include <QWindow>
+#include <utility>
+
+#include "widgets/panels/holdbutton.h"
+#include "widgets/panels/modulepage.h"
+#include "widgets/panels/modulepanel.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+bool isArrow(int key) {
+    return key == Qt::Key_Left || key == Qt::Key_Right;
+}
+
+/// Shift and nothing else; arrows may be those of the number pad.
+bool enables(const QKeyEvent& key) {
+    return (key.modifiers() & ~Qt::KeypadModifier) == Qt::ShiftModifier;
+}
+
+}  // namespace
+
+Pendant::Pendant(QWidget& window, ModulePanel& panel)
+    : QObject(&window),
+      m_window(window),
+      m_panel(panel),
+      m_action(new QAction(tr("&Keyboard pendant"), this)) {
+    m_action->setObjectName(u"pendantAction"_s);
+    m_action->setShortcut(Qt::Key_F12);
+    m_action->setCheckable(true);
+    m_action->setAutoRepeat(false);
+    window.addAction(m_action);  // its key acts whether its menu is open or not
+    connect(m_action, &QAction::toggled, this, &Pendant::setOn);
+}
+
+bool Pendant::isOn() const {
+    return m_action->isChecked();
+}
+
+void Pendant::setOn(bool on) {
+    if (on)
+        qApp->installEventFilter(this);
+    else
+        qApp->removeEventFilter(this);
+    release();
+    m_problem.clear();
+    emit changed();
+}
+
+void Pendant::showModule(const QString& reason) {
+    m_action->setEnabled(reason.isEmpty());
+    m_action->setToolTip(
+        reason.isEmpty() ? tr("Shift with an arrow key moves the motor while both are held. (F12)") : reason);
+    if (!reason.isEmpty())
+        m_action->setChecked(false);
+}
+
+/// A key comes to the window first, and then to the widget that has the focus and its parents.
+bool Pendant::isOurs(const QObject& watched) const {
+    if (QApplication::activePopupWidget() != nullptr)
+        return false;
+    const auto* widget = qobject_cast<const QWidget*>(&watched);
+    return widget != nullptr ? widget->window() == &m_window : &watched == m_window.windowHandle();
+}
+
+bool Pendant::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (endsMode(*watched, type))
+        m_action->setChecked(false);
+    else if (type == QEvent::MouseButtonPress || type == QEvent::Wheel || type == QEvent::TouchBegin)
+        release();
+    if (type != QEvent::ShortcutOverride && type != QEvent::KeyPress && type != QEvent::KeyRelease)
+        return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape) {
+        m_action->setChecked(false);  // and the key goes on: it stops all
+        return false;
+    }
+    if (!isOn() || !isOurs(*watched))
+        return false;
+    if (type != QEvent::ShortcutOverride)
+        return takeKey(*key, type == QEvent::KeyPress);
+    if (isArrow(key->key()) && enables(*key))
+        event->accept();
+    return false;
+}
+
+bool Pendant::endsMode(const QObject& watched, QEvent::Type type) const {
+    if (type == QEvent::ApplicationStateChange)
+        return QGuiApplication::applicationState() != Qt::ApplicationActive;
+    return &watched == &m_window &&
+           (type == QEvent::WindowDeactivate || type == QEvent::WindowBlocked || type == QEvent::Hide);
+}
+
+/// True: the key goes no farther.
+bool Pendant::takeKey(const QKeyEvent& key, bool pressed) {
+    const bool held = m_arrow != 0;
+    if (key.isAutoRepeat())
+        return held || (isArrow(key.key()) && enables(key));
+    if (!pressed) {
+        const bool ends = key.key() == m_arrow || key.key() == Qt::Key_Shift;
+        if (held && ends)
+            release();
+        return held && ends;
+    }
+    if (isArrow(key.key()) && enables(key) && !held) {
+        press(key.key());
+        return true;
+    }
+    release();
+    return held;
+}
+
+void Pendant::press(int arrow) {
+    m_arrow = arrow;
+    ModulePage* page = m_panel.page();
+    m_held = page != nullptr ? page->holdButton(arrow == Qt::Key_Left) : nullptr;
+    if (m_held)
+        m_held->beginHold();
+    const bool moves = m_held && m_held->isHeld();
+    const QString problem = moves || !m_held ? QString() : m_held->toolTip();
+    if (std::exchange(m_problem, problem) != problem)
+        emit changed();
+}
+
+void Pendant::release() {
+    m_arrow = 0;
+    if (m_held)
+        m_held->endHold();
+    m_held.clear();
+}
+
+}  // namespace nmc

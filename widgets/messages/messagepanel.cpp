@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/messages/messagepanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDate>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/elidedlabel.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+#include "widgets/messages/messagelist.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"messagePanel"_s, tr("Messages and their filter"));
+    build();
+    showLogFile({});
+}
+
+void MessagePanel::build() {
+    m_kind = new QComboBox(this);
+    look::name(m_kind, u"messageKindBox"_s, tr("Kind of messages shown"));
+    m_kind->setToolTip(tr("Which kind of messages is shown."));
+    m_kind->addItem(tr("All kinds"));
+    for (const Severity severity : {Severity::Fault, Severity::Attention, Severity::Normal})
+        m_kind->addItem(severity == Severity::Normal ? tr("News") : texts::severity(severity),
+                        QVariant::fromValue(static_cast<int>(severity)));
+    m_module = new QComboBox(this);
+    look::name(m_module, u"messageModuleBox"_s, tr("Module whose messages are shown"));
+    m_module->setToolTip(tr("Of which module messages are shown."));
+    m_module->addItem(tr("All modules"));
+    m_notOver = new QCheckBox(tr("&Not over"), this);
+    look::name(m_notOver, u"messageNotOverBox"_s, tr("Only messages that are not over"));
+    m_notOver->setToolTip(tr("Shows only what is not over."));
+    m_text = new QLineEdit(this);
+    look::name(m_text, u"messageTextField"_s, tr("Words of the messages shown"));
+    m_text->setPlaceholderText(tr("Words"));
+    m_text->setToolTip(tr("Shows only messages with these words."));
+    m_text->setClearButtonEnabled(true);
+    auto* save = new QPushButton(tr("E&xport…"), this);
+    look::name(save, u"messageExportButton"_s, tr("Export the messages shown"));
+    save->setToolTip(tr("Writes the messages that are shown to a text file."));
+    m_list = new MessageList(this);
+    m_place = new ElidedLabel(1, this);
+    m_place->setObjectName(u"messageLogLabel"_s);
+    m_place->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    const int unit = look::gridUnit(this);
+    for (QComboBox* box : {m_kind, m_module}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(7);
+        connect(box, &QComboBox::currentIndexChanged, this, &MessagePanel::filter);
+    }
+    connect(m_notOver, &QCheckBox::toggled, this, &MessagePanel::filter);
+    connect(m_text, &QLineEdit::textChanged, this, &MessagePanel::filter);
+    connect(save, &QPushButton::clicked, this, &MessagePanel::saveAs);
+    auto* first = new QHBoxLayout;
+    first->setSpacing(unit / 2);
+    first->addWidget(m_kind, 1);
+    first->addWidget(m_module, 1);
+    first->addWidget(m_notOver);
+    auto* second = new QHBoxLayout;
+    second->setSpacing(unit / 2);
+    second->addWidget(m_text, 1);
+    second->addWidget(save);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    layout->setSpacing(unit / 2);
+    layout->addLayout(first);
+    layout->addLayout(second);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_place);
+}
+
+void MessagePanel::showMessage(const Message& message) {
+    offerModule(message);
+    m_list->showMessage(message);
+}
+
+void MessagePanel::reveal(const QString& key) {
+    m_kind->setCurrentIndex(0);
+    m_module->setCurrentIndex(0);
+    m_text->clear();
+    m_list->reveal(key);
+}
+
+void MessagePanel::showLogFile(const QString& file) {
+    m_place->setText(file.isEmpty() ? tr("Kept for this session only.") : tr("Kept in %1").arg(file));
+}
+
+/// In the order of the chain, under the names of now.
+void MessagePanel::offerModule(const Message& message) {
+    if (!message.module)
+        return;
+    const auto place = m_modules.insert(*message.module).first;
+    const int index = static_cast<int>(std::distance(m_modules.begin(), place)) + 1;
+    const QString name = texts::moduleName(*message.module);
+    const int number = message.module->value();
+    if (m_module->itemData(index) == QVariant(number))
+        m_module->setItemText(index, name);
+    else
+        m_module->insertItem(index, name, number);
+}
+
+void MessagePanel::filter() {
+    MessageFilter filter{.text = m_text->text().trimmed(), .onlyNotOver = m_notOver->isChecked()};
+    if (const QVariant kind = m_kind->currentData(); kind.isValid())
+        filter.severity = static_cast<Severity>(kind.toInt());
+    if (const QVariant module = m_module->currentData(); module.isValid())
+        filter.module = ModuleIndex(static_cast<std::uint8_t>(module.toInt()));
+    m_list->setFilter(filter);
+}
+
+void MessagePanel::saveAs() {
+    QFileDialog* dialog =
+        newFileDialog(this, u"messageExportDialog"_s, tr("Export messages"), {tr("Text (*.txt)")}, {});
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"txt"_s);
+    dialog->selectFile(u"messages "_s + QDate::currentDate().toString(Qt::ISODate));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        emit saveRequested(path, [entries = m_list->shownEntries()] { return messageText(entries); });
+    });
+    dialog->show();
+}
+
+}  // namespace nmc
