@@ -6688,8 +6688,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Alle Module</translation>
     </message>
     <message>
-        <source>&amp;Not over</source>
-        <translation>&amp;Nicht vorbei</translation>
+        <source>Not over</source>
+        <translation>Nicht vorbei</translation>
     </message>
     <message>
         <source>Only messages that are not over</source>

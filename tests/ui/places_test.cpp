@@ -22,8 +22,12 @@ protected:
     Places() : InLanguage(QLatin1String(std::get<0>(GetParam()))) {
         window->resize(std::get<1>(GetParam()));
         showServo();
+        settle();
+    }
+    /// The docks give way to the first page.
+    static void settle() {
         for (int i = 0; i < 5; ++i)
-            QApplication::processEvents();  // the docks give way to the first page
+            QApplication::processEvents();
     }
 
     /// Of all controls that can start a motor and are on the page that is shown: where on the screen.
@@ -161,8 +165,10 @@ TEST_P(Places, OfTheStepperStayToo) {
         window->showLink(connectedTo({module}));
     };
     stepper(0x0C, 1'234);  // amplifier enabled, power
+    settle();
     for (const QString& mode : {u"stepModeTrapezoidal"_s, u"stepModeProfile"_s, u"stepModeTimedRun"_s}) {
         click(mode);
+        settle();
         const auto before = places();
         EXPECT_TRUE(before.contains(u"stepHoldForwardButton"_s));
         for (const Message& message : messages()) {

@@ -256,7 +256,7 @@ TEST_F(StepPanelTest, SendsParametersInMotionButForThoseThatTheChipIgnores) {
 
 TEST_F(StepPanelTest, TheMinimumSpeedWaitsForStandstill) {
     show(Stepper::running());
-    type(u"stepMinimumSpeedField"_s, u"9"_s);
+    type(u"stepMinimumSpeedField"_s, u"200"_s);
     EXPECT_FALSE(button(u"stepApplyParametersButton"_s)->isEnabled());
     EXPECT_EQ(button(u"stepApplyParametersButton"_s)->toolTip(), texts::refusal(Refusal::NeedsStop));
 }

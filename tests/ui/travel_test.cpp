@@ -11,6 +11,10 @@ namespace {
 
 class TravelPanel : public WindowTest {
 protected:
+    void enter(const QString& name, const QString& number) {
+        type(name, number);
+        QTest::keyClick(field(name), Qt::Key_Return);
+    }
     TravelPanel() {
         window->resize(1500, 1100);
         standAt(0);
@@ -23,8 +27,8 @@ protected:
         window->showLink(connectedTo({module}));
     }
     void setLimits() {
-        type(u"lowestField"_s, u"-500"_s);
-        type(u"highestField"_s, u"1500"_s);
+        enter(u"lowestField"_s, u"-500"_s);
+        enter(u"highestField"_s, u"1500"_s);
     }
     [[nodiscard]] const TravelSettings& kept() const { return machine.axes.at(0).travel; }
     template <typename T>
@@ -43,10 +47,10 @@ protected:
 
 TEST_F(TravelPanel, WhatIsTypedIsKeptWithTheAxisAndSendsNothing) {
     setLimits();
-    type(u"fastestField"_s, u"1.5"_s);
+    enter(u"fastestField"_s, u"1.5"_s);
     EXPECT_EQ(kept(), (TravelSettings{-500, 1'500, 1.5}));
-    type(u"highestField"_s, u" "_s);
-    type(u"fastestField"_s, u" "_s);
+    enter(u"highestField"_s, u" "_s);
+    enter(u"fastestField"_s, u" "_s);
     EXPECT_EQ(kept(), (TravelSettings{-500, std::nullopt, 0.0})) << "empty is no limit";
     EXPECT_TRUE(intents.isEmpty());
 }
@@ -71,13 +75,21 @@ TEST_F(TravelPanel, ARestartOfTheModuleTakesThemOutOfForce) {
     EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force"_s));
 }
 
+TEST_F(TravelPanel, HalfANumberIsNoLimit) {
+    setLimits();
+    type(u"highestField"_s, u"2000"_s);
+    EXPECT_EQ(kept().highest, 1'500) << "2, 20 and 200 would have stopped what moves";
+    find<QWidget>(u"lowestField"_s)->setFocus();
+    EXPECT_EQ(kept().highest, 2'000);
+}
+
 TEST_F(TravelPanel, LimitsThatCrossStayInTheirFieldsAndTheOldOnesInForce) {
     setLimits();
-    type(u"lowestField"_s, u"1500"_s);
+    enter(u"lowestField"_s, u"1500"_s);
     EXPECT_EQ(kept().lowest, -500);
     EXPECT_TRUE(text(u"travelHint"_s).contains(u"below the highest"_s));
     EXPECT_EQ(field(u"lowestField"_s)->text(), u"1500"_s);
-    type(u"lowestField"_s, u"x"_s);
+    enter(u"lowestField"_s, u"x"_s);
     EXPECT_EQ(kept().lowest, -500);
 }
 
@@ -118,7 +130,7 @@ TEST_F(TravelPanel, AtALimitThereIsOnlyTheWayBack) {
 }
 
 TEST_F(TravelPanel, NoFieldTakesMoreThanTheHighestVelocity) {
-    type(u"fastestField"_s, u"1.5"_s);
+    enter(u"fastestField"_s, u"1.5"_s);
     for (const auto& [velocity, act] : {std::pair(u"velocityField"_s, u"goButton"_s),
                                         std::pair(u"runVelocityField"_s, u"runForwardButton"_s),
                                         std::pair(u"holdVelocityField"_s, u"holdForwardButton"_s)}) {

@@ -203,8 +203,9 @@ QString refusal(Refusal refusal) {
         case Refusal::LimitIsOutput:
             return Texts::tr("The limit's pin is an output, so it tells nothing.");
         case Refusal::StartApart:
-            return Texts::tr("A trapezoidal move is loaded first and then started by Start, so that a garbled "
-                             "load never moves anything.");
+            return Texts::tr(
+                "A trapezoidal move is loaded first and then started by Start, so that a garbled "
+                "load never moves anything.");
         case Refusal::StepTooShort:
             return Texts::tr("A move by 0 is none.");
         case Refusal::StepTooLong:

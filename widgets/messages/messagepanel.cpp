@@ -36,14 +36,13 @@ void MessagePanel::build() {
     look::name(m_module, u"messageModuleBox"_s, tr("Module whose messages are shown"));
     m_module->setToolTip(tr("Of which module messages are shown."));
     m_module->addItem(tr("All modules"));
-    m_notOver = new QCheckBox(tr("&Not over"), this);
+    m_notOver = new QCheckBox(tr("Not over"), this);
     look::name(m_notOver, u"messageNotOverBox"_s, tr("Only messages that are not over"));
     m_notOver->setToolTip(tr("Shows only what is not over."));
     m_text = new QLineEdit(this);
     look::name(m_text, u"messageTextField"_s, tr("Words of the messages shown"));
     m_text->setPlaceholderText(tr("Words"));
     m_text->setToolTip(tr("Shows only messages with these words."));
-    m_text->setClearButtonEnabled(true);
     auto* save = new QPushButton(tr("E&xport…"), this);
     look::name(save, u"messageExportButton"_s, tr("Export the messages shown"));
     save->setToolTip(tr("Writes the messages that are shown to a text file."));

@@ -109,6 +109,9 @@ void PanelHead::layOut() {
     m_travel = new QLabel(this);
     look::nameText(m_travel, named(u"headTravel"_s), tr("Limits of travel"));
     signs->addWidget(m_travel);
+    // In little room these give way, and their tool tips say the rest: the window stays as wide as it is.
+    for (QLabel* words : {m_home, m_travel})
+        words->setMinimumWidth(1);
     if (servo) {
         m_limitStop = new QLabel(this);
         look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));

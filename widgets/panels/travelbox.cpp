@@ -77,7 +77,9 @@ void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
     grid->addWidget(field->unitLabel(), line, 2);
     grid->addWidget(field->otherView(), line, 3);
     grid->addWidget(m_here[limit]->button(), line, 4);
-    connect(field, &QuantityField::nativeEdited, this, &TravelBox::keep);
+    connect(field, &QuantityField::nativeEdited, this, &TravelBox::refresh);
+    // Not half of a number: a limit is in force at once, and stops what is beyond it.
+    connect(field, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
 
 void TravelBox::buildFastest(QGridLayout* grid, int line) {
@@ -93,7 +95,8 @@ void TravelBox::buildFastest(QGridLayout* grid, int line) {
     grid->addWidget(m_fastest, line, 1);
     grid->addWidget(m_fastest->unitLabel(), line, 2);
     grid->addWidget(m_fastest->otherView(), line, 3);
-    connect(m_fastest, &QuantityField::nativeEdited, this, &TravelBox::keep);
+    connect(m_fastest, &QuantityField::nativeEdited, this, &TravelBox::refresh);
+    connect(m_fastest, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
 
 void TravelBox::buildBacklash(QGridLayout* grid, int line) {

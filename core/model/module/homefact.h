@@ -20,7 +20,7 @@ public:
     enum class Source : std::uint8_t {
         Search,
         Saved,
-        Declared,  ///< somebody has said that the position is right: home is where the counter is 0
+        Declared,    ///< somebody has said that the position is right: home is where the counter is 0
         Remembered,  ///< from where the axis was seen last, before its module restarted; nobody has checked
                      ///< it
     };
