@@ -75,6 +75,22 @@ TEST_F(TravelPanel, ARestartOfTheModuleTakesThemOutOfForce) {
     EXPECT_TRUE(text(u"travelState"_s).startsWith(u"▲ Not in force"_s));
 }
 
+TEST_F(TravelPanel, TheOfferOfANearerGoalMovesNothing) {
+    setLimits();
+    const auto places = [this] {
+        QApplication::processEvents();
+        std::vector<QPoint> found;
+        for (const QString& name :
+             {u"goButton"_s, u"zeroHereButton"_s, u"runForwardButton"_s, u"holdForwardButton"_s})
+            found.push_back(button(name)->mapToGlobal(QPoint()));
+        return found;
+    };
+    const auto before = places();
+    type(u"goalField"_s, u"1600"_s);
+    EXPECT_TRUE(button(u"nearestGoalButton"_s)->isVisible());
+    EXPECT_EQ(places(), before);
+}
+
 TEST_F(TravelPanel, HalfANumberIsNoLimit) {
     setLimits();
     type(u"highestField"_s, u"2000"_s);

@@ -11,6 +11,10 @@
 
 namespace nmc {
 
+namespace {
+constexpr int kTextWidth = 30;  ///< lines of text
+}
+
 AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
     auto* dialog = window->findChild<AskDialog*>(question.name);
     if (dialog == nullptr) {
@@ -44,6 +48,8 @@ AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> cho
     QFont bold = font();
     bold.setBold(true);
     m_label->setFont(bold);
+    m_label->setWordWrap(true);
+    m_label->setMinimumWidth(fontMetrics().height() * kTextWidth);
     m_buttons->addStretch(1);
     for (const Choice& choice : choices)
         addChoice(choice);

@@ -108,6 +108,10 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     remark->setSpacing(look::gridUnit(this));
     remark->addWidget(m_forecast, 1);
     remark->addWidget(m_nearest->button());
+    // Nothing that starts a motor moves when it comes or goes.
+    QSizePolicy policy = m_nearest->button()->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_nearest->button()->setSizePolicy(policy);
     grid->addLayout(remark, line++, 1, 1, quantitygrid::kColumns - 1);
 
     m_zero = new Command({.name = u"zeroHereButton"_s,

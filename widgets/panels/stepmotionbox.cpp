@@ -92,6 +92,10 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     remark->setSpacing(look::gridUnit(this));
     remark->addWidget(m_forecast, 1);
     remark->addWidget(m_nearest->button());
+    // Nothing that starts a motor moves when it comes or goes.
+    QSizePolicy policy = m_nearest->button()->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_nearest->button()->setSizePolicy(policy);
     grid->addLayout(remark, line++, 1, 1, 4);
 }
 
