@@ -301,9 +301,10 @@ void MachineController::dropRestored() {
 void MachineController::changed() {
     if (!m_keepTimer.isActive())
         m_keepTimer.start();
-    emit machineChanged();
+    // First: what the link tells thereupon meets a window that knows this machine.
     m_window.showMachine(m_machine);
     showFile();
+    emit machineChanged();
 }
 
 void MachineController::showFile() {

@@ -27,7 +27,7 @@ protected:
         testing_support::turnTo(*panel.window().findChild<QWidget*>(QLatin1String(page)));
     }
     QString text(const char* label) {
-        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
+        auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
         testing_support::turnTo(*found);
         return found->text();
     }

@@ -46,7 +46,7 @@ protected:
         return found;
     }
     QString text(const char* label) {
-        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
+        auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
         testing_support::turnTo(*found);
         return found->text();
     }

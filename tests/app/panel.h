@@ -61,6 +61,9 @@ public:
         ASSERT_NE(button, nullptr) << name;
         turnTo(*button);
         ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name << button->toolTip().toStdString();
+        // Nobody clicks on what is hidden, and a mouse click there would fall on something else.
+        ASSERT_TRUE(waitFor([&] { return button->visibleRegion().contains(button->rect().center()); }))
+            << name;
         QTest::mouseClick(button, Qt::LeftButton);
     }
     /// How often a look has found one: the phase in between may be over before it is seen.

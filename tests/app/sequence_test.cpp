@@ -3,7 +3,8 @@
 // motor is, is the simulator's word.
 #include <gtest/gtest.h>
 
-#include <QComboBox>
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -46,33 +47,40 @@ protected:
         QTest::keyClicks(field, name);
         ASSERT_NO_FATAL_FAILURE(panel.click("teachButton"));
     }
-    /// By a double click on the cell and the arrow keys.
+    void doubleClick(int row, int column) {
+        auto* table = find<QTableView>("rowTable");
+        const QPoint at = table->visualRect(table->model()->index(row, column)).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);  // the first of the two
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, at);
+    }
+    /// By a double click on the cell, the arrow keys and Enter.
     void choose(int row, int column, const QString& what) {
         auto* table = find<QTableView>("rowTable");
-        const QRect cell = table->visualRect(table->model()->index(row, column));
-        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
-        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell.center());
-        // Those of cells before may not be gone yet.
-        const auto boxes = panel.window().findChildren<QComboBox*>(u"rowChoiceBox"_s);
-        ASSERT_FALSE(boxes.isEmpty());
-        const QPointer<QComboBox> box = boxes.back();
-        const int wanted = box->findText(what);
-        ASSERT_GE(wanted, 0) << what.toStdString();
-        while (box && box->currentIndex() != wanted && table->model()->index(row, column).data() != what) {
-            QTest::keyClick(box, box->currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);
-            if (!box && table->model()->index(row, column).data() != what)
-                return choose(row, column, what);  // an arrow key takes what it comes to
-        }
+        doubleClick(row, column);
+        auto* popup = [&]() -> QWidget* {
+            std::ignore = panel.waitFor([] { return QApplication::activePopupWidget() != nullptr; });
+            return QApplication::activePopupWidget();
+        }();
+        ASSERT_NE(popup, nullptr);
+        auto* list = popup->findChild<QAbstractItemView*>();
+        const QModelIndexList wanted =
+            list->model()->match(list->model()->index(0, 0), Qt::DisplayRole, what, 1, Qt::MatchExactly);
+        ASSERT_EQ(wanted.size(), 1) << what.toStdString();
+        const int way = wanted.front().row() - list->currentIndex().row();
+        for (int step = 0; step < std::abs(way); ++step)
+            QTest::keyClick(list, way > 0 ? Qt::Key_Down : Qt::Key_Up);
+        QTest::keyClick(list, Qt::Key_Return);
+        ASSERT_TRUE(panel.waitFor([&] { return table->findChild<QWidget*>(u"rowChoiceBox"_s) == nullptr; }));
         EXPECT_EQ(table->model()->index(row, column).data().toString(), what);
     }
     void typeNumber(int row, const QString& text) {
-        auto* table = find<QTableView>("rowTable");
-        const QRect cell = table->visualRect(table->model()->index(row, 3));
-        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+        doubleClick(row, 3);
         auto* field = find<QLineEdit>("rowNumberField");
         field->selectAll();
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
+        auto* table = find<QTableView>("rowTable");
+        ASSERT_TRUE(panel.waitFor([&] { return table->findChild<QWidget*>(u"rowNumberField"_s) == nullptr; }));
     }
     void moveTo(std::int32_t position) {
         panel.ask(intent::GoTo{Counts(position), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});
@@ -185,8 +193,10 @@ TEST_F(Sequences, EditsAreUndone) {
     EXPECT_EQ(panel.composition().machine().program, made);
     ASSERT_NO_FATAL_FAILURE(panel.click("redoEditButton"));
     EXPECT_EQ(panel.composition().machine().program.sequences[0].rows.size(), 1U);
-    while (find<QAbstractButton>("undoEditButton")->isEnabled())
+    // Two points, a sequence, two rows, one of them edited, one removed.
+    for (int edit = 0; edit < 7; ++edit)
         ASSERT_NO_FATAL_FAILURE(panel.click("undoEditButton"));
+    EXPECT_FALSE(find<QAbstractButton>("undoEditButton")->isEnabled());
     EXPECT_EQ(panel.composition().machine().program, Program{});
 }
 

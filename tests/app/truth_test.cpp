@@ -18,7 +18,7 @@ class Truth : public testing::Test {
 protected:
     void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim)); }
     QString label(const char* name) {
-        const auto* found = panel.window().findChild<QLabel*>(QLatin1String(name));
+        auto* found = panel.window().findChild<QLabel*>(QLatin1String(name));
         testing_support::turnTo(*found);
         return found->text();
     }

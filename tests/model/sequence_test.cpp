@@ -103,6 +103,8 @@ TEST(SequenceEdit, MovingARowKeepsWhatIsRepeated) {
     const Sequence before = sequence;
     EXPECT_FALSE(moveRow(sequence, 3, 1)) << "it would stand above the row that it repeats";
     EXPECT_FALSE(moveRow(sequence, 2, 3));
+    EXPECT_FALSE(moveRow(sequence, 4, 0)) << "there is no such row";
+    EXPECT_FALSE(moveRow(sequence, 0, 4));
     EXPECT_EQ(sequence, before);
     ASSERT_TRUE(moveRow(sequence, 2, 0));
     EXPECT_EQ(sequence.rows[3], Action(action::Repeat{0, 2}));

@@ -30,7 +30,9 @@ QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& 
     auto* box = new QComboBox(parent);
     look::name(box, u"rowChoiceBox"_s, tr("Choices of the row"));
     box->addItems(choices);
-    // What was chosen from the list is meant; the table needs no Enter behind it.
+    // The list is there at once, so that an arrow key only leads to what is chosen by Enter: closed, each
+    // would be an edit. What was chosen is meant; the table needs no Enter behind it.
+    QMetaObject::invokeMethod(box, &QComboBox::showPopup, Qt::QueuedConnection);
     connect(box, &QComboBox::activated, this, [this, box] {
         auto* self = const_cast<RowDelegate*>(this);
         emit self->commitData(box);

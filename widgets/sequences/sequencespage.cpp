@@ -373,13 +373,12 @@ void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
     m_link = link;
     const bool another = machine.program != m_program;
     m_machine = machine;
-    if (another) {
-        // Of another file: what was done to the one before cannot be undone in it.
+    if (another)
         m_program = machine.program;
-        m_edits.clear();
-    }
     showAxes();
     showProgram();
+    if (another)
+        m_edits.clear();  // of another file: what was done to the one before cannot be undone in it
 }
 
 void SequencesPage::showRun(const SequenceReport& report) {
@@ -508,7 +507,7 @@ void SequencesPage::refreshRows() {
             return noRow;
         const int to = static_cast<int>(*row) + by;
         Sequence tried = *m_program.sequence(sequence());
-        if (to < 0 || to >= m_rows->rowCount() || !nmc::moveRow(tried, *row, static_cast<std::size_t>(to)))
+        if (to < 0 || !nmc::moveRow(tried, *row, static_cast<std::size_t>(to)))
             return tr("It cannot go any farther: a repeat stays below the row that it goes back to.");
         return QString();
     };
@@ -582,7 +581,10 @@ const Point* SequencesPage::chosenPoint() const {
 
 std::optional<std::size_t> SequencesPage::chosenRow() const {
     const QModelIndexList rows = m_rowTable->selectionModel()->selectedRows();
-    if (rows.isEmpty() || rows.front().row() >= m_rows->rowCount())
+    const Sequence* shown = m_program.sequence(sequence());
+    // The table asks while its rows still are those of before.
+    if (rows.isEmpty() || shown == nullptr ||
+        rows.front().row() >= static_cast<int>(std::min(shown->rows.size(), m_rows->rows().size())))
         return std::nullopt;
     return static_cast<std::size_t>(rows.front().row());
 }

@@ -58,6 +58,8 @@ void removeRow(Sequence& sequence, std::size_t at) {
 }
 
 bool moveRow(Sequence& sequence, std::size_t from, std::size_t to) {
+    if (std::max(from, to) >= sequence.rows.size())
+        return false;
     Sequence moved = sequence;
     const auto begin = moved.rows.begin();
     const auto at = [begin](std::size_t row) { return begin + static_cast<std::ptrdiff_t>(row); };

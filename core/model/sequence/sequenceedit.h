@@ -15,7 +15,8 @@ namespace nmc {
 void insertRow(Sequence& sequence, std::size_t at, Action row);
 /// A repeat that went back to it goes back to the row behind it, or away where none is left to repeat.
 void removeRow(Sequence& sequence, std::size_t at);
-/// A repeat never comes to stand above the row that it goes back to: false, and nothing is changed.
+/// False, and nothing is changed, where there is no such row, or where a repeat would come to stand above the
+/// row that it goes back to.
 [[nodiscard]] bool moveRow(Sequence& sequence, std::size_t from, std::size_t to);
 
 void renamePoint(Program& program, const std::string& from, const std::string& to);
