@@ -35,9 +35,21 @@ const QStringList& starters() {
                                    u"homeButton"_s, u"pwmForwardButton"_s, u"pwmReverseButton"_s,
                                    u"stepGoButton"_s, u"stepRunForwardButton"_s, u"stepRunReverseButton"_s,
                                    u"stepStartLoadedButton"_s, u"stepHomeButton"_s, u"stepResponseButton"_s,
-                                   u"startDirectionCheckButton"_s, u"groupStartButton"_s,
+                                   u"startDirectionCheckButton"_s,
                                    // which may hold any of them
                                    u"moduleMenu"_s, u"commandList"_s};
+    return names;
+}
+const QStringList& startersOfAll() {
+    static const QStringList names{u"groupStartButton"_s,     u"homeAllButton"_s,    u"goToPointButton"_s,
+                                   u"runSequenceButton"_s,    u"runFromRowButton"_s, u"stepSequenceButton"_s,
+                                   u"pauseSequenceButton"_s};  // which goes on, too
+    return names;
+}
+/// In the rows of all axes: their number is behind the name.
+const QStringList& startersOfRows() {
+    static const QStringList names{u"axisHoldForwardButton"_s, u"axisHoldReverseButton"_s,
+                                   u"axisStepForwardButton"_s, u"axisStepReverseButton"_s};
     return names;
 }
 
@@ -174,30 +186,36 @@ QList<QKeySequence> shortcuts() {
     return keys;
 }
 
-bool startsMotor(const QWidget* widget) {
-    for (const QWidget* w = widget; w != nullptr; w = w->parentWidget())
-        if (qobject_cast<const HoldButton*>(w) != nullptr || starters().contains(w->objectName()))
-            return true;
-    return false;
+Motors startedBy(const QWidget* widget) {
+    for (const QWidget* w = widget; w != nullptr; w = w->parentWidget()) {
+        const QString name = w->objectName();
+        for (const QString& row : startersOfRows())
+            if (name.startsWith(row))
+                return {true, false, ModuleIndex(static_cast<std::uint8_t>(name.mid(row.size()).toInt() - 1))};
+        if (startersOfAll().contains(name))
+            return {true, true};
+        if (qobject_cast<const HoldButton*>(w) != nullptr || starters().contains(name))
+            return {true};
+    }
+    return {};
 }
 
-bool startsMotor(const QKeySequence& keys) {
+Motors startedBy(const QKeySequence& keys) {
     for (const QWidget* window : windows())
         for (const auto* button : window->findChildren<QAbstractButton*>())
-            if (usable(button) && startsMotor(button) && button->shortcut() == keys)
-                return true;
+            if (usable(button) && button->shortcut() == keys && startedBy(button).any)
+                return startedBy(button);
     for (const QWidget* window : windows())
         for (const auto* command : window->findChildren<Command*>())
-            if (usable(command->button()) && startsMotor(command->button()) && command->shortcut() == keys)
-                return true;
-    return false;
+            if (usable(command->button()) && command->shortcut() == keys && startedBy(command->button()).any)
+                return startedBy(command->button());
+    return {};
 }
 
-bool startsByEnter(const QWidget* widget) {
-    return widget != nullptr &&
-           (widget->objectName() == u"goalField"_s || widget->objectName() == u"stepGoalField"_s ||
-            widget->objectName() == u"runVelocityField"_s || widget->objectName() == u"commandWords"_s ||
-            startsMotor(widget));
+Motors startedByEnter(const QWidget* widget) {
+    static const QStringList fields{u"goalField"_s, u"stepGoalField"_s, u"runVelocityField"_s,
+                                    u"commandWords"_s};
+    return widget != nullptr && fields.contains(widget->objectName()) ? Motors{true} : startedBy(widget);
 }
 
 bool inFileDialog(const QWidget* widget) {

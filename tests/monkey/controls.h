@@ -8,6 +8,9 @@
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+#include <optional>
+
+#include "base/strong.h"
 
 /// What can be seen and reached of the program at this moment, whatever it is made of.
 namespace nmc::monkey {
@@ -26,12 +29,20 @@ struct Spot {
 [[nodiscard]] QList<Spot> spots();
 /// All shortcuts and mnemonics of controls that can be used now.
 [[nodiscard]] QList<QKeySequence> shortcuts();
-/// What is there, or what it is in, sets the selected motor in motion when it is pressed.
-[[nodiscard]] bool startsMotor(const QWidget* widget);
-/// Something that sets a motor in motion has this shortcut, and can be used.
-[[nodiscard]] bool startsMotor(const QKeySequence& keys);
-/// Enter does in it what a button does that sets a motor in motion.
-[[nodiscard]] bool startsByEnter(const QWidget* widget);
+/// The motors that a control sets going: none, the selected one, the one of its row, or all.
+struct Motors {
+    bool any = false;
+    bool all = false;
+    std::optional<ModuleIndex> module{};  ///< where it is not the selected one
+
+    friend bool operator==(const Motors&, const Motors&) = default;
+};
+/// What pressing that does, or what it is in.
+[[nodiscard]] Motors startedBy(const QWidget* widget);
+/// What a key does whose control can be used.
+[[nodiscard]] Motors startedBy(const QKeySequence& keys);
+/// Enter does in it what a button does.
+[[nodiscard]] Motors startedByEnter(const QWidget* widget);
 /// What files are chosen in; the way out of it leads to other people's files.
 [[nodiscard]] bool inFileDialog(const QWidget* widget);
 

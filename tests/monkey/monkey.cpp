@@ -242,10 +242,9 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
           : button == Qt::LeftButton ? "clicks "
                                      : "right-clicks ") +
          spot.name.toStdString());
-    const bool starts = startsMotor(hit);
+    const Motors starts = startedBy(hit);
     const bool isTab = qobject_cast<const QTabBar*>(hit) != nullptr;
-    if (starts)
-        m_oath->mayStart(hit->objectName() == u"groupStartButton"_s);
+    m_oath->mayStart(starts);
     if (spot.name.startsWith(u"sim"_s))
         m_oath->fault(virtualtime::now());  // the simulator's own page lets anything happen
     const QPoint at = window->mapFromGlobal(spot.at);
@@ -255,7 +254,7 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
         const QPointer<QWindow> still(window);
         QTest::mousePress(window, button, {}, at);
         // What is pressed has the focus, and may lose it by what it does.
-        if (starts)
+        if (starts.any)
             m_oath->movedFocus();
         if (hold) {
             m_pressedIn = still;
@@ -276,8 +275,7 @@ void Monkey::releaseMouse(bool elsewhere) {
     const bool there = (!elsewhere || m_pressedTab) && QRect({}, window->size()).contains(m_pressedAt);
     const QPoint at = there ? m_pressedAt : QPoint(3, 3);
     note(there ? "releases" : "moves away and releases");
-    if (startsMotor(QApplication::widgetAt(window->mapToGlobal(at))))
-        m_oath->mayStart(false);
+    m_oath->mayStart(startedBy(QApplication::widgetAt(window->mapToGlobal(at))));
     deliver([&] {
         const QPointer<QWindow> still(window);
         if (!there)
@@ -296,7 +294,7 @@ bool Monkey::pressNamed(const QStringList& words) {
     if (named.isEmpty())
         return false;
     const Spot spot = named.at(static_cast<qsizetype>(below(static_cast<std::size_t>(named.size()))));
-    press(spot, Qt::LeftButton, spot.name.startsWith(u"hold"_s) || spot.name.startsWith(u"stepHold"_s));
+    press(spot, Qt::LeftButton, spot.name.contains(u"hold"_s, Qt::CaseInsensitive));
     return true;
 }
 
@@ -317,11 +315,24 @@ void Monkey::pressWhatMatters() {
     if (link.phase == LinkPhase::Connected && !link.readOnly && below(3) == 0 &&
         (state == nullptr || !state->driveOn()))
         return makeReady();
+    if (link.phase == LinkPhase::Connected && below(10) == 0)
+        return workPendant();
     if (!pressNamed({u"Forward"_s, u"Reverse"_s, u"goButton"_s, u"GoButton"_s, u"homeButton"_s,
                      u"HomeButton"_s, u"startButton"_s, u"StartLoaded"_s, u"loadButton"_s, u"PagesBar"_s,
                      u"chainList"_s, u"stepResponseButton"_s, u"enableButton"_s, u"EnableButton"_s,
                      u"StartButton"_s}))
         pressAnything();
+}
+
+void Monkey::workPendant() {
+    if (pendantIsOn())
+        strikeKey(Qt::SHIFT | (below(2) == 0 ? Qt::Key_Left : Qt::Key_Right), true);
+    else
+        strikeKey(Qt::Key_F12);
+}
+
+bool Monkey::pendantIsOn() const {
+    return m_program->window().findChild<QAction*>(u"pendantAction"_s)->isChecked();
 }
 
 /// As somebody who wants to work: gains or parameters, the current on, and off it goes.
@@ -371,16 +382,18 @@ void Monkey::strikeKey(QKeyCombination key, bool hold) {
     note((up ? "lets go of " : hold ? "holds " : "strikes ") + sequence.toString().toStdString());
     const QWidget* focus = QApplication::focusWidget();
     const bool enter = bare == Qt::Key_Return || bare == Qt::Key_Enter;
-    if ((bare == Qt::Key_Space && startsMotor(focus)) || (enter && startsByEnter(focus)) ||
-        startsMotor(sequence))
-        m_oath->mayStart(focus != nullptr && focus->objectName() == u"groupStartButton"_s);
+    m_oath->mayStart(startedBy(sequence));
+    if (bare == Qt::Key_Space || enter)
+        m_oath->mayStart(enter ? startedByEnter(focus) : startedBy(focus));
+    if ((bare == Qt::Key_Left || bare == Qt::Key_Right) && pendantIsOn())
+        m_oath->mayStart({true});
     deliver([&] {
         if (up) {
             m_keyDown.reset();
             sendKey(false, bare);
         } else if (hold) {
             m_keyDown = bare;
-            sendKey(true, bare);
+            sendKey(true, key);
         } else {
             strike(key);
         }

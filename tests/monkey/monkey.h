@@ -49,6 +49,8 @@ private:
     void press(const Spot& spot, Qt::MouseButton button, bool hold);
     void releaseMouse(bool elsewhere);
     void pressWhatMatters();
+    void workPendant();
+    [[nodiscard]] bool pendantIsOn() const;
     void makeReady();
     bool closeSomething();
     bool pressNamed(const QStringList& words);

@@ -73,9 +73,10 @@ std::optional<std::size_t> Oath::selected() {
     return module ? placeOf(*module) : std::nullopt;
 }
 
-void Oath::mayStart(bool group) {
-    for (std::size_t place = 0; place < m_motors.size(); ++place)
-        if (group || place == selected()) {
+void Oath::mayStart(const Motors& motors) {
+    const auto one = motors.module ? placeOf(*motors.module) : selected();
+    for (std::size_t place = 0; motors.any && place < m_motors.size(); ++place)
+        if (motors.all || place == one) {
             Motor& motor = m_motors[place];
             motor = {true, motor.moves, virtualtime::now(), std::nullopt, std::nullopt};
         }
@@ -219,7 +220,7 @@ void Oath::checkWindow() {
         complain("stop: the button is " + std::string(stop->isEnabled() ? "" : "not ") + "enabled");
     if (const QWidget* focus = placeOfFocus()) {
         const QWidget*& before = m_focus[focus->window()];
-        if (focus != before && startsMotor(focus))
+        if (focus != before && startedBy(focus).any)
             complain("focus: is handed to " + focus->objectName().toStdString());
         before = focus;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/monkey/bench.h"
+#include "tests/monkey/controls.h"
 
 namespace nmc::monkey {
 
@@ -31,7 +32,7 @@ public:
     /// Something of the user's is being delivered: the window may ask for something.
     void userActs(bool acts) { m_acting = acts; }
     /// What he does starts the selected motor, or with `group` all that are in one.
-    void mayStart(bool group);
+    void mayStart(const Motors& motors);
     /// He asks one motor to stop, or all of them to.
     void stopsOne();
     void aboutToStopAll();
