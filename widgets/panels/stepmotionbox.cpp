@@ -76,13 +76,13 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_speed, tr("Trave&l speed"));
     m_outcome = look::newMutedLabel({}, this);
     m_outcome->setObjectName(u"stepSpeedOutcome"_s);
-    m_ramp = look::newMutedLabel({}, this);
+    m_ramp = new ElidedLabel(1, this);
+    m_ramp->setForegroundRole(QPalette::PlaceholderText);
     m_ramp->setObjectName(u"stepRampOutcome"_s);
     auto* outcome = new QHBoxLayout;
     outcome->setSpacing(look::gridUnit(this));
     outcome->addWidget(m_outcome);
-    outcome->addWidget(m_ramp);
-    outcome->addStretch(1);
+    outcome->addWidget(m_ramp, 1);
     grid->addLayout(outcome, line++, 1, 1, 4);
     m_forecast = look::newMutedLabel({}, this);
     m_forecast->setObjectName(u"stepForecast"_s);
