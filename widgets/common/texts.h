@@ -80,6 +80,8 @@ namespace texts {
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: too much current.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
+/// A servo that is to hold, and swings.
+[[nodiscard]] Message swings(const ModuleState& module);
 /// A limit switch closed while the motor moved, and nobody had asked for that. `limit`: 1 or 2.
 [[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
 /// A limit stop that was armed has stopped the motor.
