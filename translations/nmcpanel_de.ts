@@ -3777,6 +3777,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The current limit CL is 0 or unknown, so the current would never stop the motor.</source>
         <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom würde den Motor also nie anhalten.</translation>
     </message>
+    <message>
+        <source>A limit switch, heat or the E-stop input ended the move. The motor stands still.</source>
+        <translation>Ein Endschalter, Hitze oder der Not-Halt-Eingang hat die Fahrt beendet. Der Motor steht.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -9340,6 +9344,18 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
         <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Zur Referenz</translation>
+    </message>
+    <message>
+        <source>Go to the home position</source>
+        <translation>Die Referenzposition anfahren</translation>
+    </message>
+    <message>
+        <source>Goes to home with a ramp, at the speed of moves to a position.</source>
+        <translation>Fährt mit Rampe zur Referenz, mit der Geschwindigkeit der Fahrten zu einer Position.</translation>
     </message>
 </context>
 <context>

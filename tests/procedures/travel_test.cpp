@@ -373,7 +373,7 @@ protected:
         return all;
     }
     [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
-        return {counts, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), rounds, 0.0, false};
+        return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
     }
     ServoBench bench;
 };

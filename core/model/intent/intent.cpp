@@ -165,7 +165,7 @@ struct Planner {
     Plan operator()(const intent::StepBy& stepBy) const {
         if (const auto refusal = lacking({{}, stepBy.velocity, stepBy.acceleration}))
             return tl::unexpected(*refusal);
-        if (stepBy.counts == 0)
+        if (stepBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         return allowed(Request::Move, module, [] { return Steps{}; });
     }
@@ -186,8 +186,9 @@ struct Planner {
 
     // plan() has answered these for both chips.
     Plan operator()(const AnyOf<intent::Direct, intent::ResetModule> auto&) const { return Steps{}; }
-    Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                                stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
+    Plan operator()(
+        const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                    stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
 
@@ -220,14 +221,17 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<
-                intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
-                intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
-                intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
-                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
+                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
+                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
+                           intent::StepBy, intent::StepResponse, intent::CheckDirection,
+                           intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
+                           intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                           stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                           stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) {
+                return false;
+            },
         },
         intent);
 }

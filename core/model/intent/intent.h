@@ -77,12 +77,9 @@ struct Home {
 };
 /// Trapezoidal moves by N, one after the other. A procedure.
 struct StepBy {
-    std::int32_t counts = 0;  ///< signed
+    Rounds moves;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
-    unsigned rounds = 1;
-    double pause = 0.0;         ///< s, after each move
-    bool backAndForth = false;  ///< a round is there and back
 };
 /// A small move without a profile, to see how the servo follows (stepresponseplan.h). A
 /// procedure.
@@ -125,7 +122,8 @@ using Intent =
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
                  intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
                  intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
+                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
+                 stepintent::StepBy, stepintent::GoHome>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);

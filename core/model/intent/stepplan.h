@@ -20,6 +20,10 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module,
                                                           Request as = Request::Move);
 
+/// The first of its moves, and the way home; where home is not known, there is none.
+[[nodiscard]] StepMotion motionOf(const stepintent::StepBy& stepBy);
+[[nodiscard]] std::optional<StepMotion> motionOf(const stepintent::GoHome& home, const ModuleState& module);
+
 /// Why these cannot be set now: some of them not in motion.
 [[nodiscard]] std::optional<Refusal> whyNotSet(const step::SetParameters& parameters,
                                                const ModuleState& module);

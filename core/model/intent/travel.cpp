@@ -71,15 +71,14 @@ struct CourseOf {
     }
     /// As far as the last of its moves, from where the first one starts.
     std::optional<Course> operator()(const intent::StepBy& step) const {
-        const auto position = positionOf(module);
-        if (!position)
-            return std::nullopt;
-        const std::int32_t from = module.goal().value_or(*position);
-        const std::int64_t moves = step.backAndForth ? 1 : std::max(step.rounds, 1U);
-        return Course{.goal = from + moves * step.counts,
-                      .velocity = native(step.velocity),
-                      .from = from,
-                      .turns = true};
+        return of(step.moves, native(step.velocity));
+    }
+    std::optional<Course> operator()(const stepintent::StepBy& step) const {
+        return of(step.moves, speedOf(motionOf(step), module));
+    }
+    std::optional<Course> operator()(const stepintent::GoHome& home) const {
+        const auto motion = motionOf(home, module);
+        return motion ? of(*motion) : std::nullopt;
     }
     std::optional<Course> operator()(const intent::StepResponse& step) const {
         const auto position = positionOf(module);
@@ -101,6 +100,14 @@ struct CourseOf {
     }
 
 private:
+    [[nodiscard]] std::optional<Course> of(const Rounds& moves, double velocity) const {
+        const auto position = positionOf(module);
+        if (!position)
+            return std::nullopt;
+        const std::int32_t from = module.goal().value_or(*position);
+        const std::int64_t count = moves.backAndForth ? 1 : std::max(moves.rounds, 1U);
+        return Course{.goal = from + count * moves.counts, .velocity = velocity, .from = from, .turns = true};
+    }
     [[nodiscard]] std::optional<Course> of(const StepMotion& motion) const {
         Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module)};
         if (!course.goal)

@@ -39,6 +39,8 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
                    : nullptr;
     if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
+    if (const auto* stepBy = std::get_if<stepintent::StepBy>(&intent))
+        return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
