@@ -159,9 +159,9 @@ void Composition::told(const bus::GroupFinished& finished) {
     if (finished.outcome == bus::Outcome::Done) {
         if (!isGroupStop(finished))
             return;
-        const Message told = texts::groupToldToStop(finished);
-        m_messages.noteStop(told, bus::StopCause::GroupStop, members);
-        return m_messages.tell(told);
+        const Message news = texts::groupToldToStop(finished);
+        m_messages.noteStop(news, bus::StopCause::GroupStop, members);
+        return m_messages.tell(news);
     }
     Message message = texts::groupFailed(finished);
     if (finished.stopped) {

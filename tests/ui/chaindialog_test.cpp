@@ -166,6 +166,7 @@ TEST_F(ChainWindow, ANewZeroOfAGroupAsksFirstAndOnlyAtRest) {
     ASSERT_NE(find(u"groupResetDialog"_s), nullptr);
     click(u"cancelGroupResetButton"_s);
     EXPECT_EQ(commands.size(), 0);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     click(u"groupResetButton"_s);
     click(u"confirmGroupResetButton"_s);
     ASSERT_EQ(commands.size(), 1);
@@ -194,6 +195,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     open("groupsAction");
     auto* field = find<QSpinBox>(u"address2Box"_s);
     EXPECT_EQ(field->value(), 2);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(find(u"chainDialog"_s)));
     const auto enter = [&](const QString& text, Qt::Key key) {
         field->setFocus();
         field->selectAll();

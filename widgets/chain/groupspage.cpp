@@ -78,6 +78,7 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_clear = newCommand(tr("C&lear sticky bits"), u"groupClearButton"_s,
                          tr("Clear the sticky bits of this group"), ClearStickyBits);
     m_reset = new QPushButton(tr("Set &position to 0…"), this);
+    m_reset->setAutoDefault(false);
     look::name(m_reset, u"groupResetButton"_s, tr("Set the positions of this group to 0"));
     connect(m_reset, &QPushButton::clicked, this, &GroupsPage::askBeforeReset);
     const auto row = [this, unit](std::initializer_list<QWidget*> widgets) {
@@ -112,6 +113,7 @@ QPushButton* GroupsPage::newCommand(const QString& text, const QString& objectNa
                                     const QString& accessibleName, bus::GroupCommand::Action action) {
     auto* button = new QPushButton(text, this);
     look::name(button, objectName, accessibleName);
+    button->setAutoDefault(false);  // Enter is for addresses and names
     connect(button, &QPushButton::clicked, this, [this, action] { command(action); });
     return button;
 }
