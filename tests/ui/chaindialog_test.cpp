@@ -195,7 +195,8 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     open("groupsAction");
     auto* field = find<QSpinBox>(u"address2Box"_s);
     EXPECT_EQ(field->value(), 2);
-    ASSERT_TRUE(QTest::qWaitForWindowActive(find(u"chainDialog"_s)));
+    field->window()->activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return field->isActiveWindow(); }));
     const auto enter = [&](const QString& text, Qt::Key key) {
         field->setFocus();
         field->selectAll();
@@ -204,7 +205,8 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     };
     enter(u"1"_s, Qt::Key_Return);
     EXPECT_EQ(addresses.size(), 0);
-    EXPECT_EQ(text(u"addressReason"_s), u"Address 1 is that of Module 1. Nothing was sent."_s);
+    EXPECT_EQ(window->findChild<QLabel*>(u"addressReason"_s)->text(),
+              u"Address 1 is that of Module 1. Nothing was sent."_s);
     enter(u"77"_s, Qt::Key_Tab);
     EXPECT_EQ(addresses.size(), 0) << "without Enter";
     EXPECT_EQ(field->value(), 2);
@@ -212,7 +214,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     ASSERT_EQ(addresses.size(), 1);
     EXPECT_EQ(addresses.at(0).at(0).value<ModuleIndex>(), ModuleIndex(1));
     EXPECT_EQ(addresses.at(0).at(1).value<BusAddress>(), BusAddress(77));
-    EXPECT_FALSE(find(u"addressReason"_s)->isVisible());
+    EXPECT_FALSE(window->findChild<QLabel*>(u"addressReason"_s)->isVisible());
     showGrouped({std::nullopt});
     EXPECT_FALSE(find(u"address1Box"_s)->isEnabled()) << "its group would change";
 }
