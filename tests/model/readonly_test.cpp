@@ -44,6 +44,7 @@ ModuleState servoWithPower() {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1, kMoveDone | kPower, kServoOn));
     module.home.found(0, module.latestTime);
+    module.apply(executedAt(1, servo::StopMotor{true, servo::StopManner::Here, Counts(0)}));
     return module;
 }
 

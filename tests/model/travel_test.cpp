@@ -78,7 +78,7 @@ TEST(Travel, FromOutsideTheWayBackIsAllowedAndNoOther) {
 }
 
 TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
-    const ModuleState module = limited();
+    ModuleState module = limited();
     EXPECT_TRUE(plan(to(1'500), module).has_value());
     EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
     EXPECT_EQ(plan(intent::LoadMove{to(799)}, module).error(), Refusal::BeyondTravel);
@@ -87,6 +87,9 @@ TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
     EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
     steps.moves.backAndForth = true;
     EXPECT_TRUE(plan(steps, module).has_value());
+    module.apply(
+        bus::CommandExecuted{module.info.index, module.latestTime,
+                             ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(1'000)})});
     EXPECT_EQ(plan(intent::StepResponse{501, StepWay::Profile, 0.1}, module).error(), Refusal::BeyondTravel);
     EXPECT_TRUE(plan(intent::StepResponse{500, StepWay::Profile, 0.1}, module).has_value());
 }

@@ -74,13 +74,16 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_goal, tr("&Position"));
     grid->addWidget(m_relative, line++, 1, 1, 4);
     addRow(m_speed, tr("Trave&l speed"));
-    const auto addRemark = [&](QLabel*& label, const QString& name) {
-        label = look::newMutedLabel({}, this);
-        label->setObjectName(name);
-        grid->addWidget(label, line++, 1, 1, 4);
-    };
-    addRemark(m_outcome, u"stepSpeedOutcome"_s);
-    addRemark(m_ramp, u"stepRampOutcome"_s);
+    m_outcome = look::newMutedLabel({}, this);
+    m_outcome->setObjectName(u"stepSpeedOutcome"_s);
+    m_ramp = new ElidedLabel(1, this);
+    m_ramp->setForegroundRole(QPalette::PlaceholderText);
+    m_ramp->setObjectName(u"stepRampOutcome"_s);
+    auto* outcome = new QHBoxLayout;
+    outcome->setSpacing(look::gridUnit(this));
+    outcome->addWidget(m_outcome);
+    outcome->addWidget(m_ramp, 1);
+    grid->addLayout(outcome, line++, 1, 1, 4);
     m_forecast = look::newMutedLabel({}, this);
     m_forecast->setObjectName(u"stepForecast"_s);
     m_nearest = new Command({.name = u"stepNearestGoalButton"_s,

@@ -20,9 +20,10 @@ Steps stepsFor(const ModuleState& module, Commands... commands) {
     return {bus::Step{module.info.index, ServoCommand(std::move(commands))}...};
 }
 
-bool gainsHold(const ModuleState& module) {
-    // Without Kp nothing pulls the motor back, and without an output limit above 0 nothing drives it.
-    return module.gains && module.gains->kp != 0 && module.gains->ol != 0;
+bool gainsAct(const ModuleState& module) {
+    // With Kd alone the servo brakes, and holds nothing: how a new motor is tuned first. Without an output
+    // limit above 0 nothing drives it.
+    return module.gains && (module.gains->kp != 0 || module.gains->kd != 0) && module.gains->ol != 0;
 }
 
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
@@ -39,9 +40,11 @@ struct Planner {
     Plan operator()(const intent::AskAnew&) const { return Steps{}; }
 
     Plan operator()(const intent::Enable&) const {
-        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2).
+        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2). The position error bit
+        // is set as long as a servo is off, and stays: cleared, its next edge is a trip.
         return allowed(Request::Enable, module, [this] {
-            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
+                            servo::ClearStickyBits{});
         });
     }
 
@@ -270,7 +273,7 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         case Request::Enable:
             if (!module.latest->servoStatus().powerOn())
                 return Refusal::NoPower;
-            return gainsHold(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
+            return gainsAct(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
         case Request::Move:
             if (const auto refusal = whyNot(Request::Run, module))
                 return refusal;

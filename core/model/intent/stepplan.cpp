@@ -388,6 +388,8 @@ step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module
 }
 
 bus::Step smoothStop(const ModuleState& module) {
+    if (!module.isStepper())
+        return {module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})};
     const StepState& stepper = module.stepper;
     const bool ramp = stepper.accelerationTime() || stepper.mode() == StepMode::Trapezoidal ||
                       stepper.mode() == StepMode::VelocityProfile;

@@ -41,7 +41,7 @@ namespace nmc {
 
 /// The load for a motion, from where the module is; a position that does not change in motion is left out.
 [[nodiscard]] step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module);
-/// Smoothly where the chip knows a ramp, with the amplifier left as it is.
+/// Of a motor that is on. Smoothly, where a PIC-STEP knows a ramp, with the amplifier left as it is.
 [[nodiscard]] bus::Step smoothStop(const ModuleState& module);
 
 }  // namespace nmc

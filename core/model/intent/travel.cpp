@@ -78,13 +78,14 @@ struct CourseOf {
     }
     std::optional<Course> operator()(const stepintent::GoHome& home) const {
         const auto motion = motionOf(home, module);
-        return motion ? of(*motion) : std::nullopt;
+        return motion ? of(*motion, true) : std::nullopt;
     }
     std::optional<Course> operator()(const intent::StepResponse& step) const {
-        const auto position = positionOf(module);
-        return position ? std::optional(Course{.goal = std::int64_t{*position} + step.counts}) : std::nullopt;
+        const auto from = module.goal();
+        return from ? std::optional(Course{.goal = std::int64_t{*from} + step.counts, .from = from})
+                    : std::nullopt;
     }
-    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion); }
+    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion, true); }
     std::optional<Course> operator()(const stepintent::LoadMove& load) const { return of(load.motion); }
     std::optional<Course> operator()(const stepintent::ChangeMotion& change) const {
         return of(change.motion);
@@ -108,8 +109,8 @@ private:
         const std::int64_t count = moves.backAndForth ? 1 : std::max(moves.rounds, 1U);
         return Course{.goal = from + count * moves.counts, .velocity = velocity, .from = from, .turns = true};
     }
-    [[nodiscard]] std::optional<Course> of(const StepMotion& motion) const {
-        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module)};
+    [[nodiscard]] std::optional<Course> of(const StepMotion& motion, bool turns = false) const {
+        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module), .turns = turns};
         if (!course.goal)
             course.reverse = wantsReverse(motion, module);
         return course;

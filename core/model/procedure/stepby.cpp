@@ -110,9 +110,7 @@ std::vector<bus::Step> StepByRun::lastWord(const ModuleState& module) const {
     // To a servo that is off the stop would be what switches it on.
     if (!m_mayRun || !module.driveOn())
         return {};
-    if (module.isStepper())
-        return {smoothStop(module)};
-    return {{module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})}};
+    return {smoothStop(module)};
 }
 
 }  // namespace nmc

@@ -11,8 +11,8 @@
 namespace nmc {
 
 /// Trapezoidal moves by N counts, from where the last move was to go: what a servo is off by does not add up.
-/// Each waits for the one before to stand still, and turns round beyond its goal first where the axis of a
-/// PIC-SERVO has backlash (model/intent/backlash.h). Any stop ends it.
+/// Each waits for the one before to stand still, and turns round beyond its goal first where the axis has
+/// backlash (model/intent/backlash.h). Any stop ends it.
 class StepByRun : public Procedure {
 public:
     using Wanted = std::variant<intent::StepBy, stepintent::StepBy>;
