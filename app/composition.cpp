@@ -272,6 +272,7 @@ void Composition::openNow(const ConnectTarget& target) {
     } else {
         config.adapterLatency = m_ports.adapterLatency(port);
         config.known = knownChain(m_settings, port);
+        config.knownBaud = knownRate(m_settings, port);
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }

@@ -58,6 +58,7 @@ namespace texts {
 
 // ---- the chain as a whole ----
 [[nodiscard]] Message groupFailed(const bus::GroupFinished& finished);
+[[nodiscard]] Message groupToldToStop(const bus::GroupFinished& finished);
 [[nodiscard]] Message rateChanged(const bus::RateChanged& changed);
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
 
@@ -65,6 +66,7 @@ namespace texts {
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
 [[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
 [[nodiscard]] Message readdressed(const bus::Readdressed& readdressed);
+[[nodiscard]] Message addressChanged(const bus::AddressChanged& changed);
 [[nodiscard]] Message notReaddressed(const bus::ReaddressFailed& failed);
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
