@@ -255,8 +255,13 @@ void MainWindow::showPhase(LinkPhase before) {
     if (link.phase == LinkPhase::Connected)
         m_preparing.start(kPrepareInterval);
     showSession();
-    m_banner->review(link);
-    m_messages->list().review(link);
+    reviewMessages();
+}
+
+void MainWindow::reviewMessages() {
+    m_reviewedFor = m_session.link().rights;
+    m_banner->review(m_session.link());
+    m_messages->list().review(m_session.link());
 }
 
 void MainWindow::showModules() {
@@ -267,6 +272,8 @@ void MainWindow::showModules() {
     m_monitor->showLink(link);
     m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
+    if (m_reviewedFor != link.rights)
+        reviewMessages();
     showAllAxes();
     showSelected();
 }
