@@ -4243,8 +4243,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Töne</translation>
     </message>
     <message>
-        <source>A sound at each fault, and at the end of a search for home or of moves by N.</source>
-        <translation>Ein Ton bei jedem Fehler und am Ende einer Referenzfahrt oder von Schritten um N.</translation>
+        <source>A sound at each fault, and at the end of a sequence, of a search for home or of moves by N.</source>
+        <translation>Ein Ton bei jedem Fehler und am Ende eines Ablaufs, einer Referenzfahrt oder von Schritten um N.</translation>
     </message>
 </context>
 <context>

@@ -382,9 +382,47 @@ TEST_F(BellTest, RingsWhenAProcedureEndsAndNotWhenItIsShownAgain) {
     EXPECT_EQ(rings.size(), 1);
 }
 
+TEST_F(BellTest, RingsOnceWhenASequenceEndsWellOrNot) {
+    SequenceReport report;
+    report.places = {{"Main", 0}};
+    window->sequences().showRun(report);
+    EXPECT_EQ(rings.size(), 0);
+    report.stage = SequenceStage::Done;
+    window->sequences().showRun(report);
+    window->sequences().showRun(report);
+    EXPECT_EQ(rings.size(), 1);
+}
+
+TEST_F(BellTest, RingsOnceWhenAFaultEndsASequence) {
+    SequenceReport report;
+    report.places = {{"Main", 0}};
+    window->sequences().showRun(report);
+    window->showMessage(texts::tripped(ModuleIndex(0), 400));
+    report.stage = SequenceStage::Over;
+    report.end = SequenceEnd::WentOff;
+    report.module = ModuleIndex(0);
+    window->sequences().showRun(report);
+    EXPECT_EQ(rings.size(), 1);
+}
+
+TEST_F(BellTest, IsSilentWhenTheUserEndsASequence) {
+    for (const SequenceEnd end : {SequenceEnd::ByUser, SequenceEnd::StopOfAll}) {
+        SequenceReport report;
+        report.places = {{"Main", 0}};
+        window->sequences().showRun(report);
+        report.stage = SequenceStage::Over;
+        report.end = end;
+        window->sequences().showRun(report);
+    }
+    EXPECT_EQ(rings.size(), 0);
+}
+
 TEST_F(BellTest, CanBeOffAndStaysSo) {
     window->findChild<QAction*>(u"soundsAction"_s)->trigger();
     window->showMessage(texts::tripped(ModuleIndex(0), 400));
+    SequenceReport report;
+    report.stage = SequenceStage::Done;
+    window->sequences().showRun(report);
     EXPECT_EQ(rings.size(), 0);
     window = std::make_unique<MainWindow>(settings);
     EXPECT_FALSE(window->findChild<QAction*>(u"soundsAction"_s)->isChecked());

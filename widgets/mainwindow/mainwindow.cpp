@@ -147,6 +147,7 @@ void MainWindow::connectParts() {
     });
     connect(m_pendant, &Pendant::changed, this, &MainWindow::showPendant);
     connect(m_pendant, &Pendant::stopRequested, this, &MainWindow::requestStop);
+    connect(m_sequences, &SequencesDock::ended, m_bell, &Bell::ring);
     connect(m_operator, &OperatorLock::changed, this, &MainWindow::showOperator);
     connect(&m_session, &Session::disconnectRequested, this, &MainWindow::disconnectRequested);
     connect(m_bar, &ConnectionBar::connectRequested, this,
