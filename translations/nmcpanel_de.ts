@@ -3777,6 +3777,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The current limit CL is 0 or unknown, so the current would never stop the motor.</source>
         <translation>Die Stromgrenze CL ist 0 oder unbekannt, der Strom würde den Motor also nie anhalten.</translation>
     </message>
+    <message>
+        <source>A limit switch, heat or the E-stop input ended the move. The motor stands still.</source>
+        <translation>Ein Endschalter, Hitze oder der Not-Halt-Eingang hat die Fahrt beendet. Der Motor steht.</translation>
+    </message>
+    <message>
+        <source>Which position the servo holds is not known to the count. Hold it here first, or move it.</source>
+        <translation>Welche Position der Servo hält, ist nicht auf das Inkrement genau bekannt. Erst hier halten oder verfahren.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -7666,6 +7674,14 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Limits of travel</source>
         <translation>Fahrweggrenzen</translation>
     </message>
+    <message>
+        <source>Kp is 0: the servo brakes the motor, and holds no position.</source>
+        <translation>Kp ist 0: Der Servo bremst den Motor und hält keine Position.</translation>
+    </message>
+    <message>
+        <source>Switches the amplifier on, holds the motor where it is, and clears the sticky bits: that of the position error is set while the servo is off.</source>
+        <translation>Schaltet den Verstärker ein, hält den Motor, wo er steht, und löscht die Sticky-Bits: Das der Regelabweichung ist gesetzt, solange der Servo aus ist.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::Pendant</name>
@@ -8973,6 +8989,18 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9).</source>
         <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
     </message>
+    <message>
+        <source>Hold here first</source>
+        <translation>Erst hier halten</translation>
+    </message>
+    <message>
+        <source>Hold the motor where it is, before a step</source>
+        <translation>Den Motor vor einem Sprung halten, wo er steht</translation>
+    </message>
+    <message>
+        <source>Takes the position it has at this moment as the one to hold (Stop here).</source>
+        <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepHoldBox</name>
@@ -9344,6 +9372,18 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Puts the nearest position that is allowed into the goal. Nothing moves.</source>
         <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Zur Referenz</translation>
+    </message>
+    <message>
+        <source>Go to the home position</source>
+        <translation>Die Referenzposition anfahren</translation>
+    </message>
+    <message>
+        <source>Goes to home with a ramp, at the speed of moves to a position.</source>
+        <translation>Fährt mit Rampe zur Referenz, mit der Geschwindigkeit der Fahrten zu einer Position.</translation>
     </message>
 </context>
 <context>

@@ -379,6 +379,28 @@ TEST_F(StepperPanel, DetailsTellEveryBitAndKeepPositionAndHome) {
     EXPECT_EQ(position(), 0);
 }
 
+TEST_F(StepperPanel, StepsByADistanceAndGoesHome) {
+    enable();
+    EXPECT_EQ(tip("stepGoHomeButton"), "Where home is, is not known: search for it, or save it.");
+    click("stepSaveHomeButton");
+    type("stepStepSizeField", QStringLiteral("120"));
+    type("stepStepRoundsField", QStringLiteral("3"));
+    click("stepStepForwardButton");
+    ASSERT_TRUE(standsAt(360));
+    EXPECT_EQ(position(), 360);
+    ASSERT_TRUE(waitFor([&] { return !changing(); }));
+    click("stepGoHomeButton");
+    ASSERT_TRUE(standsAt(0));
+    type("stepStepRoundsField", QStringLiteral("500"));
+    click("stepStepReverseButton");
+    ASSERT_TRUE(waitFor([&] { return position() < -100; }));
+    click("stepStepEndButton");
+    ASSERT_TRUE(waitFor([&] { return !changing() && !module().moving(); }));
+    const int stood = position();
+    ASSERT_TRUE(answersFor(1.0));
+    EXPECT_EQ(position(), stood) << "no more steps";
+}
+
 TEST_F(StepperPanel, ASecondLookAtTheServoChangesNothing) {
     enable();
     auto& list = find<QAbstractItemView>("chainList");

@@ -30,6 +30,7 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
         click("openStepResponseButton");
         ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("stepResponsePage")->isVisible(); }));
+        click("stepResponseHoldButton");
     }
     void applyGains(std::uint16_t kp, std::uint16_t kd) {
         const servo::SetGain gains{kp, kd, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};

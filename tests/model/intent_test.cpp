@@ -49,7 +49,7 @@ TEST(Plan, EnablesWithOneStopThatHoldsAndSetsTheAmplifier) {
     ModuleState module = holdingServo();
     module.apply(executedAt(1, stopWith(servo::StopManner::MotorOff, false)));
     module.apply(sampleOf(1, kMoveDone | kPosError | kPower, 0));
-    EXPECT_EQ(payloads(intent::Enable{}, module), Hex{"17 05"});
+    EXPECT_EQ(payloads(intent::Enable{}, module), (Hex{"17 05", "0B"}));
 }
 
 TEST(Plan, RefusesToEnableWithoutGainsThatHold) {
@@ -57,6 +57,20 @@ TEST(Plan, RefusesToEnableWithoutGainsThatHold) {
     module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));
     EXPECT_EQ(refusalOf(intent::Enable{}, module), Refusal::GainsUnknown);
     module.apply(executedAt(1, servo::SetGain{}));
+    EXPECT_EQ(refusalOf(intent::Enable{}, module), Refusal::GainsUnknown);
+}
+
+/// The first step of tuning by hand (DS-V 4.3): the servo brakes, the shaft is turned by hand.
+TEST(Plan, EnablesWithoutKpWhereKdActs) {
+    ModuleState module = servoModule();
+    module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));
+    servo::SetGain braking;
+    braking.kd = 100;
+    braking.ol = 255;
+    module.apply(executedAt(1, braking));
+    EXPECT_EQ(payloads(intent::Enable{}, module), (Hex{"17 05", "0B"}));
+    braking.kd = 0;
+    module.apply(executedAt(2, braking));
     EXPECT_EQ(refusalOf(intent::Enable{}, module), Refusal::GainsUnknown);
 }
 

@@ -35,7 +35,7 @@ std::vector<Intent> forServo(const ModuleState& module) {
             intent::SetAmplifier{true},
             intent::ControlIo{},
             intent::Home{recipe(module)},
-            intent::StepBy{100, CountsPerTick(1 << 16), CountsPerTickSquared(100)},
+            intent::StepBy{{100}, CountsPerTick(1 << 16), CountsPerTickSquared(100)},
             intent::StepResponse{100, StepWay::Profile, 0.1},
             intent::ArmLimitStop{true}};
 }
@@ -44,6 +44,7 @@ ModuleState servoWithPower() {
     ModuleState module = holdingServo();
     module.apply(sampleOf(1, kMoveDone | kPower, kServoOn));
     module.home.found(0, module.latestTime);
+    module.apply(executedAt(1, servo::StopMotor{true, servo::StopManner::Here, Counts(0)}));
     return module;
 }
 

@@ -78,15 +78,18 @@ TEST(Travel, FromOutsideTheWayBackIsAllowedAndNoOther) {
 }
 
 TEST(Travel, MovesBeyondAreRefusedBeforeTheyAreSent) {
-    const ModuleState module = limited();
+    ModuleState module = limited();
     EXPECT_TRUE(plan(to(1'500), module).has_value());
     EXPECT_EQ(plan(to(1'501), module).error(), Refusal::BeyondTravel);
     EXPECT_EQ(plan(intent::LoadMove{to(799)}, module).error(), Refusal::BeyondTravel);
     // 3 x 200 from 1000 is 1600; there and back is 1200 at most.
-    intent::StepBy steps{200, kOne, kGentle, 3};
+    intent::StepBy steps{{200, 3}, kOne, kGentle};
     EXPECT_EQ(plan(steps, module).error(), Refusal::BeyondTravel);
-    steps.backAndForth = true;
+    steps.moves.backAndForth = true;
     EXPECT_TRUE(plan(steps, module).has_value());
+    module.apply(
+        bus::CommandExecuted{module.info.index, module.latestTime,
+                             ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(1'000)})});
     EXPECT_EQ(plan(intent::StepResponse{501, StepWay::Profile, 0.1}, module).error(), Refusal::BeyondTravel);
     EXPECT_TRUE(plan(intent::StepResponse{500, StepWay::Profile, 0.1}, module).has_value());
 }
@@ -159,7 +162,7 @@ TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
     EXPECT_EQ(plan(fast, module).error(), Refusal::TooFast);
     EXPECT_EQ(travelProblem(fast, module)->fastest, 1.0);
     EXPECT_EQ(plan(intent::RunAtVelocity{fast.velocity, kGentle, true}, module).error(), Refusal::TooFast);
-    EXPECT_EQ(plan(intent::StepBy{10, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
+    EXPECT_EQ(plan(intent::StepBy{{10}, fast.velocity, kGentle}, module).error(), Refusal::TooFast);
     HomingRecipe recipe = firstRecipe(module.info.identity);
     EXPECT_FALSE(whyNotHome(recipe, module));
     recipe.velocity = 1.01;

@@ -35,14 +35,15 @@ const QStringList& starters() {
                                    u"homeButton"_s, u"pwmForwardButton"_s, u"pwmReverseButton"_s,
                                    u"stepGoButton"_s, u"stepRunForwardButton"_s, u"stepRunReverseButton"_s,
                                    u"stepStartLoadedButton"_s, u"stepHomeButton"_s, u"stepResponseButton"_s,
-                                   u"startDirectionCheckButton"_s,
+                                   u"startDirectionCheckButton"_s, u"stepStepForwardButton"_s,
+                                   u"stepStepReverseButton"_s, u"stepGoHomeButton"_s,
                                    // which may hold any of them
                                    u"moduleMenu"_s, u"commandList"_s};
     return names;
 }
 const QStringList& startersOfAll() {
-    static const QStringList names{u"groupStartButton"_s,     u"homeAllButton"_s,    u"goToPointButton"_s,
-                                   u"runSequenceButton"_s,    u"runFromRowButton"_s, u"stepSequenceButton"_s,
+    static const QStringList names{u"groupStartButton"_s,   u"homeAllButton"_s,    u"goToPointButton"_s,
+                                   u"runSequenceButton"_s,  u"runFromRowButton"_s, u"stepSequenceButton"_s,
                                    u"pauseSequenceButton"_s};  // which goes on, too
     return names;
 }
@@ -191,7 +192,8 @@ Motors startedBy(const QWidget* widget) {
         const QString name = w->objectName();
         for (const QString& row : startersOfRows())
             if (name.startsWith(row))
-                return {true, false, ModuleIndex(static_cast<std::uint8_t>(name.mid(row.size()).toInt() - 1))};
+                return {true, false,
+                        ModuleIndex(static_cast<std::uint8_t>(name.mid(row.size()).toInt() - 1))};
         if (startersOfAll().contains(name))
             return {true, true};
         if (qobject_cast<const HoldButton*>(w) != nullptr || starters().contains(name))

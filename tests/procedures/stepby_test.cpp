@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves by N, again and again.
+#include "model/module/stepspeed.h"
 #include "tests/procedures/procedurebench.h"
 
 namespace nmc::test {
@@ -10,7 +11,7 @@ using namespace std::chrono_literals;
 class StepBy : public testing::Test {
 protected:
     [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
-        return {counts, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), rounds, 0.0, false};
+        return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
     }
     /// Goals of every move that was loaded, from the wire: AA 01 n4 control position...
     [[nodiscard]] std::vector<std::int32_t> goals() const {
@@ -59,8 +60,8 @@ TEST_F(StepBy, BeginsAtTheGoalOfTheMoveBefore) {
 TEST_F(StepBy, GoesBackAndForthAndPauses) {
     ASSERT_TRUE(bench.enable());
     intent::StepBy wanted = by(300, 2);
-    wanted.backAndForth = true;
-    wanted.pause = 0.5;
+    wanted.moves.backAndForth = true;
+    wanted.moves.pause = 0.5;
     std::vector<TimePoint> starts;
     const TimePoint began = bench.bus.now;
     const ProcedureReport report = bench.run(wanted);
@@ -132,7 +133,7 @@ TEST_F(StepBy, BeyondTheChipsRangeNothingIsSent) {
     const std::size_t before = bench.bus.sent.size();
     ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
     bench.module().latest->position = 0x7FFFFF00;
-    bench.begin(intent::StepBy{0x7FFFFFFF, CountsPerTick(1), CountsPerTickSquared(1), 1, 0.0, false});
+    bench.begin(intent::StepBy{{0x7FFFFFFF}, CountsPerTick(1), CountsPerTickSquared(1)});
     bench.module().latest->position = 0x7FFFFF00;
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "a stop, and no load";
@@ -147,6 +148,101 @@ TEST_F(StepBy, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(plan(by(1, 1), bench.module()).error(), Refusal::ServoOff);
     EXPECT_EQ(plan(by(0, 1), bench.module()).error(), Refusal::StepTooShort);
     EXPECT_EQ(procedureFor(by(1, 1), bench.module()), nullptr);
+}
+
+/// A PIC-STEP, switched on: 25 steps/s a unit of speed.
+class StepperBy : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bench.connect());
+        bench.settle();
+        ASSERT_TRUE(bench.perform(
+            stepintent::SetParameters{{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
+        ASSERT_TRUE(bench.perform(intent::Enable{}));
+    }
+    [[nodiscard]] static stepintent::StepBy by(std::int32_t counts, unsigned rounds) {
+        return {{counts, rounds}, 40, 4};
+    }
+    ProcedureBench bench{{{ModuleType::Step, 1}}};
+};
+
+TEST_F(StepperBy, MovesThatFarAsOftenAsAskedFor) {
+    const std::int64_t start = bench.stepTruth().position;
+    const ProcedureReport report = bench.run(by(-250, 3));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.round, 3U);
+    EXPECT_EQ(bench.stepTruth().position, start - 750);
+    EXPECT_EQ(bench.bus.sends("AA 01 D4"), 0U) << "that is what a servo's move looks like";
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepperBy, GoesBackAndForthAndPauses) {
+    const std::int64_t start = bench.stepTruth().position;
+    stepintent::StepBy wanted = by(100, 2);
+    wanted.moves.backAndForth = true;
+    wanted.moves.pause = 0.5;
+    const TimePoint began = bench.bus.now;
+    EXPECT_EQ(bench.run(wanted).stage, ProcedureStage::Done);
+    EXPECT_EQ(bench.stepTruth().position, start);
+    EXPECT_GE(bench.bus.now - began, 1'500ms) << "three pauses between four moves";
+}
+
+TEST_F(StepperBy, ALimitSwitchOnItsWayEndsItForGood) {
+    bench.begin(by(2'000, 5));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(bench.turn());
+    bench.set(sim::Input::Limit1, 1);
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.failure, ProcedureFailure::StoppedShort);
+    EXPECT_EQ(report.round, 1U);
+    EXPECT_EQ(bench.stepTruth().stepRate, 0);
+    EXPECT_LT(bench.stepTruth().position, 2'000);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepperBy, AMoveThatIsNotItsOwnEndsIt) {
+    bench.begin(by(2'000, 5));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.settle();
+    // Table 4 of DS-S: from a trapezoidal move to a velocity profile, with all three loaded.
+    step::LoadTrajectory run;
+    run.timer = StepSpeed(step::SpeedMode::X1).timerFor(1'000);
+    run.speed = std::uint8_t(40);
+    run.accelerationTime = std::uint8_t(4);
+    ASSERT_EQ(
+        bench.bus.perform({{ModuleIndex(0), StepCommand(run)}, {ModuleIndex(0), StepCommand(StartMotion{})}}),
+        bus::Outcome::Done);
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    EXPECT_NE(bench.stepTruth().stepRate, 0) << "the motion of whoever has taken it over goes on";
+}
+
+TEST_F(StepperBy, IsRefusedWhereItCannotWork) {
+    EXPECT_EQ(plan(by(0, 1), bench.module()).error(), Refusal::StepTooShort);
+    const intent::StepBy servos{{10}, CountsPerTick(1 << 16), CountsPerTickSquared(100)};
+    EXPECT_EQ(plan(servos, bench.module()).error(), Refusal::NotAServo);
+    bench.set(sim::Input::Limit1, 1);
+    bench.settle();
+    EXPECT_EQ(plan(by(10, 1), bench.module()).error(), Refusal::Limit1Active);
+    EXPECT_TRUE(plan(by(-10, 1), bench.module()));
+    ASSERT_TRUE(bench.perform(intent::MotorOff{}));
+    EXPECT_EQ(plan(by(-10, 1), bench.module()).error(), Refusal::AmplifierOff);
+    EXPECT_EQ(procedureFor(by(-10, 1), bench.module()), nullptr);
+}
+
+TEST_F(StepperBy, GoesHomeOnlyWhereHomeIsKnown) {
+    const stepintent::GoHome home{40, 4};
+    EXPECT_EQ(plan(home, bench.module()).error(), Refusal::HomeUnknown);
+    ASSERT_EQ(bench.run(by(120, 1)).stage, ProcedureStage::Done);
+    ASSERT_TRUE(bench.perform(intent::SaveAsHome{}));
+    bench.bus.runFor(1s);
+    bench.take();
+    ASSERT_TRUE(bench.module().home.place());
+    ASSERT_EQ(bench.run(by(-500, 1)).stage, ProcedureStage::Done);
+    ASSERT_TRUE(bench.perform(home));
+    bench.bus.runFor(3s);
+    EXPECT_EQ(bench.stepTruth().position, 120);
+    EXPECT_EQ(bench.stepTruth().stepRate, 0);
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ protected:
         return bench.bus.sends("AA 01 D4", from) + bench.bus.sends("AA 01 05", from) +
                bench.bus.sends("AA 01 17", from) + bench.bus.sends("AA 01 57", from);
     }
+    /// On, and the position that it holds known.
+    [[nodiscard]] bool hold(std::uint16_t positionErrorLimit = 4'000) {
+        return bench.enable(positionErrorLimit) && bench.perform(intent::StopHere{});
+    }
     [[nodiscard]] bool applyGains(std::uint16_t kp, std::uint16_t kd, std::uint16_t errorLimit) {
         return bench.perform(intent::ApplyGains{{kp, kd, 0, 0, 255, 0, errorLimit, 1, std::uint8_t{0}}});
     }
@@ -37,7 +41,7 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
     ASSERT_TRUE(bench.enable());
     ASSERT_TRUE(bench.moveTo(1'000));
     bench.settle();
-    const std::int32_t from = bench.module().latest->position.value();
+    const std::int32_t from = 1'000;
     const std::size_t before = bench.bus.sent.size();
     std::vector<double> commands;
     bench.bus.onTime = [&] { commands.push_back(bench.truth().commandPosition); };
@@ -48,23 +52,24 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
     EXPECT_EQ(report.step->goal, from + 100);
     EXPECT_EQ(report.step->gains.kp, 200);
     for (const double command : commands)
-        EXPECT_TRUE(command == 1'000 || command == from + 100) << command << ": no profile in between";
+        EXPECT_TRUE(command == from || command == from + 100) << command << ": no profile in between";
     EXPECT_TRUE(bench.truth().servoOn);
     EXPECT_EQ(bench.truth().commandPosition, from + 100);
     EXPECT_NEAR(bench.truth().position, from + 100, 3);
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 1U);
     EXPECT_EQ(bench.bus.sends("AA 01 05 06", before), 1U);
-    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U) << "abruptly, amplifier on";
+    EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U) << "abruptly, amplifier on: no velocity is left";
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 4C 04 00 00", before), 1U) << "Stop Here at 1100";
     bench.bus.expectNoViolations();
 }
 
 TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     const ProcedureReport report = bench.run(by(-100, StepWay::StopHere));
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_EQ(report.step->goal, -100);
-    EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 1U) << "-100";
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 9C FF FF FF", before), 2U) << "-100: there, and to hold";
     EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U);
     EXPECT_EQ(bench.truth().commandPosition, -100);
     bench.bus.expectNoViolations();
@@ -73,7 +78,7 @@ TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
 /// The record begins when the module has latched the step, to half a tick.
 TEST_F(StepResponse, KnowsWhenItWasTaken) {
     for (const StepWay way : {StepWay::Profile, StepWay::StopHere}) {
-        ASSERT_TRUE(bench.enable());
+        ASSERT_TRUE(hold());
         std::optional<TimePoint> jumped;
         const double before = bench.truth().commandPosition;
         bench.bus.onTime = [&] {
@@ -93,7 +98,7 @@ TEST_F(StepResponse, KnowsWhenItWasTaken) {
 }
 
 TEST_F(StepResponse, LeavesNoVelocityLoaded) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     ASSERT_EQ(bench.run(by(100)).stage, ProcedureStage::Done);
     EXPECT_FALSE(bench.module().loadWaiting);
     EXPECT_EQ(whyNot(Request::StartLoaded, bench.module()), Refusal::NothingLoaded);
@@ -110,6 +115,8 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     bench.settle();
     EXPECT_EQ(refusal(by(100)), Refusal::ServoOff);
     ASSERT_TRUE(bench.enable(110));
+    EXPECT_EQ(refusal(by(50)), Refusal::CommandUnknown);
+    ASSERT_TRUE(bench.perform(intent::StopHere{}));
     EXPECT_EQ(refusal(by(0)), Refusal::StepTooShort);
     EXPECT_EQ(refusal(by(2'001)), Refusal::StepTooLong);
     EXPECT_EQ(refusal(by(-2'001)), Refusal::StepTooLong);
@@ -120,10 +127,15 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(-98)), Refusal::StepWouldTrip);
     for (const double seconds : {0.0, -1.0, 0.01, 3.1, std::numeric_limits<double>::quiet_NaN()})
         EXPECT_EQ(refusal({50, StepWay::Profile, seconds}), Refusal::RecordTime) << seconds;
-    bench.module().latest->position = 0x7FFF'FFC0;
+    const auto holdAt = [this](std::int32_t position) {
+        bench.module().apply(bus::CommandExecuted{
+            ModuleIndex(0), bench.bus.now,
+            ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(position)})});
+    };
+    holdAt(0x7FFF'FFC0);
     EXPECT_EQ(refusal(by(64)), Refusal::GoalOutOfRange);
     EXPECT_TRUE(plan(by(63), bench.module()));
-    bench.module().latest->position = -0x7FFF'FFC0;
+    holdAt(-0x7FFF'FFC0);
     EXPECT_EQ(refusal(by(-64)), Refusal::GoalOutOfRange);
     bench.module().gains.reset();
     EXPECT_EQ(refusal(by(50)), Refusal::GainsUnknown);
@@ -131,8 +143,27 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(50)), Refusal::Silent);
 }
 
-TEST_F(StepResponse, IsRefusedWhileTheMotorMoves) {
+/// A load keeps the shaft off its command: from where it hangs, each step would begin lower.
+TEST_F(StepResponse, ThereAndBackUnderALoadEndWhereTheyBegan) {
     ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(bench.perform(intent::ApplyGains{{20, 500, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}}}));
+    bench.set(sim::Input::Load, 0.1);
+    ASSERT_TRUE(
+        bench.perform(intent::GoTo{Counts(1'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}));
+    bench.bus.runFor(3s);
+    bench.take();
+    ASSERT_GT(std::abs(bench.truth().positionError), 5) << "it hangs";
+    for (int round = 0; round < 5; ++round) {
+        ASSERT_EQ(bench.run(by(200)).stage, ProcedureStage::Done);
+        EXPECT_EQ(bench.truth().commandPosition, 1'200);
+        ASSERT_EQ(bench.run(by(-200, StepWay::StopHere)).stage, ProcedureStage::Done);
+        EXPECT_EQ(bench.truth().commandPosition, 1'000);
+    }
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepResponse, IsRefusedWhileTheMotorMoves) {
+    ASSERT_TRUE(hold());
     ASSERT_TRUE(
         bench.perform(intent::RunAtVelocity{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), false}));
     EXPECT_EQ(refusal(by(50)), Refusal::Moving);
@@ -141,6 +172,7 @@ TEST_F(StepResponse, IsRefusedWhileTheMotorMoves) {
 TEST(StepResponseOfVersion1, CannotStopHere) {
     ServoBench bench(1);
     ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(bench.moveTo(100));
     EXPECT_EQ(plan(intent::StepResponse{50, StepWay::StopHere, 0.2}, bench.module()).error(),
               Refusal::VersionLacksIt);
     EXPECT_EQ(bench.run(intent::StepResponse{50, StepWay::Profile, 0.2}).stage, ProcedureStage::Done);
@@ -155,7 +187,7 @@ TEST(StepResponseOfAStepper, IsRefused) {
 }
 
 TEST_F(StepResponse, DoesNotBeginWhileTheMotorSwings) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     // Looked at, it is somewhere else each time.
     std::int32_t swing = 0;
     bench.onTurn = [&](Procedure&) { bench.module().latest->position = (swing ^= 40); };
@@ -168,7 +200,7 @@ TEST_F(StepResponse, DoesNotBeginWhileTheMotorSwings) {
 }
 
 TEST_F(StepResponse, ATripFailsItAndNothingIsSwitchedOnAgain) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     ASSERT_TRUE(applyGains(3'000, 100, 130));  // hardly damped: it overshoots by far
     const ProcedureReport report = bench.run(by(110));
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
@@ -178,7 +210,7 @@ TEST_F(StepResponse, ATripFailsItAndNothingIsSwitchedOnAgain) {
 }
 
 TEST_F(StepResponse, OneThatSwingsWiderAndWiderIsSwitchedOff) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     ASSERT_TRUE(applyGains(30'000, 0, 16'000));
     intent::StepResponse wanted = by(50);
     wanted.record = 2;
@@ -192,7 +224,7 @@ TEST_F(StepResponse, OneThatSwingsWiderAndWiderIsSwitchedOff) {
 }
 
 TEST_F(StepResponse, OneThatIsPushedTooFarIsHeldAndStaysOn) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     bench.begin(by(100));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
@@ -210,7 +242,7 @@ TEST_F(StepResponse, OneThatIsPushedTooFarIsHeldAndStaysOn) {
 }
 
 TEST_F(StepResponse, OneThatGoesTheWrongWayIsHeld) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     bench.begin(by(100));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
@@ -225,7 +257,7 @@ TEST_F(StepResponse, OneThatGoesTheWrongWayIsHeld) {
 }
 
 TEST_F(StepResponse, CancelHoldsIt) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     intent::StepResponse wanted = by(100);
     wanted.record = 3;
@@ -241,7 +273,7 @@ TEST_F(StepResponse, CancelHoldsIt) {
 }
 
 TEST_F(StepResponse, CancelledBeforeTheStepSendsNothing) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     bench.begin(by(100));
     bench.turn();
@@ -251,7 +283,7 @@ TEST_F(StepResponse, CancelledBeforeTheStepSendsNothing) {
 }
 
 TEST_F(StepResponse, AnyOtherStopEndsItAndIsLeftAsItIs) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     intent::StepResponse wanted = by(100);
     wanted.record = 3;
     bench.begin(wanted);
@@ -267,7 +299,7 @@ TEST_F(StepResponse, AnyOtherStopEndsItAndIsLeftAsItIs) {
 }
 
 TEST_F(StepResponse, AStopOfAllThatCancelsTheStepLeavesNothingToSend) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     bench.begin(by(100));
     while (bench.procedure->report().stage == ProcedureStage::Preparing)
         bench.turn();
@@ -278,7 +310,7 @@ TEST_F(StepResponse, AStopOfAllThatCancelsTheStepLeavesNothingToSend) {
 }
 
 TEST_F(StepResponse, ALinkInDoubtEndsItWithAHold) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     bench.begin(by(100));
     ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
@@ -291,7 +323,7 @@ TEST_F(StepResponse, ALinkInDoubtEndsItWithAHold) {
 
 /// The position error limit was lowered while it was waited for standstill.
 TEST_F(StepResponse, LooksAgainRightBeforeTheStep) {
-    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();
     bench.begin(by(1'000));
     bench.module().gains->el = 1'000;

@@ -88,7 +88,7 @@ public:
     [[nodiscard]] std::optional<ProcedureReport> tryOut(const Trial& trial) {
         const servo::SetGain calm{100, 3'000, 0, 0, 255, 0, 8'000, 1, std::uint8_t{0}};
         const bool on = connect() && perform(intent::AskAnew{}) && perform(intent::ApplyGains{calm}) &&
-                        perform(intent::Enable{});
+                        perform(intent::Enable{}) && perform(intent::StopHere{});
         EXPECT_TRUE(on);
         set(sim::Input::Inertia, trial.inertia);
         set(sim::Input::Friction, trial.friction);
@@ -131,7 +131,7 @@ private:
         if (now.tick == m_tick)
             return;
         m_tick = now.tick;
-        m_latched = m_latched || (now.servo.servoOn && now.servo.mode != m_before.mode);
+        m_latched = m_latched || (now.servo.servoOn && now.servo.commandPosition != m_before.commandPosition);
         if (m_latched)
             truth.positions.push_back(now.servo.position);
         truth.off = truth.off || !now.servo.servoOn;

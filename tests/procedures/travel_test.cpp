@@ -373,7 +373,7 @@ protected:
         return all;
     }
     [[nodiscard]] static intent::StepBy by(std::int32_t counts, unsigned rounds) {
-        return {counts, CountsPerTick(2 << 16), CountsPerTickSquared(1'311), rounds, 0.0, false};
+        return {{counts, rounds}, CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
     }
     ServoBench bench;
 };
@@ -412,6 +412,60 @@ TEST_F(Steps, GoToTurnsRoundToo) {
     const intent::GoTo down{Counts(100), up.velocity, up.acceleration};
     EXPECT_EQ(procedureFor(down, bench.module()), nullptr) << "from the right side it goes straight";
     bench.bus.expectNoViolations();
+}
+
+TEST_F(Steps, AStopHereHasTakenUpNothing) {
+    ASSERT_TRUE(bench.enable());
+    bench.module().backlash.distance = 40;
+    ASSERT_EQ(bench.run(by(-100, 1)).stage, ProcedureStage::Done);
+    ASSERT_TRUE(bench.perform(intent::StopHere{}));
+    const std::int32_t from = bench.module().goal().value_or(0);
+    EXPECT_EQ(bench.run(by(10, 1)).stage, ProcedureStage::Done);
+    EXPECT_EQ(goals(), (std::vector<std::int32_t>{-140, -100, from + 10 - 40, from + 10}));
+}
+
+/// A PIC-STEP that has had its parameters and is on.
+class StepperMoves : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bench.connect());
+        bench.settle();
+        ASSERT_TRUE(bench.perform(
+            stepintent::SetParameters{{step::SpeedMode::X1, false, false, false, 4, 200, 50, 0}}));
+        ASSERT_TRUE(bench.perform(intent::Enable{}));
+        bench.bus.onTime = [this] { lowest = std::min(lowest, bench.stepTruth().position); };
+    }
+    [[nodiscard]] static stepintent::Move to(std::int32_t position) {
+        return {stepmotion::Trapezoid{position, false, 40, 4}};
+    }
+    ProcedureBench bench{{{ModuleType::Step, 1}}};
+    std::int32_t lowest = 0;
+};
+
+TEST_F(StepperMoves, TakeUpTheBacklashToo) {
+    bench.module().backlash.distance = 40;
+    const ProcedureReport report = bench.run(to(-500));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.kind, ProcedureKind::Approach);
+    EXPECT_EQ(lowest, -540);
+    EXPECT_EQ(bench.stepTruth().position, -500);
+    EXPECT_EQ(procedureFor(to(-490), bench.module()), nullptr) << "the play is taken up on that side";
+    ASSERT_TRUE(procedureFor(to(-510), bench.module()));
+    bench.module().travel.lowest = -540;
+    bench.module().home.declare(bench.module().latestTime);
+    EXPECT_EQ(plan(to(-510), bench.module()).error(), Refusal::BeyondTravel) << "it turns round at -550";
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(StepperMoves, ALimitSwitchBeyondTheGoalEndsThem) {
+    bench.module().backlash.distance = 400;
+    bench.begin(to(-100));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::TakingUpBacklash));
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(bench.turn());
+    bench.set(sim::Input::Limit2, 1);
+    EXPECT_EQ(bench.goOn().failure, ProcedureFailure::StoppedShort);
+    EXPECT_EQ(bench.stepTruth().stepRate, 0);
 }
 
 }  // namespace

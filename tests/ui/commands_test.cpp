@@ -110,6 +110,22 @@ TEST_F(Commands, StandInTheModuleMenuWithTheirKeys) {
     menu->close();
 }
 
+TEST_F(Commands, OfAnOpenMenuAreAsTheModuleIsNow) {
+    showServo();
+    QMenu* menu = moduleMenu();
+    const QAction* clear = nullptr;
+    for (const QAction* action : menu->actions())
+        if (action->text().remove(u'&') == u"Clear sticky bits"_s)
+            clear = action;
+    ASSERT_NE(clear, nullptr);
+    EXPECT_TRUE(clear->isEnabled());
+    ModuleState silent = Servo{}.state();
+    silent.silent = true;
+    window->showLink(connectedTo({silent}));
+    EXPECT_FALSE(clear->isEnabled()) << "its page is out of sight";
+    menu->close();
+}
+
 TEST_F(Commands, OfTheModuleMenuAreThoseOfItsChip) {
     window->showLink(connectedTo({Stepper::holding().module}));
     QMenu* menu = moduleMenu();

@@ -221,6 +221,34 @@ TEST_F(ScopeControls, StatusBitsAreDrawnHighAndLow) {
     EXPECT_GT(low.first(), rowHeight / 2);
 }
 
+/// It is set as long as the servo is off, and tells nothing then.
+TEST_F(ScopeControls, ThePositionErrorBitIsGreyWhileTheServoIsOff) {
+    HandMadeHistory bits;
+    for (int i = 0; i <= 1000; ++i) {
+        ScopeSample& sample = bits.add(i / 100.0, 0);
+        sample.status = 0x10;
+        sample.aux = i < 500 ? 0x00 : 0x04;  // servo_on
+    }
+    click(u"scopeLaneButton"_s);
+    for (int i = 0; i < 2; ++i) {
+        window->showHistory(bits.history(), HandMadeHistory::at(10));
+        QApplication::processEvents();
+    }
+    auto* lane = find<StatusLane>(u"scopeStatusLane"_s);
+    const auto row =
+        std::ranges::find(lane->bits(), ScopeBit{ScopeBit::Byte::Status, 4}) - lane->bits().begin();
+    const QImage image = lane->grab().toImage();
+    const double height = lane->height() / static_cast<double>(lane->bits().size());
+    const auto at = [&](double seconds) {
+        const double x = plot().plotArea().left() + seconds / 10 * plot().plotArea().width();
+        return image.pixelColor(qRound(x), qRound((static_cast<double>(row) + 0.5) * height));
+    };
+    const auto coloured = [](const QColor& c) { return c.blue() - c.red() > 20; };
+    EXPECT_FALSE(coloured(at(2.5)));
+    EXPECT_NE(at(2.5), lane->palette().color(QPalette::Base)) << "it is there";
+    EXPECT_TRUE(coloured(at(7.5)));
+}
+
 TEST_F(ScopeControls, NoZoomHangsOrCrashes) {
     click(u"scopePauseButton"_s);
     for (int i = 0; i < 60; ++i)

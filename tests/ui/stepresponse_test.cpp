@@ -26,6 +26,11 @@ KeptRun inTwoStages() {
 
 class StepResponses : public WindowTest {
 protected:
+    /// Held where it is, unless it is about that.
+    void showServo(Servo servo = {}) {
+        servo.held = servo.on;
+        WindowTest::showServo(servo);
+    }
     void open() {
         window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
         ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
@@ -37,7 +42,7 @@ protected:
     /// With what was sent changed by `change`.
     template <typename Change>
     void showChanged(Change change) {
-        ModuleState module = Servo{}.state();
+        ModuleState module = Servo{.held = true}.state();
         change(module);
         window->showLink(connectedTo({module}));
     }
@@ -183,6 +188,21 @@ TEST_F(StepResponses, SayWhyNot) {
     EXPECT_EQ(intents.size(), 0);
 }
 
+TEST_F(StepResponses, OfferToHoldWhereThePositionHeldIsNotKnown) {
+    WindowTest::showServo({.position = 40});
+    open();
+    EXPECT_EQ(reason(u"stepResponseButton"_s), texts::refusal(Refusal::CommandUnknown));
+    const QPoint place = button(u"stepResponseButton"_s)->pos();
+    click(u"stepResponseHoldButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::StopHere>(intents.takeFirst().at(1).value<Intent>()));
+    showServo({.position = 40});
+    EXPECT_FALSE(button(u"stepResponseHoldButton"_s)->isVisible());
+    EXPECT_EQ(button(u"stepResponseButton"_s)->pos(), place);
+    click(u"stepResponseButton"_s);
+    EXPECT_EQ(wanted().counts, 100);
+}
+
 TEST_F(StepResponses, AreMadeOneAtATime) {
     openWith();
     report(ProcedureStage::Moving);
@@ -292,7 +312,7 @@ TEST_F(StepResponses, GainsGoBackIntoTheFieldsUnsent) {
 }
 
 TEST_F(StepResponses, GainsAreForTheModuleOfTheRun) {
-    showServos({{}, {}});
+    showServos({{.held = true}, {.held = true}});
     open();
     window->showStepRun(ramp(100, 1));
     table()->setCurrentCell(0, 2);

@@ -22,6 +22,10 @@ ModuleState Servo::state() const {
                    BusAddress(static_cast<std::uint8_t>(index + 1)),
                    {ModuleType::Servo, version},
                    bus::GroupPlace{}};
+    if (held)
+        module.apply(bus::CommandExecuted{
+            module.info.index, TimePoint(std::chrono::milliseconds(900)),
+            ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(position)})});
     bus::Sample sample;
     sample.module = module.info.index;
     sample.time = TimePoint(std::chrono::milliseconds(1000 + millisecond));

@@ -34,6 +34,7 @@ struct Servo {
     std::int32_t position = 0;
     bool gains = true;
     int millisecond = 0;
+    bool held = false;  ///< at its position, by a Stop Here
 
     [[nodiscard]] ModuleState state() const;
 };

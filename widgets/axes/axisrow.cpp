@@ -144,11 +144,9 @@ std::optional<Intent> AxisRow::stepIntent(bool reverse) const {
         return stepintent::Move{stepmotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
     }
     const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-    intent::StepBy by;
-    by.counts = way;
-    by.velocity = CountsPerTick(servodefaults::toFixed(velocity()));
-    by.acceleration = CountsPerTickSquared(servodefaults::toFixed(motion.acceleration));
-    return by;
+    return intent::StepBy{{.counts = way},
+                          CountsPerTick(servodefaults::toFixed(velocity())),
+                          CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))};
 }
 
 QString AxisRow::whyNotHeld(bool reverse) const {

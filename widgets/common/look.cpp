@@ -211,6 +211,11 @@ void name(QWidget* widget, const QString& objectName, const QString& accessibleN
     widget->setAccessibleName(accessibleName);
 }
 
+QString nameFor(ModuleType type, const QString& objectName) {
+    return type == ModuleType::Step ? u"step"_s + objectName.left(1).toUpper() + objectName.mid(1)
+                                    : objectName;
+}
+
 void nameText(QLabel* label, const QString& objectName, const QString& what) {
     label->setObjectName(objectName);
     label->setAccessibleDescription(what);

@@ -59,6 +59,8 @@ void adoptPlaceholders(QWidget* window);
 
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
+/// The object name of what there may be one of for each type of module in a window.
+[[nodiscard]] QString nameFor(ModuleType type, const QString& objectName);
 /// Of a text that changes: its name, as it is read out, is what it says; `what` describes it.
 void nameText(QLabel* label, const QString& objectName, const QString& what);
 

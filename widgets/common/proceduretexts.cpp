@@ -66,7 +66,8 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                     Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::NotStill:
         case ProcedureFailure::Unstable:
-            return {};  // of step responses
+        case ProcedureFailure::StoppedShort:
+            return {};  // of others
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
@@ -122,7 +123,8 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::SoftLimit:
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
-            return {};  // of homing
+        case ProcedureFailure::StoppedShort:
+            return {};  // of others
     }
     return {};
 }
@@ -157,6 +159,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::Unstable:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::StoppedShort:
             return {};  // of other kinds
     }
     return {};
@@ -290,6 +293,9 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr(
                 "The motor swung by more than the whole step and did not calm down, so it was "
                 "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
+        case ProcedureFailure::StoppedShort:
+            return Texts::tr(
+                "A limit switch, heat or the E-stop input ended the move. The motor stands still.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
     }

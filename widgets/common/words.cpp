@@ -176,6 +176,9 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The module has no motor power.");
         case Refusal::GainsUnknown:
             return Texts::tr("The gains are 0 or unknown, so the motor would not hold. Apply gains first.");
+        case Refusal::CommandUnknown:
+            return Texts::tr(
+                "Which position the servo holds is not known to the count. Hold it here first, or move it.");
         case Refusal::ServoOff:
             return Texts::tr("The servo is off. Enable it first.");
         case Refusal::Moving:

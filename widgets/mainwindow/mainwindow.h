@@ -182,8 +182,9 @@ private:
     void showDockOf(const QWidget& content);
     void addSimulatorDock();
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
-    void makeRoomForStepResponse(QDockWidget& messages);
-    void addMotionDocks(QDockWidget& scope);
+    void makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines);
+    void makeRoomForSequences(QDockWidget& messages);
+    void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
     void showAllAxes();
     void makeRoomForSimulator();
     void makeRoomForMotions();

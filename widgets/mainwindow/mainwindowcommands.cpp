@@ -57,6 +57,10 @@ void MainWindow::fillModuleMenu(QMenu& menu) {
         return;
     }
     page->context().catchUp();
+    // And as long as the menu is open, since most of its commands are out of sight.
+    auto* open = new QObject(page);
+    connect(&menu, &QMenu::aboutToHide, open, &QObject::deleteLater);
+    connect(&page->context(), &ModuleContext::changed, open, [page] { page->context().catchUp(); });
     const QWidget* box = nullptr;
     for (Command* command : page->commands()) {
         if (!command->isVisible())

@@ -28,8 +28,11 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
-constexpr int kStepResponseWidth = 58;  ///< lines of text
-constexpr int kLowestScope = 12;        ///< lines of text
+// Lines of text.
+constexpr int kStepResponseWidth = 58;
+constexpr int kSequencesWidth = 62;
+constexpr int kSequencesHeight = 24;
+constexpr int kLowestScope = 12;
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -67,7 +70,7 @@ void MainWindow::buildDocks() {
     m_docks.append(m_monitor);
     addStepResponseDock(*scope, *messages);
     m_docks.append(m_stepResponse);
-    addMotionDocks(*scope);
+    addMotionDocks(*scope, *messages);
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
@@ -83,17 +86,17 @@ void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) 
     // Queued: until then the layout does not know that it is there.
     connect(
         m_stepResponse, &StepResponseDock::roomWanted, this,
-        [this, &messages] { makeRoomForStepResponse(messages); }, Qt::QueuedConnection);
+        [this, &messages] { makeRoomBeside(messages, *m_stepResponse, kStepResponseWidth); },
+        Qt::QueuedConnection);
     connect(m_stepResponse, &StepResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_stepResponse, &StepResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
     connect(m_stepResponse, &StepResponseDock::saveRequested, this, &MainWindow::saveRequested);
-    connect(
-        m_stepResponse, &StepResponseDock::stepRequested, this,
-        [this](ModuleIndex module, const intent::StepResponse& step) { emit intentRequested(module, step); });
+    connect(m_stepResponse, &StepResponseDock::asked, this,
+            [this](ModuleIndex module, const Intent& intent) { emit intentRequested(module, intent); });
 }
 
 /// Behind the scope's tab, closed.
-void MainWindow::addMotionDocks(QDockWidget& scope) {
+void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     m_sequences = new SequencesDock(this);
     m_axes = new AxesDock(this);
     for (QDockWidget* dock : {static_cast<QDockWidget*>(m_sequences), static_cast<QDockWidget*>(m_axes)}) {
@@ -102,20 +105,35 @@ void MainWindow::addMotionDocks(QDockWidget& scope) {
         m_docks.append(dock);
     }
     connect(m_sequences, &SequencesDock::opened, this, &MainWindow::showAllAxes);
+    connect(
+        m_sequences->toggleViewAction(), &QAction::triggered, this,
+        [this, &messages](bool shown) {
+            if (shown)
+                makeRoomForSequences(messages);
+        },
+        Qt::QueuedConnection);
     connect(m_axes, &AxesDock::opened, this, &MainWindow::showAllAxes);
     connect(m_axes, &AxesDock::holdRequested, this, &MainWindow::holdRequested);
     connect(m_axes, &AxesDock::holdReleased, this, &MainWindow::holdReleased);
 }
 
-/// For a curve beside the results; the messages beside it give way.
-void MainWindow::makeRoomForStepResponse(QDockWidget& messages) {
-    const int wanted = fontMetrics().height() * kStepResponseWidth;
-    const bool beside = dockWidgetArea(m_stepResponse) == dockWidgetArea(&messages) && messages.isVisible();
-    if (!beside || m_stepResponse->width() >= wanted)
+/// The messages beside it give way.
+void MainWindow::makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines) {
+    const int wanted = fontMetrics().height() * lines;
+    const bool beside = dockWidgetArea(&dock) == dockWidgetArea(&messages) && messages.isVisible();
+    if (!beside || dock.width() >= wanted)
         return;
-    const int both = m_stepResponse->width() + messages.width();
+    const int both = dock.width() + messages.width();
     const int taken = qMin(wanted, both * 4 / 5);
-    resizeDocks({m_stepResponse, &messages}, {taken, both - taken}, Qt::Horizontal);
+    resizeDocks({&dock, &messages}, {taken, both - taken}, Qt::Horizontal);
+}
+
+/// For a few rows of a table above their buttons.
+void MainWindow::makeRoomForSequences(QDockWidget& messages) {
+    makeRoomBeside(messages, *m_sequences, kSequencesWidth);
+    const int wanted = qMin(fontMetrics().height() * kSequencesHeight, height() / 2);
+    if (dockWidgetArea(m_sequences) == Qt::BottomDockWidgetArea && m_sequences->height() < wanted)
+        resizeDocks({m_sequences}, {wanted}, Qt::Vertical);
 }
 
 void MainWindow::addSimulatorDock() {

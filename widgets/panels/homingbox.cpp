@@ -48,9 +48,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
       m_result(new QLabel(this)),
       m_hint(look::newMutedLabel({}, this)) {
     const ModuleType type = context.state().info.identity.type;
-    const auto named = [type](const QString& name) {
-        return type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
-    };
+    const auto named = [type](const QString& name) { return look::nameFor(type, name); };
     m_form = new HomingForm(type, this);
     m_home = new Command(
         {.name = named(u"homeButton"_s),

@@ -45,9 +45,8 @@ HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_ty
     showRecipe(firstRecipe({type, 0}));
 }
 
-/// There may be a form for each type of module in one window.
 QString HomingForm::named(const QString& name) const {
-    return m_type == ModuleType::Step ? u"step"_s + name.left(1).toUpper() + name.mid(1) : name;
+    return look::nameFor(m_type, name);
 }
 
 QWidget* HomingForm::row(const QList<QWidget*>& widgets) {

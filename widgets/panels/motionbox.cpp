@@ -200,6 +200,20 @@ std::optional<CountsPerTick> MotionBox::velocity() const {
     return value ? std::optional(CountsPerTick(servodefaults::toFixed(*value))) : std::nullopt;
 }
 
+QString MotionBox::whyNoMovesBy() const {
+    if (!velocity())
+        return texts::refusal(Refusal::NoVelocity);
+    return acceleration() ? QString() : texts::refusal(Refusal::NoAcceleration);
+}
+
+std::optional<Intent> MotionBox::movesBy(const Rounds& moves) const {
+    const auto velocity = this->velocity();
+    const auto acceleration = this->acceleration();
+    if (!velocity || !acceleration)
+        return std::nullopt;
+    return intent::StepBy{moves, *velocity, *acceleration};
+}
+
 /// What the user types is kept with the axis; what is no value stays in its field.
 void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
     const auto typed = field.native();

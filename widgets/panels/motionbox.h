@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "widgets/panels/modulecontext.h"
+#include "widgets/panels/stepbybox.h"
 
 class QComboBox;
 class QGridLayout;
@@ -17,7 +18,7 @@ class QuantityField;
 
 /// Go to a position, now or when it is started later; run at a velocity. Each value stands in the user's unit
 /// with the chip's beside it, and a move says before its start how long it will take.
-class MotionBox : public QGroupBox {
+class MotionBox : public QGroupBox, public MovesBy {
     Q_OBJECT
 
 public:
@@ -27,6 +28,8 @@ public:
     [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
     /// Of a move to a position.
     [[nodiscard]] std::optional<CountsPerTick> velocity() const;
+    [[nodiscard]] QString whyNoMovesBy() const override;
+    [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
 signals:
     /// What is held was asked for at another acceleration.

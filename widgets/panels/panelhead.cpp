@@ -172,7 +172,10 @@ void PanelHead::refresh() {
         m_type,
         tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
-    look::setText(m_meaning, texts::activityMeaning(activity));
+    const bool brakes =
+        activity == Activity::Holding && module.isServo() && module.gains && module.gains->kp == 0;
+    look::setText(m_meaning, brakes ? tr("Kp is 0: the servo brakes the motor, and holds no position.")
+                                    : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
     m_glyph->showActivity(activity);
@@ -264,7 +267,10 @@ void PanelHead::refreshCommands() {
     m_enable->setPossible(!on         ? m_context.reasonNow(Request::Enable)
                           : isServo() ? tr("The servo is on already.")
                                       : tr("The amplifier is on already."),
-                          tr("Switches the amplifier on and holds the motor where it is."));
+                          isServo()
+                              ? tr("Switches the amplifier on, holds the motor where it is, and clears the "
+                                   "sticky bits: that of the position error is set while the servo is off.")
+                              : tr("Switches the amplifier on and holds the motor where it is."));
     const QString stop = m_context.reasonFor(Request::StopMotion);
     m_stopSmoothly->setPossible(stop, tr("Slows down at the acceleration in force, then holds."));
     m_stopAbruptly->setPossible(stop, tr("Stops at once, then holds."));

@@ -11,7 +11,6 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/motionbox.h"
 #include "widgets/panels/quantitygrid.h"
 
 namespace nmc {
@@ -24,9 +23,9 @@ constexpr double kMostRounds = 100'000;
 constexpr double kLongestPause = 3'600;  // s
 }  // namespace
 
-StepByBox::StepByBox(ModuleContext& context, const MotionBox& motion, QWidget* parent)
+StepByBox::StepByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent)
     : QGroupBox(parent), m_context(context), m_motion(motion) {
-    look::name(this, u"stepByBox"_s, tr("Step by a distance"));
+    look::name(this, named(u"stepByBox"_s), tr("Step by a distance"));
     QGridLayout* grid = quantitygrid::newGrid(this);
     int line = 0;
     buildDistance(grid, line);
@@ -36,19 +35,23 @@ StepByBox::StepByBox(ModuleContext& context, const MotionBox& motion, QWidget* p
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
+QString StepByBox::named(const QString& name) const {
+    return look::nameFor(m_context.state().info.identity.type, name);
+}
+
 void StepByBox::buildDistance(QGridLayout* grid, int& line) {
     m_distance = new QuantityField(QuantityField::Kind::Position, this);
-    m_distance->setName(u"stepSizeField"_s, tr("Distance of a step"));
+    m_distance->setName(named(u"stepSizeField"_s), tr("Distance of a step"));
     m_distance->setQuantity(tr("The distance of a step"));
     m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
     m_distance->setMeaning(tr("How far one click moves the motor, at the velocity of Go to."));
     quantitygrid::addFirstRow(grid, line, tr("Step by"), m_distance);
-    m_reverse = new Command({.name = u"stepReverseButton"_s,
+    m_reverse = new Command({.name = named(u"stepReverseButton"_s),
                              .icon = {},
                              .text = tr("◂| Step"),
                              .accessible = tr("One step in reverse")},
                             this, [this] { step(true); });
-    m_forward = new Command({.name = u"stepForwardButton"_s,
+    m_forward = new Command({.name = named(u"stepForwardButton"_s),
                              .icon = {},
                              .text = tr("Step |▸"),
                              .accessible = tr("One step forward")},
@@ -80,21 +83,21 @@ void StepByBox::buildRepeat(QGridLayout* grid, int& line) {
         connect(field, &NumberField::edited, this, &StepByBox::refresh);
         return field;
     };
-    m_rounds = newField(0, u"stepRoundsField"_s, tr("The number of steps"), 1, kMostRounds, 1,
+    m_rounds = newField(0, named(u"stepRoundsField"_s), tr("The number of steps"), 1, kMostRounds, 1,
                         tr("How many steps one click makes."));
-    m_pause = newField(2, u"stepPauseField"_s, tr("The pause between steps"), 0, kLongestPause, 0,
+    m_pause = newField(2, named(u"stepPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
                        tr("Seconds to wait after each move."));
     m_backAndForth = new QCheckBox(tr("there and back"), this);
-    look::name(m_backAndForth, u"stepBackAndForthBox"_s, tr("Each step there and back"));
+    look::name(m_backAndForth, named(u"stepBackAndForthBox"_s), tr("Each step there and back"));
     m_backAndForth->setToolTip(tr("Each step goes there and back again."));
     connect(m_backAndForth, &QCheckBox::toggled, this, &StepByBox::refresh);
-    m_end = new Command({.name = u"stepEndButton"_s,
+    m_end = new Command({.name = named(u"stepEndButton"_s),
                          .icon = u"player-stop"_s,
                          .text = tr("End steps"),
                          .accessible = tr("End the steps and stop")},
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
-    m_progress->setObjectName(u"stepProgress"_s);
+    m_progress->setObjectName(named(u"stepProgress"_s));
     auto* repeat = new QHBoxLayout;
     repeat->setSpacing(look::gridUnit(this));
     repeat->addWidget(m_rounds);
@@ -123,10 +126,8 @@ void StepByBox::showModule() {
 QString StepByBox::whyNotNow() const {
     if (const QString reason = m_context.reasonNow(Request::Move); !reason.isEmpty())
         return reason;
-    if (!m_motion.velocity())
-        return texts::refusal(Refusal::NoVelocity);
-    if (!m_motion.acceleration())
-        return texts::refusal(Refusal::NoAcceleration);
+    if (const QString reason = m_motion.whyNoMovesBy(); !reason.isEmpty())
+        return reason;
     for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_rounds, m_pause})
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
@@ -135,7 +136,7 @@ QString StepByBox::whyNotNow() const {
 
 void StepByBox::refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning) {
     const auto steps = wanted(reverse);
-    command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(Intent(*steps)) : reason, meaning);
+    command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(*steps) : reason, meaning);
 }
 
 void StepByBox::refresh() {
@@ -153,22 +154,14 @@ void StepByBox::refresh() {
     look::setText(m_progress, progress);
 }
 
-std::optional<intent::StepBy> StepByBox::wanted(bool reverse) const {
+std::optional<Intent> StepByBox::wanted(bool reverse) const {
     const auto distance = m_distance->native();
     const auto rounds = m_rounds->value();
     const auto pause = m_pause->value();
-    const auto velocity = m_motion.velocity();
-    const auto acceleration = m_motion.acceleration();
-    if (!distance || !rounds || !pause || !velocity || !acceleration)
+    if (!distance || !rounds || !pause)
         return std::nullopt;
-    intent::StepBy wanted;
-    wanted.counts = static_cast<std::int32_t>(reverse ? -*distance : *distance);
-    wanted.velocity = *velocity;
-    wanted.acceleration = *acceleration;
-    wanted.rounds = static_cast<unsigned>(*rounds);
-    wanted.pause = *pause;
-    wanted.backAndForth = m_backAndForth->isChecked();
-    return wanted;
+    return m_motion.movesBy({static_cast<std::int32_t>(reverse ? -*distance : *distance),
+                             static_cast<unsigned>(*rounds), *pause, m_backAndForth->isChecked()});
 }
 
 void StepByBox::step(bool reverse) {

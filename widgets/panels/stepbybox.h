@@ -12,31 +12,40 @@ class QLabel;
 namespace nmc {
 
 class Command;
-class MotionBox;
 class NumberField;
 class QuantityField;
+
+/// The box that says how fast such moves go, and by what they are asked for.
+class MovesBy {
+public:
+    virtual ~MovesBy() = default;
+    /// Empty where it has all that they need.
+    [[nodiscard]] virtual QString whyNoMovesBy() const = 0;
+    /// Nothing where it has not.
+    [[nodiscard]] virtual std::optional<Intent> movesBy(const Rounds& moves) const = 0;
+};
 
 /// Step by N: one click is one move of exactly this distance, or as many as are asked for.
 class StepByBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// Velocity and acceleration are those of `motion`.
-    StepByBox(ModuleContext& context, const MotionBox& motion, QWidget* parent);
+    StepByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent);
 
 private:
+    [[nodiscard]] QString named(const QString& name) const;
     void buildDistance(QGridLayout* grid, int& line);
     void buildRepeat(QGridLayout* grid, int& line);
     void step(bool reverse);
     void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
-    [[nodiscard]] std::optional<intent::StepBy> wanted(bool reverse) const;
+    [[nodiscard]] std::optional<Intent> wanted(bool reverse) const;
     void refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning);
     [[nodiscard]] double kept() const;
 
     ModuleContext& m_context;
-    const MotionBox& m_motion;
+    const MovesBy& m_motion;
     QuantityField* m_distance = nullptr;
     Command* m_reverse = nullptr;
     Command* m_forward = nullptr;

@@ -60,8 +60,7 @@ StepHoldBox::StepHoldBox(ModuleContext& context, QWidget* parent)
     buttons->setSpacing(unit);
     buttons->addWidget(m_reverse);
     buttons->addWidget(m_forward);
-    buttons->addStretch(1);
-    grid->addLayout(buttons, 3, 1, 1, 4);
+    grid->addLayout(buttons, 1, 4);
     grid->setColumnStretch(3, 1);
 
     connect(m_speed, &QuantityField::nativeEdited, this, [this] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/stepmodechoice.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QRadioButton>
 
 #include "widgets/common/look.h"
@@ -31,18 +31,17 @@ StepModeChoice::StepModeChoice(QWidget* parent) : QWidget(parent) {
             tr("Runs at one speed from the first step on until it is stopped. Too fast, and the motor loses "
                "steps (unprofiled, without stop).")}};
     look::name(this, u"stepModeChoice"_s, tr("How to move"));
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(look::gridUnit(this) * 2);
-    grid->setVerticalSpacing(look::gridUnit(this) / 2);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(look::gridUnit(this) * 2);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         m_buttons[i] = new QRadioButton(choices[i].text, this);
         look::name(m_buttons[i], choices[i].name, choices[i].text);
         m_buttons[i]->setToolTip(choices[i].meaning);
-        grid->addWidget(m_buttons[i], static_cast<int>(i) / 2, static_cast<int>(i) % 2);
+        row->addWidget(m_buttons[i]);
         connect(m_buttons[i], &QRadioButton::clicked, this, &StepModeChoice::chosen);
     }
-    grid->setColumnStretch(2, 1);
+    row->addStretch(1);
 }
 
 StepModeChoice::Mode StepModeChoice::mode() const {

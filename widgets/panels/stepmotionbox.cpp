@@ -74,13 +74,16 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_goal, tr("&Position"));
     grid->addWidget(m_relative, line++, 1, 1, 4);
     addRow(m_speed, tr("Trave&l speed"));
-    const auto addRemark = [&](QLabel*& label, const QString& name) {
-        label = look::newMutedLabel({}, this);
-        label->setObjectName(name);
-        grid->addWidget(label, line++, 1, 1, 4);
-    };
-    addRemark(m_outcome, u"stepSpeedOutcome"_s);
-    addRemark(m_ramp, u"stepRampOutcome"_s);
+    m_outcome = look::newMutedLabel({}, this);
+    m_outcome->setObjectName(u"stepSpeedOutcome"_s);
+    m_ramp = new ElidedLabel(1, this);
+    m_ramp->setForegroundRole(QPalette::PlaceholderText);
+    m_ramp->setObjectName(u"stepRampOutcome"_s);
+    auto* outcome = new QHBoxLayout;
+    outcome->setSpacing(look::gridUnit(this));
+    outcome->addWidget(m_outcome);
+    outcome->addWidget(m_ramp, 1);
+    grid->addLayout(outcome, line++, 1, 1, 4);
     m_forecast = look::newMutedLabel({}, this);
     m_forecast->setObjectName(u"stepForecast"_s);
     m_nearest = new Command({.name = u"stepNearestGoalButton"_s,
@@ -105,6 +108,12 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
                         .text = tr("&Go"),
                         .accessible = tr("Go to the position")},
                        this, [this] { request(false); });
+    m_goHome = new Command({.name = u"stepGoHomeButton"_s,
+                            .icon = u"home"_s,
+                            .text = tr("Go home"),
+                            .accessible = tr("Go to the home position"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                           this, [this] { m_context.ask(home()); });
     m_runReverse = new Command({.name = u"stepRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),
@@ -140,6 +149,7 @@ void StepMotionBox::buildButtons(QGridLayout* grid, int line) {
     later->addWidget(m_loadOnly);
     later->addWidget(m_startLoaded->button());
     later->addStretch(1);
+    later->addWidget(m_goHome->button());
     m_hint = new ElidedLabel(2, this);
     m_hint->setObjectName(u"stepMotionHint"_s);
     grid->addLayout(buttons, line, 1, 1, 4);
@@ -220,7 +230,7 @@ std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
         return std::nullopt;
     const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
-    const auto acceleration = static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings()));
+    const std::uint8_t acceleration = accelerationTime();
     switch (m_mode->mode()) {
         case StepModeChoice::Mode::Trapezoid:
             return stepmotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
@@ -233,6 +243,26 @@ std::optional<StepMotion> StepMotionBox::motion(bool reverse) const {
             return stepmotion::UnprofiledRun{speeds.timerFor(*speed), reverse};
     }
     return std::nullopt;
+}
+
+std::uint8_t StepMotionBox::accelerationTime() const {
+    return static_cast<std::uint8_t>(stepdefaults::accelerationTime(m_context.settings()));
+}
+
+std::uint8_t StepMotionBox::moveSpeed() const {
+    const AxisSettings& axis = m_context.settings();
+    const StepSpeed speeds = stepdefaults::speedMode(m_context.state().stepper, axis);
+    const double set = axis.motion.velocity > 0 ? axis.motion.velocity : stepdefaults::kMove;
+    return speeds.speedFor(std::clamp(
+        set, speeds.slowest(), std::max(speeds.slowest(), stepdefaults::atMost(speeds.fastest(), axis))));
+}
+
+QString StepMotionBox::whyNoMovesBy() const {
+    return m_mode->hasGoal() ? m_speed->problemText() : QString();
+}
+
+std::optional<Intent> StepMotionBox::movesBy(const Rounds& moves) const {
+    return stepintent::StepBy{moves, moveSpeed(), accelerationTime()};
 }
 
 std::optional<Refusal> StepMotionBox::refusalOf(bool reverse) const {
@@ -366,6 +396,10 @@ void StepMotionBox::refreshCommands() {
                    load ? later : tr("Runs in reverse until it is stopped."));
     refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
                    load ? later : tr("Runs forward until it is stopped."));
+    QString reason = m_context.reasonNow(Request::GoHome);
+    if (reason.isEmpty())
+        reason = m_context.reasonFor(Intent(home()));
+    m_goHome->setPossible(reason, tr("Goes to home with a ramp, at the speed of moves to a position."));
     m_startLoaded->setPossible(m_context.reasonNow(Request::StartLoaded),
                                tr("Starts the motion that was loaded last."));
 }

@@ -6,6 +6,7 @@
 
 #include "model/module/stepspeed.h"
 #include "widgets/panels/modulecontext.h"
+#include "widgets/panels/stepbybox.h"
 #include "widgets/panels/stepmodechoice.h"
 
 class QCheckBox;
@@ -20,11 +21,15 @@ class StepHoldBox;
 
 /// The four ways a PIC-STEP moves, and hold to move. A change that the chip does not allow in motion is
 /// offered as "Stop, wait, go".
-class StepMotionBox : public QGroupBox {
+class StepMotionBox : public QGroupBox, public MovesBy {
     Q_OBJECT
 
 public:
     StepMotionBox(ModuleContext& context, QWidget* parent);
+
+    [[nodiscard]] QString whyNoMovesBy() const override;
+    /// With a ramp, at the speed of the moves to a position, whatever mode is chosen.
+    [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
 private:
     void buildFields(QGridLayout* grid, int line);
@@ -39,6 +44,10 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
+    /// Of moves with a ramp: the chip's units.
+    [[nodiscard]] std::uint8_t moveSpeed() const;
+    [[nodiscard]] std::uint8_t accelerationTime() const;
+    [[nodiscard]] stepintent::GoHome home() const { return {moveSpeed(), accelerationTime()}; }
     /// A goal beyond the limits of travel has a nearest one within.
     [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void takeNearest();
@@ -64,6 +73,7 @@ private:
     QLabel* m_ramp = nullptr;
     QLabel* m_forecast = nullptr;
     Command* m_nearest = nullptr;
+    Command* m_goHome = nullptr;
     Command* m_go = nullptr;
     Command* m_runReverse = nullptr;
     Command* m_runForward = nullptr;

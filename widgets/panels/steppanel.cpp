@@ -9,6 +9,7 @@
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/panelhead.h"
+#include "widgets/panels/stepbybox.h"
 #include "widgets/panels/stepdetailsbox.h"
 #include "widgets/panels/stepiobox.h"
 #include "widgets/panels/stepmotionbox.h"
@@ -23,7 +24,10 @@ StepPanel::StepPanel(const PanelView& view, QWidget* parent) : ModulePage(view, 
     look::name(this, u"stepPanel"_s, tr("Stepper module"));
     auto* head = new PanelHead(m_context, this);
     auto* motion = new QVBoxLayout;
-    motion->addWidget(new StepMotionBox(m_context, this));
+    auto* moves = new StepMotionBox(m_context, this);
+    motion->addWidget(moves);
+    motion->addWidget(new StepByBox(m_context, *moves, this));
+    motion->addStretch(1);
     auto* pages = new QTabWidget(this);
     look::name(pages, u"stepPages"_s, tr("Pages of the module"));
     pages->addTab(new StepParametersBox(m_context, this), tr("Parameters"));

@@ -39,8 +39,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
-    if (!m_context.state().isStepper())
-        buildBacklash(grid, 3);
+    buildBacklash(grid, 3);
     grid->addWidget(m_hint, 4, 0, 1, 5);
     grid->addWidget(m_state, 5, 0, 1, 5);
     buildWord(grid, 6);
@@ -49,7 +48,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
 }
 
 QString TravelBox::named(const QString& name) const {
-    return m_context.state().isStepper() ? u"step"_s + name.at(0).toUpper() + name.mid(1) : name;
+    return look::nameFor(m_context.state().info.identity.type, name);
 }
 
 void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
@@ -101,14 +100,14 @@ void TravelBox::buildFastest(QGridLayout* grid, int line) {
 
 void TravelBox::buildBacklash(QGridLayout* grid, int line) {
     m_backlash = new QuantityField(QuantityField::Kind::Position, this);
-    m_backlash->setName(u"backlashField"_s, tr("Backlash"));
+    m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
     m_backlash->setQuantity(tr("The backlash"));
     m_backlash->setNativeRange(1, layout::kPlace.max);
     m_backlash->setMeaning(
         tr("Somewhat more than the play between motor and load. A move from the wrong side then "
            "goes beyond its goal by as much first, and comes back. Empty: none."));
     m_side = new QComboBox(this);
-    look::name(m_side, u"backlashSideBox"_s, tr("Side from which every goal is come to"));
+    look::name(m_side, named(u"backlashSideBox"_s), tr("Side from which every goal is come to"));
     m_side->addItem(tr("from below"), false);
     m_side->addItem(tr("from above"), true);
     m_side->setToolTip(

@@ -106,8 +106,17 @@ void StepForm::buildButton(QGridLayout* grid) {
     m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"stepResponseState"_s);
     m_state->setWordWrap(true);
-    grid->addWidget(m_step, grid->rowCount(), 1);
+    m_hold = new QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), this);
+    look::name(m_hold, u"stepResponseHoldButton"_s, tr("Hold the motor where it is, before a step"));
+    // The button that moves the motor stays where it is.
+    QSizePolicy policy = m_hold->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_hold->setSizePolicy(policy);
+    const int line = grid->rowCount();
+    grid->addWidget(m_step, line, 1);
+    grid->addWidget(m_hold, line, 2, 1, 2);
     connect(m_step, &QPushButton::clicked, this, &StepForm::request);
+    connect(m_hold, &QPushButton::clicked, this, &StepForm::holdHere);
 }
 
 void StepForm::showModule(const PanelView& view) {
@@ -136,6 +145,11 @@ std::optional<intent::StepResponse> StepForm::entered() const {
                                 static_cast<StepWay>(m_way->currentData().toInt()), *record};
 }
 
+std::optional<Refusal> StepForm::refusal() const {
+    const auto step = entered();
+    return m_module && step ? nmc::whyNot(*step, *m_module) : std::nullopt;
+}
+
 QString StepForm::whyNotNow() const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
@@ -144,8 +158,7 @@ QString StepForm::whyNotNow() const {
     for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_record})
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
-    const auto step = entered();
-    const auto refusal = step ? nmc::whyNot(*step, *m_module) : std::nullopt;
+    const auto refusal = this->refusal();
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
@@ -154,6 +167,12 @@ void StepForm::refresh() {
     look::setPossible(m_step, reason,
                       tr("The motor jumps by this distance, and holds there. Everything that turns with it "
                          "must be free to (Shift+F9)."));
+    m_hold->setVisible(refusal() == Refusal::CommandUnknown);
+    if (m_hold->isVisibleTo(this)) {
+        const auto refused = nmc::whyNot(Request::StopHere, *m_module);
+        look::setPossible(m_hold, refused ? texts::refusal(*refused) : QString(),
+                          tr("Takes the position it has at this moment as the one to hold (Stop here)."));
+    }
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, runs     ? texts::procedureStage(*m_report)
@@ -166,7 +185,12 @@ void StepForm::request() {
     // Behind another dock's tab the shortcut is still heard.
     const bool seen = !m_step->visibleRegion().isEmpty();
     if (m_step->isEnabled() && seen && step)
-        emit stepRequested(m_module->info.index, *step);
+        emit asked(m_module->info.index, *step);
+}
+
+void StepForm::holdHere() {
+    if (m_module)
+        emit asked(m_module->info.index, intent::StopHere{});
 }
 
 }  // namespace nmc

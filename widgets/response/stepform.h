@@ -35,7 +35,7 @@ public:
     [[nodiscard]] QLabel* stateLabel() const { return m_state; }
 
 signals:
-    void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void bandEdited(double percent);
 
 private:
@@ -44,6 +44,8 @@ private:
     NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
     void refresh();
     void request();
+    void holdHere();
+    [[nodiscard]] std::optional<Refusal> refusal() const;
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
     [[nodiscard]] QString whyNotNow() const;
 
@@ -52,6 +54,7 @@ private:
     NumberField* m_record = nullptr;
     NumberField* m_band = nullptr;
     QPushButton* m_step = nullptr;
+    QPushButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
     std::optional<ProcedureReport> m_report;

@@ -33,7 +33,7 @@ StepResponseDock::StepResponseDock(QWidget* parent)
 StepResponsePage& StepResponseDock::page() {
     if (m_page == nullptr) {
         m_page = new StepResponsePage(this);
-        connect(m_page, &StepResponsePage::stepRequested, this, &StepResponseDock::stepRequested);
+        connect(m_page, &StepResponsePage::asked, this, &StepResponseDock::asked);
         connect(m_page, &StepResponsePage::gainsWanted, this, &StepResponseDock::gainsWanted);
         connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
         setWidget(scrolled(m_page));

@@ -29,7 +29,7 @@ signals:
     void roomWanted();
     /// It can be seen, and what it shows may be old.
     void opened();
-    void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void saveRequested(const QString& path, const nmc::FileContent& content);
 

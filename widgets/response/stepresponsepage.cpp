@@ -30,7 +30,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
     lay();
-    connect(m_form, &StepForm::stepRequested, this, &StepResponsePage::stepRequested);
+    connect(m_form, &StepForm::asked, this, &StepResponsePage::asked);
     connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
     connect(m_table, &StepRunTable::shownWanted, this, &StepResponsePage::showAs);
     connect(m_table, &StepRunTable::chosenChanged, this, &StepResponsePage::refreshButtons);

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_runs; }
 
 signals:
-    void stepRequested(nmc::ModuleIndex module, const nmc::intent::StepResponse& step);
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
     /// All runs.

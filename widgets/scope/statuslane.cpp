@@ -9,6 +9,13 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// Of a PIC-SERVO, in the word of both bytes: set as long as the servo is off, the first tells nothing then
+/// (DS-V 5.2, Clear Sticky Bits).
+constexpr unsigned kPosError = 0x10;
+constexpr unsigned kServoOn = 0x04U << 8U;
+}  // namespace
+
 StatusLane::StatusLane(QWidget* parent) : QWidget(parent) {
     look::name(this, u"scopeStatusLane"_s, tr("Status bits over time"));
     setFont(look::scaled(font(), 0.85));
@@ -104,17 +111,16 @@ void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& 
     const unsigned mask = 1U << (bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U));
     const double high = row.top() + 1.5;
     const double low = row.bottom() - 1.5;
-    const QColor line = look::traceColour(0, palette());
-    QColor fill = line;
-    fill.setAlpha(60);
-    painter.setPen(line);
+    const bool needsServo = m_type == ModuleType::Servo && mask == kPosError;
+    const unsigned watched = needsServo ? mask | kServoOn : mask;
     const auto level = [&](unsigned bits) { return (bits & mask) != 0 ? high : low; };
     for (std::size_t begin = 0, end = 0; begin < m_pieces.size(); begin = end) {
         // As far as the bit stays as it is.
         const Piece& first = m_pieces[begin];
         end = begin + 1;
         while (end < m_pieces.size() && m_pieces[end].joined &&
-               ((m_pieces[end].all ^ first.all) & mask) == 0 && ((m_pieces[end].any ^ first.any) & mask) == 0)
+               ((m_pieces[end].all ^ first.all) & watched) == 0 &&
+               ((m_pieces[end].any ^ first.any) & watched) == 0)
             ++end;
         const bool goesOn = end < m_pieces.size() && m_pieces[end].joined;
         // An SVG file knows no clipping.
@@ -124,6 +130,11 @@ void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& 
                      row.right());
         if (right <= left)
             continue;
+        const bool means = !needsServo || (first.any & kServoOn) != 0;
+        const QColor line = means ? look::traceColour(0, palette()) : look::mutedText(palette());
+        QColor fill = line;
+        fill.setAlpha(60);
+        painter.setPen(line);
         const bool both = ((first.all ^ first.any) & mask) != 0;
         if (both || level(first.all) == high)
             painter.fillRect(QRectF(QPointF(left, high), QPointF(right, low)), both ? line : fill);

@@ -15,7 +15,8 @@ std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, c
     const std::int64_t way = (goal - from) * side;
     // A run that has ended at its limit has come from anywhere.
     const auto rests = module.goal();
-    const bool takenUp = rests && rests != travelEnd(module, false) && rests != travelEnd(module, true);
+    const bool takenUp = rests && module.goalReverse() == module.backlash.fromAbove &&
+                         rests != travelEnd(module, false) && rests != travelEnd(module, true);
     if (way >= play || (way > 0 && takenUp))
         return std::nullopt;
     return goal - play * side;

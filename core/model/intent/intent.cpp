@@ -21,9 +21,10 @@ Steps stepsFor(const ModuleState& module, Commands... commands) {
     return {bus::Step{module.info.index, ServoCommand(std::move(commands))}...};
 }
 
-bool gainsHold(const ModuleState& module) {
-    // Without Kp nothing pulls the motor back, and without an output limit above 0 nothing drives it.
-    return module.gains && module.gains->kp != 0 && module.gains->ol != 0;
+bool gainsAct(const ModuleState& module) {
+    // With Kd alone the servo brakes, and holds nothing: how a new motor is tuned first. Without an output
+    // limit above 0 nothing drives it.
+    return module.gains && (module.gains->kp != 0 || module.gains->kd != 0) && module.gains->ol != 0;
 }
 
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
@@ -40,9 +41,11 @@ struct Planner {
     Plan operator()(const intent::AskAnew&) const { return Steps{}; }
 
     Plan operator()(const intent::Enable&) const {
-        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2).
+        // One Stop Motor sets AMP_EN and lets the servo hold where it is (DS-V 5.2). The position error bit
+        // is set as long as a servo is off, and stays: cleared, its next edge is a trip.
         return allowed(Request::Enable, module, [this] {
-            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}});
+            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
+                            servo::ClearStickyBits{});
         });
     }
 
@@ -166,7 +169,7 @@ struct Planner {
     Plan operator()(const intent::StepBy& stepBy) const {
         if (const auto refusal = lacking({{}, stepBy.velocity, stepBy.acceleration}))
             return tl::unexpected(*refusal);
-        if (stepBy.counts == 0)
+        if (stepBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
         return allowed(Request::Move, module, [] { return Steps{}; });
     }
@@ -187,8 +190,9 @@ struct Planner {
 
     // plan() has answered these for both chips.
     Plan operator()(const AnyOf<intent::Direct, intent::ResetModule> auto&) const { return Steps{}; }
-    Plan operator()(const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                                stepintent::LoadMove, stepintent::ChangeMotion> auto&) const {
+    Plan operator()(
+        const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                    stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
 
@@ -221,14 +225,17 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<
-                intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
-                intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
-                intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
-                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                stepintent::LoadMove, stepintent::ChangeMotion> auto&) { return false; },
+            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
+                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
+                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
+                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
+                           intent::StepBy, intent::StepResponse, intent::CheckDirection,
+                           intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
+                           intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                           stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                           stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) {
+                return false;
+            },
         },
         intent);
 }
@@ -267,7 +274,7 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
         case Request::Enable:
             if (!module.latest->servoStatus().powerOn())
                 return Refusal::NoPower;
-            return gainsHold(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
+            return gainsAct(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
         case Request::Move:
             if (const auto refusal = whyNot(Request::Run, module))
                 return refusal;

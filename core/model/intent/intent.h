@@ -20,7 +20,7 @@ namespace nmc {
 /// plan()'s business.
 namespace intent {
 struct AskAnew {};  ///< No Operation: of any module, whatever it is
-struct Enable {};   ///< amplifier on, hold the present position
+struct Enable {};   ///< amplifier on, hold the present position, and clear the sticky bits
 struct GoTo {
     Counts position;
     CountsPerTick velocity;
@@ -77,15 +77,12 @@ struct Home {
 };
 /// Trapezoidal moves by N, one after the other. A procedure.
 struct StepBy {
-    std::int32_t counts = 0;  ///< signed
+    Rounds moves;
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
-    unsigned rounds = 1;
-    double pause = 0.0;         ///< s, after each move
-    bool backAndForth = false;  ///< a round is there and back
 };
-/// A small move without a profile, to see how the servo follows (stepresponseplan.h). A
-/// procedure.
+/// A small move without a profile, from the position that the servo holds, to see how it follows
+/// (stepresponseplan.h). A procedure.
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed
     StepWay way = StepWay::Profile;
@@ -125,7 +122,8 @@ using Intent =
                  intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
                  intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
                  intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion>;
+                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
+                 stepintent::StepBy, stepintent::GoHome>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -163,6 +161,7 @@ enum class Refusal : std::uint8_t {
     RunNeedsStop,    ///< towards a limit a run starts from standstill, so that the chip ends it there
     LimitStopDue,    ///< the axis wants one for each motion, and it is not armed yet
     NoCurrentLimit,  ///< CL is 0, so the current never exceeds it
+    CommandUnknown,  ///< which position the servo holds, to the count
     RecordTime,      ///< none, or longer than the bus can be given to one module
     // PIC-STEP
     NotAStepper,

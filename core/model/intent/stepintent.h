@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "model/intent/rounds.h"
 #include "model/intent/stepmotion.h"
 
 /// What the operator asks of one PIC-STEP, beside what both chips understand (intent.h).
@@ -26,6 +27,17 @@ struct LoadMove {
 /// A procedure: stop, wait until it stands, then Move. For what Table 4 does not allow in motion.
 struct ChangeMotion {
     StepMotion motion;
+};
+/// As intent::StepBy. A procedure.
+struct StepBy {
+    Rounds moves;
+    std::uint8_t speed = 1;  ///< 1..250
+    std::uint8_t accelerationTime = 1;
+};
+/// As intent::GoHome.
+struct GoHome {
+    std::uint8_t speed = 1;  ///< 1..250
+    std::uint8_t accelerationTime = 1;
 };
 
 }  // namespace nmc::stepintent

@@ -179,6 +179,19 @@ struct Planner {
     Plan operator()(const stepintent::ChangeMotion& change) const {
         return tl::unexpected(whyNotFromStandstill(change.motion, module).value_or(Refusal::NeedsStop));
     }
+    /// A procedure again: why its first move is not possible.
+    Plan operator()(const stepintent::StepBy& stepBy) const {
+        if (stepBy.moves.counts == 0)
+            return tl::unexpected(Refusal::StepTooShort);
+        if (const auto refusal = whyNotStep(Request::Move, module))
+            return tl::unexpected(*refusal);
+        return allowed(whyNotFromStandstill(motionOf(stepBy), module), [] { return Steps{}; });
+    }
+    Plan operator()(const stepintent::GoHome& home) const {
+        if (const auto refusal = whyNotStep(Request::GoHome, module))
+            return tl::unexpected(*refusal);
+        return (*this)(stepintent::Move{*motionOf(home, module)});
+    }
     Plan operator()(const intent::Home& home) const {
         return allowed(whyNotHome(home.recipe, module), [] { return Steps{}; });
     }
@@ -225,6 +238,16 @@ private:
 
 std::optional<std::int64_t> goalOf(const StepMotion& motion, const ModuleState& module) {
     return std::visit(GoalOf{module.stepper.position().value_or(0)}, motion);
+}
+
+StepMotion motionOf(const stepintent::StepBy& stepBy) {
+    return stepmotion::Trapezoid{stepBy.moves.counts, true, stepBy.speed, stepBy.accelerationTime};
+}
+
+std::optional<StepMotion> motionOf(const stepintent::GoHome& home, const ModuleState& module) {
+    if (!module.home.place())
+        return std::nullopt;
+    return stepmotion::Trapezoid{module.home.place()->counts, false, home.speed, home.accelerationTime};
 }
 
 bool wantsReverse(const StepMotion& motion, const ModuleState& module) {
@@ -288,6 +311,9 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::DeclarePosition:
             return whyNotDeclare(module);
         case Request::GoHome:
+            if (const auto refusal = whyNotStep(Request::Move, module))
+                return refusal;
+            return module.home.place() ? std::nullopt : std::optional(Refusal::HomeUnknown);
         case Request::ApplyGains:
         case Request::ClearStickyBits:
         case Request::StopHere:
@@ -362,6 +388,8 @@ step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module
 }
 
 bus::Step smoothStop(const ModuleState& module) {
+    if (!module.isStepper())
+        return {module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})};
     const StepState& stepper = module.stepper;
     const bool ramp = stepper.accelerationTime() || stepper.mode() == StepMode::Trapezoidal ||
                       stepper.mode() == StepMode::VelocityProfile;

@@ -20,6 +20,10 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotFromStandstill(const StepMotion& motion, const ModuleState& module,
                                                           Request as = Request::Move);
 
+/// The first of its moves, and the way home; where home is not known, there is none.
+[[nodiscard]] StepMotion motionOf(const stepintent::StepBy& stepBy);
+[[nodiscard]] std::optional<StepMotion> motionOf(const stepintent::GoHome& home, const ModuleState& module);
+
 /// Why these cannot be set now: some of them not in motion.
 [[nodiscard]] std::optional<Refusal> whyNotSet(const step::SetParameters& parameters,
                                                const ModuleState& module);
@@ -37,7 +41,7 @@ namespace nmc {
 
 /// The load for a motion, from where the module is; a position that does not change in motion is left out.
 [[nodiscard]] step::LoadTrajectory loadFor(const StepMotion& motion, const ModuleState& module);
-/// Smoothly where the chip knows a ramp, with the amplifier left as it is.
+/// Of a motor that is on. Smoothly, where a PIC-STEP knows a ramp, with the amplifier left as it is.
 [[nodiscard]] bus::Step smoothStop(const ModuleState& module);
 
 }  // namespace nmc

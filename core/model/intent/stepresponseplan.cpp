@@ -24,6 +24,8 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
         return Refusal::GainsUnknown;
     if (!module.latest->position)
         return Refusal::PositionUnknown;
+    if (!module.goal())
+        return Refusal::CommandUnknown;
     if (wanted.way == StepWay::StopHere && module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
     if (wanted.counts == 0)
@@ -33,7 +35,7 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
         return Refusal::StepTooLong;
     if (wouldTrip(step, module.gains->el))
         return Refusal::StepWouldTrip;
-    const std::int64_t goal = std::int64_t{*module.latest->position} + wanted.counts;
+    const std::int64_t goal = std::int64_t{*module.goal()} + wanted.counts;
     if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)
         return Refusal::GoalOutOfRange;
     if (const auto problem = travelProblem(wanted, module))

@@ -17,7 +17,7 @@ enum class StepWay : std::uint8_t {
 /// A step that a motor was told to make, and what is needed to measure it.
 struct StepTaken {
     TimePoint at;           ///< when the module latched the command, +-half a tick
-    std::int32_t from = 0;  ///< where it stood
+    std::int32_t from = 0;  ///< the position that the servo held
     std::int32_t goal = 0;  ///< where the command position jumped to
     double record = 0.0;    ///< s, from `at` on; then the motor was told to hold
     StepWay way = StepWay::Profile;

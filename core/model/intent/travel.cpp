@@ -71,21 +71,21 @@ struct CourseOf {
     }
     /// As far as the last of its moves, from where the first one starts.
     std::optional<Course> operator()(const intent::StepBy& step) const {
-        const auto position = positionOf(module);
-        if (!position)
-            return std::nullopt;
-        const std::int32_t from = module.goal().value_or(*position);
-        const std::int64_t moves = step.backAndForth ? 1 : std::max(step.rounds, 1U);
-        return Course{.goal = from + moves * step.counts,
-                      .velocity = native(step.velocity),
-                      .from = from,
-                      .turns = true};
+        return of(step.moves, native(step.velocity));
+    }
+    std::optional<Course> operator()(const stepintent::StepBy& step) const {
+        return of(step.moves, speedOf(motionOf(step), module));
+    }
+    std::optional<Course> operator()(const stepintent::GoHome& home) const {
+        const auto motion = motionOf(home, module);
+        return motion ? of(*motion, true) : std::nullopt;
     }
     std::optional<Course> operator()(const intent::StepResponse& step) const {
-        const auto position = positionOf(module);
-        return position ? std::optional(Course{.goal = std::int64_t{*position} + step.counts}) : std::nullopt;
+        const auto from = module.goal();
+        return from ? std::optional(Course{.goal = std::int64_t{*from} + step.counts, .from = from})
+                    : std::nullopt;
     }
-    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion); }
+    std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion, true); }
     std::optional<Course> operator()(const stepintent::LoadMove& load) const { return of(load.motion); }
     std::optional<Course> operator()(const stepintent::ChangeMotion& change) const {
         return of(change.motion);
@@ -101,8 +101,16 @@ struct CourseOf {
     }
 
 private:
-    [[nodiscard]] std::optional<Course> of(const StepMotion& motion) const {
-        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module)};
+    [[nodiscard]] std::optional<Course> of(const Rounds& moves, double velocity) const {
+        const auto position = positionOf(module);
+        if (!position)
+            return std::nullopt;
+        const std::int32_t from = module.goal().value_or(*position);
+        const std::int64_t count = moves.backAndForth ? 1 : std::max(moves.rounds, 1U);
+        return Course{.goal = from + count * moves.counts, .velocity = velocity, .from = from, .turns = true};
+    }
+    [[nodiscard]] std::optional<Course> of(const StepMotion& motion, bool turns = false) const {
+        Course course{.goal = goalOf(motion, module), .velocity = speedOf(motion, module), .turns = turns};
         if (!course.goal)
             course.reverse = wantsReverse(motion, module);
         return course;

@@ -249,8 +249,10 @@ void ModuleState::applyLoaded(TimePoint time) {
     noteCommand(time, m_loadedVelocity == 0.0 ? 0 : reverse ? -1 : 1, m_loadedVelocity);
     offCommanded = m_motionUnknown = false;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
-    if (!velocityMode && m_loaded.position)
+    if (!velocityMode && m_loaded.position) {
         m_goal = m_loaded.position->value();
+        m_goalReverse = reverse;
+    }
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
 }
 
@@ -264,6 +266,9 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     // The chip zeroes its velocity parameter: the next move must load it again (protocol.md 2).
     goalVelocity = m_loadedVelocity = 0.0;
     m_goal.reset();
+    m_goalReverse.reset();
+    if (stop.manner == servo::StopManner::Here)
+        m_goal = stop.here.value();
     loadWaiting = m_motionUnknown = false;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;
@@ -282,6 +287,19 @@ bool ModuleState::servoOn() const {
 
 bool ModuleState::currentWasLimited() const {
     return isServo() && latest && latest->servoStatus().overcurrent();
+}
+
+std::optional<std::int32_t> ModuleState::goal() const {
+    if (!isStepper())
+        return servoOn() ? m_goal : std::nullopt;
+    const bool held = stepper.moving() || stepper.position() == stepper.goal();
+    return stepper.amplifierOn() && held ? stepper.goal() : std::optional<std::int32_t>();
+}
+
+std::optional<bool> ModuleState::goalReverse() const {
+    if (!goal())
+        return std::nullopt;
+    return isStepper() ? stepper.lastReverse() : m_goalReverse;
 }
 
 bool ModuleState::driveOn() const {

@@ -96,8 +96,10 @@ struct ModuleState {
     [[nodiscard]] bool servoOn() const;
     /// PIC-SERVO: it has limited the motor's current since that was cleared last.
     [[nodiscard]] bool currentWasLimited() const;
-    /// Where the last trapezoidal move was to go, and the servo holds or will.
-    [[nodiscard]] std::optional<std::int32_t> goal() const { return servoOn() ? m_goal : std::nullopt; }
+    /// The position that the motor holds or will, to the count: the goal of its last move, or of a Stop Here.
+    [[nodiscard]] std::optional<std::int32_t> goal() const;
+    /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
+    [[nodiscard]] std::optional<bool> goalReverse() const;
     /// PIC-SERVO: the load that waits for a start, null for none.
     [[nodiscard]] const servo::LoadTrajectory* waiting() const {
         return isServo() && loadWaiting ? &m_loaded : nullptr;
@@ -124,7 +126,8 @@ private:
     [[nodiscard]] Activity activityWhileOn() const;
 
     servo::LoadTrajectory m_loaded;
-    std::optional<std::int32_t> m_goal;  ///< of the last trapezoidal move, while it is where the servo holds
+    std::optional<std::int32_t> m_goal;  ///< as goal() says
+    std::optional<bool> m_goalReverse;   ///< likewise
     unsigned m_looksWhileOn = 0;         ///< in a row
     unsigned m_looksWhileOff = 0;        ///< off, and whether home did it is not known yet
     bool m_motionUnknown = false;

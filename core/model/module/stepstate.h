@@ -42,6 +42,10 @@ public:
     /// Direction of the present motion; empty: it stands, or another host started it.
     [[nodiscard]] std::optional<bool> runsReverse() const { return moving() ? m_reverse : std::nullopt; }
 
+    /// Of the last motion, if it has one.
+    [[nodiscard]] std::optional<std::int32_t> goal() const { return m_goal; }
+    /// The direction of the last motion; empty: another host started it.
+    [[nodiscard]] std::optional<bool> lastReverse() const { return m_reverse; }
     /// What ended the last motion, or switched the amplifier off, unless it was told to; until it is told to
     /// move, to stop or to switch.
     [[nodiscard]] std::optional<Activity> ended() const { return m_ended; }

@@ -51,10 +51,11 @@ enum class ProcedureFailure : std::uint8_t {
     WentOff,  ///< servo or amplifier went off by itself
     Refused,  ///< a command was refused, forbidden or not answered
     ReadingsDiffer,
-    NotStill,   ///< it swings where it should stand; the servo stays on
-    Unstable,   ///< it has gone too far, and did not come to rest by a hold; it was switched off
-    SoftLimit,  ///< the next move would leave the limits of travel, or a search was about to
-    NotAtHome,  ///< it comes to rest too far from home for that to become zero
+    NotStill,      ///< it swings where it should stand; the servo stays on
+    Unstable,      ///< it has gone too far, and did not come to rest by a hold; it was switched off
+    SoftLimit,     ///< the next move would leave the limits of travel, or a search was about to
+    StoppedShort,  ///< the chip has ended the move by itself: a limit switch, heat, the E-stop input
+    NotAtHome,     ///< it comes to rest too far from home for that to become zero
 };
 
 /// What the window shows of a procedure.

@@ -16,11 +16,19 @@ namespace nmc {
 namespace {
 
 /// A move that has to turn round on its way; null where it goes straight.
-std::unique_ptr<Procedure> approachFor(const intent::GoTo& goTo, const ModuleState& module) {
-    if (!plan(goTo, module) || !module.latest->position)
+template <typename Move>
+std::unique_ptr<Procedure> approachFor(const Move& move, std::optional<std::int64_t> goal,
+                                       const ModuleState& module) {
+    if (!goal || !plan(move, module) || !module.latest->position || module.moving())
         return nullptr;
-    const auto turn = turningPoint(*module.latest->position, goTo.position.value(), module);
-    return turn ? std::make_unique<Approach>(goTo, static_cast<std::int32_t>(*turn), module) : nullptr;
+    const auto turn = turningPoint(*module.latest->position, *goal, module);
+    return turn ? std::make_unique<Approach>(move, static_cast<std::int32_t>(*turn), module) : nullptr;
+}
+std::unique_ptr<Procedure> approachFor(const intent::GoTo& goTo, const ModuleState& module) {
+    return approachFor(goTo, goTo.position.value(), module);
+}
+std::unique_ptr<Procedure> approachFor(const stepintent::Move& move, const ModuleState& module) {
+    return approachFor(move, goalOf(move.motion, module), module);
 }
 
 }  // namespace
@@ -37,7 +45,14 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
                    ? approachFor({Counts(module.home.place()->counts), home->velocity, home->acceleration},
                                  module)
                    : nullptr;
+    if (const auto* move = std::get_if<stepintent::Move>(&intent))
+        return approachFor(*move, module);
+    if (const auto* home = std::get_if<stepintent::GoHome>(&intent))
+        return plan(intent, module) ? approachFor(stepintent::Move{*motionOf(*home, module)}, module)
+                                    : nullptr;
     if (const auto* stepBy = std::get_if<intent::StepBy>(&intent))
+        return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
+    if (const auto* stepBy = std::get_if<stepintent::StepBy>(&intent))
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;

@@ -44,7 +44,8 @@ StepResponseRun::Next StepResponseRun::step(const ModuleState& module) {
     // Something may have changed while it was waited for standstill.
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
-    const std::int32_t from = *module.latest->position;
+    m_stood = *module.latest->position;
+    const std::int32_t from = *module.goal();
     m_taken = {{}, from, from + m_wanted.counts, m_wanted.record, m_wanted.way, *module.gains};
     m_report.stage = ProcedureStage::Moving;
     m_mayRun = true;
@@ -74,7 +75,7 @@ StepResponseRun::Next StepResponseRun::record(const ModuleState& module, TimePoi
         return Wait{};
     m_report.stage = ProcedureStage::Stopping;
     m_since.reset();
-    return send(hold(module));
+    return send(holdGoal(module));
 }
 
 StepResponseRun::Next StepResponseRun::settle(const ModuleState& module, TimePoint now) {
@@ -110,6 +111,15 @@ std::vector<bus::Step> StepResponseRun::hold(const ModuleState& module) const {
     return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
 }
 
+std::vector<bus::Step> StepResponseRun::holdGoal(const ModuleState& module) const {
+    std::vector<bus::Step> both = hold(module);
+    if (module.info.identity.version >= servo::kStopHereVersion)
+        both.push_back(
+            {m_report.module, ServoCommand(servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here,
+                                                            Counts(m_taken.goal)})});
+    return both;
+}
+
 std::vector<bus::Step> StepResponseRun::steps(std::vector<ServoCommand> commands) const {
     std::vector<bus::Step> steps;
     for (ServoCommand& command : commands)
@@ -122,7 +132,7 @@ bool StepResponseRun::goneTooFar(const ModuleState& module) const {
     if (module.latestTime <= m_taken.at)
         return false;
     const std::int64_t step = std::abs(std::int64_t{m_wanted.counts});
-    const std::int64_t gone = countsBetween(m_taken.from, *module.latest->position);
+    const std::int64_t gone = countsBetween(m_stood, *module.latest->position);
     const std::int64_t way = m_wanted.counts < 0 ? -gone : gone;
     return way > 2 * step + kStillCounts || way < -step / 4 - kStillCounts;
 }

@@ -10,8 +10,9 @@
 namespace nmc {
 
 /// One step of the command position of a PIC-SERVO that holds still, to see how the motor follows (DS-V 4.3).
-/// It begins where the motor stands, waits for the record to be over, and ends with a stop that holds: by
-/// that the chip forgets the step's velocity, too; an acceleration every motion brings along itself.
+/// It begins at the position that the servo holds, waits for the record to be over, and ends with a
+/// stop, by which the chip forgets the step's velocity (an acceleration every motion brings along itself),
+/// and a Stop Here at its goal, so that this is held to the count; version 1 has no Stop Here.
 ///
 /// A motor that goes the wrong way, or twice the step, is told to hold; if that does not calm it the servo
 /// itself keeps it going, and is switched off. Any stop ends it. Wants the bus's focus while it runs.
@@ -30,11 +31,13 @@ private:
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;
     [[nodiscard]] std::vector<bus::Step> hold(const ModuleState& module) const;
+    [[nodiscard]] std::vector<bus::Step> holdGoal(const ModuleState& module) const;
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const;
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
 
     intent::StepResponse m_wanted;
     StepTaken m_taken;
+    std::int32_t m_stood = 0;  ///< when it was taken
     bool m_calming = false;
     std::optional<TimePoint> m_since;  ///< when it was first looked at for standing still
     Standstill m_standstill;

@@ -68,7 +68,7 @@ struct HomingRecipe {
 };
 
 /// The play between motor and load, taken up by coming to every goal from the same side
-/// (model/intent/backlash.h). PIC-SERVO.
+/// (model/intent/backlash.h).
 struct BacklashSettings {
     double distance = 0.0;   ///< counts, somewhat more than the play; 0: none
     bool fromAbove = false;  ///< otherwise from below

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace nmc {
+
+/// Moves by a distance, one after the other.
+struct Rounds {
+    std::int32_t counts = 0;  ///< of one move, signed; steps of a PIC-STEP
+    unsigned rounds = 1;
+    double pause = 0.0;         ///< s, after each move
+    bool backAndForth = false;  ///< a round is there and back
+};
+
+}  // namespace nmc
