@@ -46,14 +46,16 @@ protected:
         auto* box = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
         testing_support::turnTo(*box);
         ASSERT_TRUE(panel.waitFor([&] { return box->isEnabled(); })) << box->toolTip().toStdString();
-        QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+        if (!box->isChecked())
+            QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
         ASSERT_TRUE(box->isChecked()) << name;
     }
     void armEachMotion(const char* condition) {
         tick(condition);
         tick("armEachMotionBox");
         ASSERT_TRUE(armed());
-        EXPECT_TRUE(said().startsWith(u"● Armed: stops at "_s)) << said().toStdString();
+        EXPECT_TRUE(panel.waitFor([&] { return said().startsWith(u"● Armed: stops at "_s); }))
+            << said().toStdString();
     }
     void run() {
         ASSERT_TRUE(panel.waitFor([&] { return !panel.module().awaited; }));

@@ -185,6 +185,7 @@ protected:
         window->showMessage(texts::unsavedWorkLeft(u"mill"_s));
         watch();
     }
+    void TearDown() override { window.reset(); }  // which tells, while it goes, what is noted here
     void watch() {
         MainWindow* w = window.get();
         QObject::connect(w, &MainWindow::intentRequested, w, [this](ModuleIndex, const Intent& intent) {
@@ -210,7 +211,11 @@ protected:
         QObject::connect(&w->machineMenu(), &MachineMenu::newRequested, w, note(u"new machine"_s));
         QObject::connect(&w->machineMenu(), &MachineMenu::openRequested, w, note(u"open machine"_s));
         QObject::connect(&w->machineMenu(), &MachineMenu::saveRequested, w, note(u"save machine"_s));
-        QObject::connect(&w->sequences(), &SequencesDock::programEdited, w, note(u"program"_s));
+        QObject::connect(&w->sequences(), &SequencesDock::programEdited, w, [this](const Program& program) {
+            done << u"program"_s;
+            machine.program = program;
+            window->showMachine(machine);
+        });
         QObject::connect(&w->sequences(), &SequencesDock::startRequested, w, note(u"run"_s));
         QObject::connect(&w->sequences(), &SequencesDock::goToRequested, w, note(u"go to point"_s));
         QObject::connect(&w->axes(), &AxesDock::homeOrderEdited, w, note(u"home order"_s));
