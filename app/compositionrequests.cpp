@@ -6,6 +6,7 @@
 #include "app/composition.h"
 #include "link/clock.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/rights.h"
 #include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/procedure/procedures.h"
@@ -114,7 +115,7 @@ void Composition::keepArmed(const ModuleState& module) {
     const auto arm = limitStopDue(module);
     if (!arm || module.awaited || !mayTell(module.info.index))
         return;
-    if (auto steps = plan(*arm, module))
+    if (auto steps = plan(*arm, asOfPanel(module)))
         submit(std::move(*steps));
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "link/files/machineio.h"
+#include "model/intent/rights.h"
 #include "model/machinefile/machinegroups.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
@@ -71,7 +72,13 @@ void MachineController::start() {
     m_window.showMessage(texts::unsavedWorkLeft(left.title()));
 }
 
+bool MachineController::locked() const {
+    return whyNotEdited(m_store.link().rights).has_value();
+}
+
 void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
+    if (locked())
+        return;
     if (m_machine.axes.size() <= module.value())
         m_machine.axes.resize(module.value() + std::size_t{1});
     m_machine.axes[module.value()] = settings;
@@ -85,11 +92,15 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
 }
 
 void MachineController::editProgram(const Program& program) {
+    if (locked())
+        return;
     m_machine.program = program;
     changed();
 }
 
 void MachineController::editHomeOrder(const std::vector<ModuleIndex>& order) {
+    if (locked())
+        return;
     m_machine.homeOrder = order;
     changed();
 }
@@ -112,6 +123,8 @@ void MachineController::noteGroup(const bus::GroupChange& change) {
 }
 
 void MachineController::nameGroup(quint8 group, const QString& name) {
+    if (locked())
+        return;
     nmc::nameGroup(m_machine, group, name.toStdString());
     changed();
 }
@@ -122,6 +135,8 @@ void MachineController::setOperatorRights(const OperatorRights& rights) {
 }
 
 void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
+    if (locked())
+        return;
     if (m_machine.axes.size() < there.size())
         m_machine.axes.resize(there.size());
     for (std::size_t i = 0; i < m_machine.axes.size(); ++i)
@@ -130,6 +145,8 @@ void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
 }
 
 void MachineController::beginNew() {
+    if (locked())
+        return;
     m_machine = {};
     m_saved = Machine{};
     m_unknown = {};
@@ -155,7 +172,7 @@ void MachineController::open(const QString& path) {
 }
 
 void MachineController::restoreWork() {
-    if (!m_unsaved.left())
+    if (!m_unsaved.left() || locked())
         return;
     auto content = parseMachine(m_unsaved.left()->content);
     if (!content)

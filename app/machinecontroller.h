@@ -80,6 +80,8 @@ private:
     void changed();
     void showFile();
     void remember(const QString& path);
+    /// It stays as it is: operator mode.
+    [[nodiscard]] bool locked() const;
     [[nodiscard]] bool modified() const { return m_saved != m_machine; }
     /// Only those that can be spoken to.
     [[nodiscard]] std::vector<ModuleState> modules() const;

@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "link/clock.h"
+#include "model/intent/rights.h"
 
 namespace nmc {
 
@@ -126,7 +127,7 @@ void ProcedureController::advance() {
 void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now, bool& over) {
     if (run.operation)
         return;
-    Procedure::Next next = run.procedure->next(module, now);
+    Procedure::Next next = run.procedure->next(asOfPanel(module), now);
     if (auto* send = std::get_if<Procedure::Send>(&next)) {
         if (run.overtaken)
             keepWhatIsHarmless(send->steps);

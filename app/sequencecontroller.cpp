@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "link/clock.h"
+#include "model/intent/rights.h"
 #include "model/procedure/procedures.h"
 #include "model/sequence/sequencenews.h"
 
@@ -11,19 +12,6 @@ namespace nmc {
 
 namespace {
 constexpr int kIntervalMs = 50;
-
-/// Where points and sequences are left to an operator, what they consist of is, too.
-ModuleState asOfSequence(ModuleState module) {
-    if (module.rights && module.rights->points)
-        module.rights.reset();
-    return module;
-}
-
-std::vector<ModuleState> asOfSequence(std::vector<ModuleState> modules) {
-    for (ModuleState& module : modules)
-        module = asOfSequence(std::move(module));
-    return modules;
-}
 }  // namespace
 
 SequenceController::SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,

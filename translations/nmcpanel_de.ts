@@ -4291,8 +4291,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Töne</translation>
     </message>
     <message>
-        <source>A sound at each fault, and at the end of a search for home or of moves by N.</source>
-        <translation>Ein Ton bei jedem Fehler und am Ende einer Referenzfahrt oder von Schritten um N.</translation>
+        <source>A sound at each fault, and at the end of a sequence, of a search for home or of moves by N.</source>
+        <translation>Ein Ton bei jedem Fehler und am Ende eines Ablaufs, einer Referenzfahrt oder von Schritten um N.</translation>
     </message>
 </context>
 <context>
@@ -6754,16 +6754,8 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Fragt nach der PIN.</translation>
     </message>
     <message>
-        <source>Keyboard pendant</source>
-        <translation>Tastatur als Handgerät</translation>
-    </message>
-    <message>
         <source>End it</source>
         <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Arrow keys move nothing any more.</source>
-        <translation>Pfeiltasten bewegen nichts mehr.</translation>
     </message>
     <message>
         <source>There is no module that could be moved.</source>
@@ -6784,6 +6776,18 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Module</source>
         <translation>Modul</translation>
+    </message>
+    <message>
+        <source>Pendant</source>
+        <translation>Handgerät</translation>
+    </message>
+    <message>
+        <source>Arrow keys and gamepad move nothing any more.</source>
+        <translation>Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
+    </message>
+    <message>
+        <source>Shift with ◂ or ▸ moves it while both are held; so does a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends this.</source>
+        <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden; ebenso eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das.</translation>
     </message>
 </context>
 <context>
@@ -7822,12 +7826,12 @@ Ohne Hardware den Simulator wählen.</translation>
 <context>
     <name>nmc::Pendant</name>
     <message>
-        <source>&amp;Keyboard pendant</source>
-        <translation>&amp;Tastatur als Handgerät</translation>
+        <source>Pendant: &amp;keyboard or gamepad</source>
+        <translation>Handgerät: &amp;Tastatur oder Gamepad</translation>
     </message>
     <message>
-        <source>Shift with an arrow key moves the motor while both are held. (F12)</source>
-        <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden. (F12)</translation>
+        <source>Shift with an arrow key moves the motor while both are held; so does a shoulder button of a gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)</source>
+        <translation>Umschalt mit einer Pfeiltaste bewegt den Motor, solange beide gehalten werden; ebenso eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) des Gamepads ist ALLES STOPP. (F12)</translation>
     </message>
 </context>
 <context>

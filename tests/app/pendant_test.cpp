@@ -6,6 +6,7 @@
 #include <QLineEdit>
 
 #include "tests/app/panel.h"
+#include "tests/support/virtualpad.h"
 #include "widgets/mainwindow/operatorlock.h"
 
 namespace nmc {
@@ -72,6 +73,60 @@ TEST_F(ByHand, LosingTheFocusStopsItAndEndsTheMode) {
     other.activateWindow();
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_FALSE(panel.window().findChild<QAction*>(u"pendantAction"_s)->isChecked());
+}
+
+class ByGamepad : public ByHand {
+protected:
+    using Button = testing_support::VirtualPad::Button;
+    static constexpr auto kShoulder = Button::LeftShoulder;
+
+    void SetUp() override {
+        ByHand::SetUp();
+        ASSERT_TRUE(pad.works());
+        QTest::keyClick(focused(), Qt::Key_F12);
+    }
+    void hold() {
+        const double before = shaft();
+        pad.press(kShoulder);
+        ASSERT_TRUE(panel.answersFor(0.1));
+        pad.push(1);
+        ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
+    }
+    bool rests() {
+        return panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); });
+    }
+    testing_support::VirtualPad pad;
+};
+
+TEST_F(ByGamepad, TheMotorMovesWhileBothAreHeldAndStopsWithTheFirstThatIsReleased) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    pad.release(kShoulder);
+    EXPECT_TRUE(rests());
+    const double rest = shaft();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), rest, 2) << "the stick is still pushed";
+}
+
+TEST_F(ByGamepad, TakingThePadAwayStopsIt) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    pad.unplug();
+    EXPECT_TRUE(rests());
+}
+
+TEST_F(ByGamepad, LosingTheFocusStopsIt) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    EXPECT_TRUE(rests());
+}
+
+TEST_F(ByGamepad, ItsStopButtonStopsWhatItDidNotSetGoing) {
+    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
+    pad.press(Button::B);
+    EXPECT_TRUE(rests());
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"stopped"_s) >= 1; }));
 }
 
 TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {

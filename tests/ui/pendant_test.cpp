@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keyboard as a pendant: two keys move, and whatever takes one of them away stops.
+// Keyboard and gamepad as a pendant: two hands move, and whatever takes one of them away stops.
 #include <QAbstractItemView>
 #include <QAction>
 #include <QDialog>
@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "tests/model/stepfixture.h"
+#include "tests/support/virtualpad.h"
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"
 
@@ -43,11 +44,15 @@ protected:
     void expectEnded() {
         EXPECT_EQ(releases.size(), 1);
         const qsizetype before = holds.size();
+        wait();
+        EXPECT_EQ(holds.size(), before);
+    }
+    /// Longer than evidence takes to come again, and a gamepad to be read.
+    static void wait() {
         QTimer reference;
         QSignalSpy chances(&reference, &QTimer::timeout);
-        reference.start(5);
+        reference.start(15);
         EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
-        EXPECT_EQ(holds.size(), before);
     }
     QSignalSpy holds{window.get(), &MainWindow::holdRequested};
     QSignalSpy releases{window.get(), &MainWindow::holdReleased};
@@ -187,7 +192,181 @@ struct Ending {
 void PrintTo(const Ending& ending, std::ostream* out) {
     *out << ending.name;
 }
+
+class GamepadMode : public PendantMode {
+protected:
+    using Button = testing_support::VirtualPad::Button;
+    static constexpr auto kShoulder = Button::RightShoulder;
+
+    void SetUp() override { ASSERT_TRUE(pad.works()); }
+    void beginWithPad() {
+        begin();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
+    }
+    /// Shoulder first, then to the right.
+    void hold() {
+        pad.press(kShoulder);
+        wait();
+        pad.push(1);
+        ASSERT_TRUE(QTest::qWaitFor([this] { return !holds.isEmpty(); }));
+    }
+    bool saysGamepad() { return text(u"pendantRibbonText"_s).contains(u"shoulder button of the gamepad"_s); }
+    bool ended() {
+        return QTest::qWaitFor([this] { return !releases.isEmpty(); });
+    }
+    testing_support::VirtualPad pad;
+};
+
+TEST_F(GamepadMode, MovesWhileAShoulderButtonAndTheStickAreHeld) {
+    beginWithPad();
+    hold();
+    EXPECT_EQ(PendantMode::hold().module, ModuleIndex(0));
+    EXPECT_FALSE(PendantMode::hold().reverse);
+    EXPECT_EQ(PendantMode::hold().velocity.value(), 16384U) << "the speed that the jog box shows";
+    EXPECT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 4; }));
+    pad.push(0);
+    ASSERT_TRUE(ended());
+    expectEnded();
+    const qsizetype before = holds.size();
+    pad.push(-1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return holds.size() > before; }));
+    EXPECT_TRUE(PendantMode::hold(before).reverse);
+}
+
+TEST_F(GamepadMode, TheCrossAndTheOtherShoulderDoTheSame) {
+    beginWithPad();
+    pad.press(Button::LeftShoulder);
+    wait();
+    pad.press(Button::CrossLeft);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !holds.isEmpty(); }));
+    EXPECT_TRUE(PendantMode::hold().reverse);
+    pad.press(Button::CrossRight);  // both ways are none
+    ASSERT_TRUE(ended());
+    expectEnded();
+}
+
+TEST_F(GamepadMode, NeitherHandAloneMovesNorOneThatCameFirst) {
+    beginWithPad();
+    pad.press(kShoulder);
+    wait();
+    pad.push(0.4);  // less than half of its way
+    wait();
+    pad.release(kShoulder);
+    pad.push(1);
+    wait();
+    pad.press(kShoulder);  // to a stick that is pushed, or stuck
+    wait();
+    EXPECT_EQ(holds.size(), 0);
+}
+
+TEST_F(GamepadMode, WhatIsHeldWhenTheModeBeginsMovesNothing) {
+    pad.press(kShoulder);
+    pad.push(1);
+    beginWithPad();
+    wait();
+    EXPECT_EQ(holds.size(), 0);
+}
+
+TEST_F(GamepadMode, EndsWithTheShoulderButton) {
+    beginWithPad();
+    hold();
+    pad.release(kShoulder);
+    ASSERT_TRUE(ended());
+    expectEnded();
+    pad.press(kShoulder);
+    wait();
+    EXPECT_EQ(releases.size(), 1) << "the stick has not been in its middle";
+}
+
+TEST_F(GamepadMode, EndsWithTheOtherWay) {
+    beginWithPad();
+    hold();
+    pad.push(-1);
+    ASSERT_TRUE(ended());
+    expectEnded();
+}
+
+TEST_F(GamepadMode, EndsWhenItIsUnpluggedAndIsFoundAgain) {
+    beginWithPad();
+    hold();
+    pad.unplug();
+    ASSERT_TRUE(ended());
+    expectEnded();
+    EXPECT_FALSE(saysGamepad());
+    EXPECT_TRUE(window->findChild<QAction*>(u"pendantAction"_s)->isChecked()) << "the keyboard is there";
+    testing_support::VirtualPad another;
+    EXPECT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
+}
+
+TEST_F(GamepadMode, OneButtonStopsAllWithTheOtherHandsOrWithout) {
+    QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    beginWithPad();
+    pad.press(Button::B);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stops.size() == 1; }));
+    wait();
+    EXPECT_EQ(stops.size(), 1) << "once for each press";
+    pad.release(Button::B);
+    wait();
+    hold();
+    pad.press(Button::B);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stops.size() == 2; }));
+    expectEnded();
+    EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"B (○) is STOP ALL"_s));
+}
+
+TEST_F(GamepadMode, DoesNothingOutsideOfTheMode) {
+    QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    beginWithPad();
+    QTest::keyClick(focused(), Qt::Key_F12);
+    pad.press(kShoulder);
+    pad.push(1);
+    pad.press(Button::B);
+    wait();
+    EXPECT_EQ(holds.size(), 0);
+    EXPECT_EQ(stops.size(), 0);
+}
+
+TEST_F(GamepadMode, ANotPossibleMoveSaysWhyInTheRibbon) {
+    showServo({.on = false});
+    beginWithPad();
+    pad.press(kShoulder);
+    wait();
+    pad.push(1);
+    EXPECT_TRUE(QTest::qWaitFor([this] {
+        return text(u"pendantRibbonText"_s).contains(u"The servo is off. Enable it first."_s);
+    })) << text(u"pendantRibbonText"_s).toStdString();
+    EXPECT_EQ(holds.size(), 0);
+}
+
+TEST_F(GamepadMode, AKeyOfTheKeyboardEndsWhatThePadHoldsAndTheOtherWayRound) {
+    beginWithPad();
+    hold();
+    QTest::keyPress(focused(), Qt::Key_Shift);
+    expectEnded();
+    pad.push(0);
+    wait();
+    qsizetype before = holds.size();
+    QTest::keyPress(focused(), Qt::Key_Right, Qt::ShiftModifier);
+    ASSERT_GT(holds.size(), before);
+    pad.push(1);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return releases.size() == 2; }));
+    before = holds.size();
+    wait();
+    EXPECT_EQ(holds.size(), before);
+    QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
+}
+
 class PendantEnds : public PendantMode, public testing::WithParamInterface<Ending> {};
+class GamepadEnds : public GamepadMode, public testing::WithParamInterface<Ending> {};
+
+TEST_P(GamepadEnds, AtOnceAndForGood) {
+    showServos({{}, {}});
+    beginWithPad();
+    hold();
+    GetParam().happen(*window);
+    expectEnded();
+    EXPECT_EQ(window->findChild<QAction*>(u"pendantAction"_s)->isChecked(), !GetParam().modeToo);
+}
 
 TEST_P(PendantEnds, AtOnceAndForGood) {
     showServos({{}, {}});
@@ -204,7 +383,7 @@ QWidget* focusIn(MainWindow& window) {
     return widget != nullptr ? widget : &window;
 }
 
-const std::array kEndings{
+const std::array kOfTheKeyboard{
     Ending{"TheArrowIsReleased", false,
            [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Right, Qt::ShiftModifier); }},
     Ending{"ShiftIsReleased", false, [](MainWindow& w) { QTest::keyRelease(focusIn(w), Qt::Key_Shift); }},
@@ -214,6 +393,8 @@ const std::array kEndings{
                QKeyEvent left(QEvent::KeyPress, Qt::Key_Left, Qt::ShiftModifier);
                QApplication::sendEvent(focusIn(w), &left);
            }},
+};
+const std::array kEndings{
     Ending{"AnyOtherKey", false, [](MainWindow& w) { QTest::keyPress(focusIn(w), Qt::Key_A); }},
     Ending{"TheMouse", false,
            [](MainWindow& w) {
@@ -267,10 +448,12 @@ const std::array kEndings{
                chain->setCurrentIndex(chain->model()->index(1, 0));
            }},
 };
-INSTANTIATE_TEST_SUITE_P(When, PendantEnds, testing::ValuesIn(kEndings),
-                         [](const testing::TestParamInfo<Ending>& ending) {
-                             return std::string(ending.param.name);
-                         });
+std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
+    return ending.param.name;
+}
+INSTANTIATE_TEST_SUITE_P(OfTheKeyboard, PendantEnds, testing::ValuesIn(kOfTheKeyboard), nameOf);
+INSTANTIATE_TEST_SUITE_P(When, PendantEnds, testing::ValuesIn(kEndings), nameOf);
+INSTANTIATE_TEST_SUITE_P(When, GamepadEnds, testing::ValuesIn(kEndings), nameOf);
 
 }  // namespace
 }  // namespace nmc

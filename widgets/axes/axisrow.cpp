@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <cmath>
 
+#include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
 #include "model/module/servodefaults.h"
 #include "model/module/stepdefaults.h"
@@ -184,7 +185,9 @@ void AxisRow::refresh() {
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, and holds there."));
     m_stepReverse->setPossible(whyNotStepped(true),
                                tr("Moves in reverse by the step above, and holds there."));
-    m_earlier->setPossible(m_place == 0   ? tr("This axis has no recipe for its home. See its page Homing.")
+    const auto locked = whyNotEdited(module.rights);
+    m_earlier->setPossible(locked         ? texts::refusal(*locked)
+                           : m_place == 0 ? tr("This axis has no recipe for its home. See its page Homing.")
                            : m_place == 1 ? tr("Home all begins with this axis.")
                                           : QString(),
                            tr("Home all finds the home of this axis as number %1; a click makes it one "

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "model/intent/rights.h"
 #include "widgets/chain/doctorpage.h"
 #include "widgets/chain/groupspage.h"
 #include "widgets/chain/ratepage.h"
@@ -64,7 +65,7 @@ void ChainDialog::openAt(Page page) {
 }
 
 void ChainDialog::showChain(const Machine& machine, const LinkState& link) {
-    m_doctor->showChain(diagnose(machine, link), whyNotTold(link));
+    m_doctor->showChain(diagnose(machine, link), whyNotTold(link), whyNotEdited(link.rights));
     m_groups->showLink(link, machine.groups);
     m_rate->showLink(link);
 }

@@ -24,7 +24,7 @@ enum Column { Address, Name, Expected, Found, Verdict, Columns };
 DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"doctorPage"_s, tr("Chain doctor"));
     build();
-    showChain({}, Refusal::NotConnected);
+    showChain({}, Refusal::NotConnected, {});
 }
 
 void DoctorPage::build() {
@@ -78,11 +78,13 @@ void DoctorPage::build() {
     connect(m_restart, &QPushButton::clicked, this, &DoctorPage::restartRequested);
 }
 
-void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart) {
-    if (m_chain == chain && m_whyNoRestart == whyNoRestart)
+void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart,
+                           std::optional<Refusal> whyNotEdited) {
+    if (m_chain == chain && m_whyNoRestart == whyNoRestart && m_whyNotEdited == whyNotEdited)
         return;
     m_chain = chain;
     m_whyNoRestart = whyNoRestart;
+    m_whyNotEdited = whyNotEdited;
     m_glyph->showSeverity(texts::severityOf(chain.finding));
     look::setText(m_finding, texts::chainFinding(chain));
     const QString advice = texts::chainAdvice(chain);
@@ -99,6 +101,7 @@ void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> w
                                      [](const ChainPlace& place) { return place.expected != place.found; });
     look::setPossible(m_accept,
                       !reason.isEmpty() ? reason
+                      : whyNotEdited    ? texts::refusal(*whyNotEdited)
                       : differs         ? QString()
                                         : tr("It is what is expected already."),
                       tr("From now on the modules that are there are the expected ones."));

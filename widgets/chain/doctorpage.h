@@ -22,8 +22,10 @@ class DoctorPage : public QWidget {
 public:
     explicit DoctorPage(QWidget* parent = nullptr);
 
-    /// `whyNoRestart`: the network cannot be restarted. Emits nothing.
-    void showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart);
+    /// `whyNoRestart`: the network cannot be restarted; `whyNotEdited`: nor what is expected changed. Emits
+    /// nothing.
+    void showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart,
+                   std::optional<Refusal> whyNotEdited);
 
 signals:
     /// Looks for the chain again; nothing is reset.
@@ -45,6 +47,7 @@ private:
     QPushButton* m_restart = nullptr;
     std::optional<ChainDiagnosis> m_chain;
     std::optional<Refusal> m_whyNoRestart;
+    std::optional<Refusal> m_whyNotEdited;
 };
 
 }  // namespace nmc

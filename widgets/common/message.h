@@ -46,7 +46,8 @@ Q_ENUM_NS(MessageAction)
 struct Message {
     struct Action {
         MessageAction id;
-        QString text;  ///< a verb that finishes the sentence
+        QString text;      ///< a verb that finishes the sentence
+        QString reason{};  ///< why it does not act now, but may again: operator mode
     };
     QString key{};
     std::optional<ModuleIndex> module{};  ///< that it is about
@@ -69,7 +70,8 @@ struct Message {
 /// that is there, acts in the message's own connection only, as long as that is open; and what tells modules
 /// something but a stop, not in one that only looks.
 [[nodiscard]] bool mayAct(const Message& message, MessageAction action, const LinkState& link);
-/// The message without the buttons that may not act; such a button never may again.
+/// The message without the buttons that may not act; such a button never may again. What is not left to an
+/// operator stays, and says so.
 [[nodiscard]] Message withoutImpossible(Message message, const LinkState& link);
 /// "retry": what the object name of its button ends with.
 [[nodiscard]] QString objectName(MessageAction action);

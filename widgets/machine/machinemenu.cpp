@@ -92,6 +92,8 @@ void MachineMenu::refresh() {
     const bool possible = !m_file.saving && !m_locked;
     for (QAction* action : {m_new, m_open, m_save, m_saveAs})
         action->setEnabled(possible);
+    for (QAction* action : m_recent->actions())
+        action->setEnabled(possible);  // the palette finds them, too
     m_recent->setEnabled(possible && !m_file.recent.isEmpty());
 }
 

@@ -20,7 +20,8 @@ Bell::Bell(QSettings& settings, QObject* parent)
     m_action->setObjectName(u"soundsAction"_s);
     m_action->setCheckable(true);
     m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());
-    m_action->setToolTip(tr("A sound at each fault, and at the end of a search for home or of moves by N."));
+    m_action->setToolTip(
+        tr("A sound at each fault, and at the end of a sequence, of a search for home or of moves by N."));
     connect(m_action, &QAction::toggled, this,
             [&settings](bool on) { settings.setValue(settingskeys::kSounds, on); });
 }

@@ -9,8 +9,8 @@ class QSettings;
 
 namespace nmc {
 
-/// The desktop's own sound, for who does not look at the window: at a fault, and at the end of a procedure.
-/// Can be off; not more often than once a second.
+/// The desktop's own sound, for who does not look at the window: at a fault, and at the end of a procedure
+/// or a sequence. Can be off; not more often than once a second.
 class Bell : public QObject {
     Q_OBJECT
 

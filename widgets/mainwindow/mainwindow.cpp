@@ -126,9 +126,9 @@ void MainWindow::buildRibbons(QWidget* top) {
     QPushButton* leave =
         m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave it…"), tr("Asks for the PIN."));
     connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
-    m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Keyboard pendant"), {}, top);
+    m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
     QPushButton* end = m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End it"),
-                                                  tr("Arrow keys move nothing any more."));
+                                                  tr("Arrow keys and gamepad move nothing any more."));
     end->setFocusPolicy(Qt::NoFocus);
     connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });
 }
@@ -146,6 +146,8 @@ void MainWindow::connectParts() {
             showSelected();
     });
     connect(m_pendant, &Pendant::changed, this, &MainWindow::showPendant);
+    connect(m_pendant, &Pendant::stopRequested, this, &MainWindow::requestStop);
+    connect(m_sequences, &SequencesDock::ended, m_bell, &Bell::ring);
     connect(m_operator, &OperatorLock::changed, this, &MainWindow::showOperator);
     connect(&m_session, &Session::disconnectRequested, this, &MainWindow::disconnectRequested);
     connect(m_bar, &ConnectionBar::connectRequested, this,
@@ -207,9 +209,12 @@ void MainWindow::showPendant() {
     m_pendantRibbon->setVisible(m_pendant->isOn());
     if (module == nullptr)
         return;
-    const QString what = m_pendant->problem().isEmpty()
-                             ? tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.")
-                             : tr("Not moved: %1").arg(m_pendant->problem());
+    const QString what = !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
+                         : m_pendant->hasGamepad()
+                             ? tr("Shift with ◂ or ▸ moves it while both are held; so does a shoulder button "
+                                  "of the gamepad with "
+                                  "its left stick or cross. B (○) is STOP ALL. Esc ends this.")
+                             : tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.");
     m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
 }
 
@@ -251,8 +256,13 @@ void MainWindow::showPhase(LinkPhase before) {
     if (link.phase == LinkPhase::Connected)
         m_preparing.start(kPrepareInterval);
     showSession();
-    m_banner->review(link);
-    m_messages->list().review(link);
+    reviewMessages();
+}
+
+void MainWindow::reviewMessages() {
+    m_reviewedFor = m_session.link().rights;
+    m_banner->review(m_session.link());
+    m_messages->list().review(m_session.link());
 }
 
 void MainWindow::showModules() {
@@ -263,6 +273,8 @@ void MainWindow::showModules() {
     m_monitor->showLink(link);
     m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
+    if (m_reviewedFor != link.rights)
+        reviewMessages();
     showAllAxes();
     showSelected();
 }

@@ -201,6 +201,7 @@ private:
     void showScopeModules();
     void showPendant();
     void showOperator();
+    void reviewMessages();
     void requestStop();
     void askBeforeDisconnect();
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
@@ -221,6 +222,7 @@ private:
     Ribbon* m_operatorRibbon = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;
+    std::optional<OperatorRights> m_reviewedFor;  ///< as the messages' buttons are
     Bell* m_bell = nullptr;
     Banner* m_banner = nullptr;
     ModulePanel* m_panel = nullptr;

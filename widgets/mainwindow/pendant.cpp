@@ -8,6 +8,7 @@
 #include <QWindow>
 #include <utility>
 
+#include "widgets/gamepad/gamepad.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
@@ -33,17 +34,31 @@ Pendant::Pendant(QWidget& window, ModulePanel& panel)
     : QObject(&window),
       m_window(window),
       m_panel(panel),
-      m_action(new QAction(tr("&Keyboard pendant"), this)) {
+      m_action(new QAction(tr("Pendant: &keyboard or gamepad"), this)),
+      m_gamepad(new Gamepad(this)) {
     m_action->setObjectName(u"pendantAction"_s);
     m_action->setShortcut(Qt::Key_F12);
     m_action->setCheckable(true);
     m_action->setAutoRepeat(false);
     window.addAction(m_action);  // its key acts whether its menu is open or not
     connect(m_action, &QAction::toggled, this, &Pendant::setOn);
+    connect(m_gamepad, &Gamepad::changed, this, &Pendant::changed);
+    connect(m_gamepad, &Gamepad::stopPressed, this, &Pendant::stopRequested);
+    connect(m_gamepad, &Gamepad::released, this, &Pendant::release);
+    connect(m_gamepad, &Gamepad::pressed, this, [this](bool reverse) {
+        if (m_arrow != 0)
+            release();  // as another key does
+        else
+            press(reverse);
+    });
 }
 
 bool Pendant::isOn() const {
     return m_action->isChecked();
+}
+
+bool Pendant::hasGamepad() const {
+    return m_gamepad->isThere();
 }
 
 void Pendant::setOn(bool on) {
@@ -52,6 +67,7 @@ void Pendant::setOn(bool on) {
     else
         qApp->removeEventFilter(this);
     release();
+    m_gamepad->setOn(on);
     m_problem.clear();
     emit changed();
 }
@@ -59,7 +75,10 @@ void Pendant::setOn(bool on) {
 void Pendant::showModule(const QString& reason) {
     m_action->setEnabled(reason.isEmpty());
     m_action->setToolTip(
-        reason.isEmpty() ? tr("Shift with an arrow key moves the motor while both are held. (F12)") : reason);
+        reason.isEmpty() ? tr("Shift with an arrow key moves the motor while both are held; so does a "
+                              "shoulder button of a "
+                              "gamepad with its left stick or cross. B (○) of the gamepad is STOP ALL. (F12)")
+                         : reason);
     if (!reason.isEmpty())
         m_action->setChecked(false);
 }
@@ -113,17 +132,17 @@ bool Pendant::takeKey(const QKeyEvent& key, bool pressed) {
         return held && ends;
     }
     if (isArrow(key.key()) && enables(key) && !held) {
-        press(key.key());
+        m_arrow = key.key();
+        press(m_arrow == Qt::Key_Left);
         return true;
     }
     release();
     return held;
 }
 
-void Pendant::press(int arrow) {
-    m_arrow = arrow;
+void Pendant::press(bool reverse) {
     ModulePage* page = m_panel.page();
-    m_held = page != nullptr ? page->holdButton(arrow == Qt::Key_Left) : nullptr;
+    m_held = page != nullptr ? page->holdButton(reverse) : nullptr;
     if (m_held)
         m_held->beginHold();
     const bool moves = m_held && m_held->isHeld();

@@ -153,6 +153,7 @@ void Banner::present() {
     for (const Message::Action& action : message->actions) {
         auto* button = new QPushButton(action.text, this);
         look::name(button, u"bannerAction_"_s + nmc::objectName(action.id), action.text);
+        look::setPossible(button, action.reason, {});
         connect(button, &QPushButton::clicked, this,
                 [this, about = *message, id = action.id] { emit actionTriggered(about, id); });
         m_actions->addWidget(button);

@@ -98,6 +98,7 @@ void MessageRow::present() {
         auto* button = new QPushButton(action.text, this);
         button->setFlat(true);
         look::name(button, u"listAction_"_s + nmc::objectName(action.id), action.text);
+        look::setPossible(button, action.reason, {});
         connect(button, &QPushButton::clicked, this,
                 [this, id = action.id] { emit actionTriggered(m_entry.message, id); });
         m_actions->addWidget(button);

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "model/intent/rights.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 
@@ -120,8 +121,7 @@ void ModuleContext::ask(const Intent& intent) {
 void ModuleContext::edit(const SettingsEdit& edit) {
     AxisSettings settings = m_settings;
     edit(settings);
-    // In operator mode the machine stays as it is.
-    if (m_showing || m_state.rights || settings == m_settings)
+    if (m_showing || whyNotEdited(m_state.rights) || settings == m_settings)
         return;
     m_settings = settings;
     emit edited(settings);

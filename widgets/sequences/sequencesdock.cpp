@@ -6,6 +6,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sequencetexts.h"
 
 namespace nmc {
 
@@ -55,9 +56,12 @@ void SequencesDock::showSession(const LinkState& link, const Machine& machine) {
 }
 
 void SequencesDock::showRun(const SequenceReport& report) {
+    const bool news = m_run != report;
     m_run = report;
     if (m_page != nullptr)
         m_page->showRun(report);
+    if (news && texts::sequenceOver(report))
+        emit ended();
 }
 
 }  // namespace nmc

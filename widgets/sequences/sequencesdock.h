@@ -26,6 +26,8 @@ public:
 signals:
     /// It can be seen, and what it shows may be old.
     void opened();
+    /// What ran has ended, and not by the user.
+    void ended();
     // As in SequencesPage.
     void programEdited(const nmc::Program& program);
     void goToRequested(const std::string& point);

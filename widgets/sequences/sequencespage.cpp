@@ -15,6 +15,7 @@
 #include <QUndoCommand>
 #include <QVBoxLayout>
 
+#include "model/intent/rights.h"
 #include "model/module/modulescale.h"
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
@@ -45,6 +46,9 @@ private:
 };
 
 namespace {
+
+constexpr auto kEditTriggers =
+    QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed;
 
 QTableView* newTable(QAbstractItemModel* model, const QString& objectName, const QString& name,
                      QWidget* parent) {
@@ -155,7 +159,6 @@ QWidget* SequencesPage::buildSequences() {
     m_sequenceName = new QLineEdit(box);
     look::name(m_sequenceName, u"sequenceNameField"_s, tr("Name of the sequence"));
     m_sequenceName->setMaxLength(60);
-    m_sequenceName->setToolTip(tr("Another name for this sequence; Enter takes it."));
     m_newSequence = new Command(
         {.name = u"newSequenceButton"_s,
          .icon = {},
@@ -178,9 +181,6 @@ QWidget* SequencesPage::buildSequences() {
                                    });
     m_rowTable = newTable(m_rows, u"rowTable"_s, tr("Rows of the sequence"), box);
     m_rowTable->setItemDelegate(new RowDelegate(this));
-    m_rowTable->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                                QAbstractItemView::AnyKeyPressed);
-    m_rowTable->setToolTip(tr("A double click or F2 changes what stands in a cell."));
     m_state = new QLabel(box);
     m_state->setObjectName(u"sequenceStateLabel"_s);
     m_state->setWordWrap(true);
@@ -324,7 +324,8 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
 void SequencesPage::edit(const QString& what, const std::function<void(Program&)>& change) {
     Program edited = m_program;
     change(edited);
-    if (edited != m_program && !contradiction(edited))
+    // An editor may have been open when operator mode began.
+    if (locked().isEmpty() && edited != m_program && !contradiction(edited))
         m_edits.push(new Edit(*this, what, m_program, std::move(edited)));
 }
 
@@ -371,6 +372,7 @@ void SequencesPage::start(std::size_t row, bool singleStep) {
 
 void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
     m_link = link;
+    m_link.modules = asOfSequence(link.modules);
     const bool another = machine.program != m_program;
     m_machine = machine;
     if (another)
@@ -451,7 +453,14 @@ void SequencesPage::refresh() {
     refreshRun();
 }
 
+QString SequencesPage::locked() const {
+    const auto refusal = whyNotEdited(m_link.rights);
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
 QString SequencesPage::whyNotTaught() const {
+    if (const QString reason = locked(); !reason.isEmpty())
+        return reason;
     if (m_link.phase != LinkPhase::Connected)
         return texts::refusal(Refusal::NotConnected);
     if (m_pointName->text().simplified().isEmpty())
@@ -482,19 +491,25 @@ void SequencesPage::refreshPoints() {
                     : QString();
     }
     m_goTo->setPossible(reason, tr("Moves all axes of this point there at once, each at its own velocity."));
-    m_removePoint->setPossible(used, tr("Removes this point; nothing moves."));
+    m_removePoint->setPossible(locked().isEmpty() ? used : locked(),
+                               tr("Removes this point; nothing moves."));
 }
 
 void SequencesPage::refreshRows() {
     const std::optional<std::size_t> row = chosenRow();
     const bool any = m_sequence->currentIndex() >= 0;
-    const QString noSequence = any ? QString() : tr("There is no sequence yet.");
-    const QString noRow = row ? QString() : tr("Choose a row in the table.");
-    m_sequenceName->setEnabled(any);
-    m_newSequence->setPossible({}, tr("Adds an empty sequence."));
+    const QString reason = locked();
+    const bool free = reason.isEmpty();
+    const QString noSequence = !free ? reason : any ? QString() : tr("There is no sequence yet.");
+    const QString noRow = !free ? reason : row ? QString() : tr("Choose a row in the table.");
+    for (QTableView* table : {m_pointTable, m_rowTable})
+        table->setEditTriggers(free ? kEditTriggers : QAbstractItemView::NoEditTriggers);
+    m_rowTable->setToolTip(free ? tr("A double click or F2 changes what stands in a cell.") : reason);
+    look::setPossible(m_sequenceName, noSequence, tr("Another name for this sequence; Enter takes it."));
+    m_newSequence->setPossible(reason, tr("Adds an empty sequence."));
     const auto caller = userOfSequence(m_program, sequence());
-    m_removeSequence->setPossible(!any     ? noSequence
-                                  : caller ? tr("Row %1 of \"%2\" calls it.")
+    m_removeSequence->setPossible(!any || !free ? noSequence
+                                  : caller      ? tr("Row %1 of \"%2\" calls it.")
                                                  .arg(caller->row + 1)
                                                  .arg(QString::fromStdString(caller->sequence))
                                            : QString(),
@@ -503,7 +518,7 @@ void SequencesPage::refreshRows() {
     m_duplicateRow->setPossible(noRow, tr("Adds the same row again behind it."));
     m_removeRow->setPossible(noRow, tr("Removes this row."));
     const auto whyNotMoved = [&](int by) {
-        if (!row)
+        if (!row || !free)
             return noRow;
         const int to = static_cast<int>(*row) + by;
         Sequence tried = *m_program.sequence(sequence());
@@ -513,9 +528,13 @@ void SequencesPage::refreshRows() {
     };
     m_rowUp->setPossible(whyNotMoved(-1), tr("Moves this row up."));
     m_rowDown->setPossible(whyNotMoved(1), tr("Moves this row down."));
-    m_undo->setPossible(m_edits.canUndo() ? QString() : tr("There is nothing to undo."),
+    m_undo->setPossible(!free               ? reason
+                        : m_edits.canUndo() ? QString()
+                                            : tr("There is nothing to undo."),
                         tr("Undoes: %1").arg(m_edits.undoText()));
-    m_redo->setPossible(m_edits.canRedo() ? QString() : tr("There is nothing to redo."),
+    m_redo->setPossible(!free               ? reason
+                        : m_edits.canRedo() ? QString()
+                                            : tr("There is nothing to redo."),
                         tr("Does again: %1").arg(m_edits.redoText()));
 }
 

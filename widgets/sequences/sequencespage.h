@@ -78,6 +78,8 @@ private:
     [[nodiscard]] QString whyNotStarted(const std::string& sequence, std::size_t row,
                                         const Machine& machine) const;
     [[nodiscard]] QString whyNotTaught() const;
+    /// Points and sequences may be used, not changed; empty: they may.
+    [[nodiscard]] QString locked() const;
 
     LinkState m_link;
     Machine m_machine;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/homingplan.h"
 
+#include "model/intent/rights.h"
 #include "model/intent/travel.h"
 
 namespace nmc {
@@ -93,7 +94,7 @@ std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
                        watch.onLimit1() == arm.limit1 && watch.onLimit2() == arm.limit2 &&
                        watch.onPositionError() == arm.onPositionError &&
                        watch.onCurrentLimit() == arm.onCurrentLimit;
-    return armed || !arm.any() || whyNotArm(arm, module) ? std::nullopt : std::optional(arm);
+    return armed || !arm.any() || whyNotArm(arm, asOfPanel(module)) ? std::nullopt : std::optional(arm);
 }
 
 servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {

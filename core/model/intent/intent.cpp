@@ -4,6 +4,7 @@
 #include "base/overloaded.h"
 #include "model/intent/directplan.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
 #include "model/intent/travel.h"
@@ -346,47 +347,6 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
         return Refusal::PositionUnknown;
     return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
 }
-
-namespace {
-
-[[nodiscard]] bool allows(const OperatorRights& rights, Request request) {
-    switch (request) {
-        case Request::StopMotion:
-        case Request::MotorOff:
-            return true;
-        case Request::Enable:
-        case Request::ClearStickyBits:
-            return rights.enable;
-        case Request::Hold:
-            return rights.jog;
-        case Request::Move:
-        case Request::Load:
-        case Request::GoHome:
-        case Request::Run:
-        case Request::StartLoaded:
-            return rights.moves;
-        case Request::Home:
-        case Request::ResetPosition:
-        case Request::SaveAsHome:
-            return rights.homing;
-        case Request::SetOutputs:
-            return rights.outputs;
-        case Request::ApplyGains:
-        case Request::StopHere:  // it lets the motor turn to another place
-        case Request::DrivePwm:
-        case Request::CheckDirection:
-        case Request::SetAmplifier:
-        case Request::ControlIo:
-        case Request::ArmLimitStop:
-        case Request::SetParameters:
-        case Request::ResetModule:
-        case Request::DeclarePosition:
-            return false;
-    }
-    return false;
-}
-
-}  // namespace
 
 std::optional<Refusal> whyNotTold(Request request, const ModuleState& module) {
     if (module.readOnly)

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A limit stop armed for each motion, in the whole program, against what nmcsim knows of the motor.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLabel>
+
+#include "tests/app/panel.h"
+#include "widgets/mainwindow/operatorlock.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class ArmedLimits : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        gains(8'000);
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+    }
+    void TearDown() override { texts::setModuleNames({}); }
+    void gains(std::uint16_t positionErrorLimit) {
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, positionErrorLimit, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.module().gains && panel.module().gains->el == positionErrorLimit; }));
+    }
+    [[nodiscard]] const HomeWatch& watch() { return panel.module().homing; }
+    [[nodiscard]] QString said() {
+        auto* label = panel.window().findChild<QLabel*>(u"limitStopState"_s);
+        testing_support::turnTo(*label);
+        return label->text();
+    }
+    bool armed() {
+        return panel.waitFor([&] { return watch().state() == HomeWatch::State::Armed && watch().stops(); });
+    }
+    /// On the box itself: its row is wider.
+    void tick(const char* name) {
+        auto* box = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
+        testing_support::turnTo(*box);
+        ASSERT_TRUE(panel.waitFor([&] { return box->isEnabled(); })) << box->toolTip().toStdString();
+        if (!box->isChecked())
+            QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+        ASSERT_TRUE(box->isChecked()) << name;
+    }
+    void armEachMotion(const char* condition) {
+        tick(condition);
+        tick("armEachMotionBox");
+        ASSERT_TRUE(armed());
+        EXPECT_TRUE(panel.waitFor([&] { return said().startsWith(u"● Armed: stops at "_s); }))
+            << said().toStdString();
+    }
+    void run() {
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.module().awaited; }));
+        panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    }
+    [[nodiscard]] double shaft() { return sim.state(1)[u"shaft"_s].toDouble(); }
+    NmcsimProcess sim{u"servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(ArmedLimits, TheChipStopsAtTheSwitchAndIsArmedAgain) {
+    ASSERT_NO_FATAL_FAILURE(armEachMotion("armLimit1Box"));
+    ASSERT_NO_FATAL_FAILURE(run());
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return watch().state() == HomeWatch::State::Tripped; }));
+    EXPECT_TRUE(panel.waitFor([&] { return said().startsWith(u"▲ Tripped: limit 1"_s); }))
+        << said().toStdString();
+    const double rest = shaft();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), rest, 2);
+    (void)sim.control(u"set 1 limit1 0"_s);
+    ASSERT_TRUE(armed()) << "by itself, once the switch is open";
+    ASSERT_NO_FATAL_FAILURE(run());
+    (void)sim.control(u"set 1 limit1 1"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); })) << "again";
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(ArmedLimits, WithoutItTheSwitchAloneStopsNothing) {
+    ASSERT_NO_FATAL_FAILURE(run());
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_TRUE(moves(sim));
+}
+
+TEST_F(ArmedLimits, AnOperatorMovesNothingUnarmed) {
+    ASSERT_NO_FATAL_FAILURE(armEachMotion("armLimit1Box"));
+    panel.window().findChild<QAction*>(u"operatorAction"_s)->trigger();
+    for (const char* name : {"operatorPinField", "operatorPinAgainField"})
+        QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
+    panel.click("operatorBeginButton");
+    ASSERT_TRUE(panel.window().operatorLock().isLocked());
+    panel.window().activateWindow();
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(armed()) << round;
+        auto* forward = panel.window().findChild<QWidget*>(u"holdForwardButton"_s);
+        testing_support::turnTo(*forward);
+        ASSERT_TRUE(panel.waitFor([&] { return forward->isEnabled(); })) << forward->toolTip().toStdString();
+        QTest::mousePress(forward, Qt::LeftButton);
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+        (void)sim.control(u"set 1 limit1 1"_s);
+        EXPECT_TRUE(
+            panel.waitFor([&] { return !moves(sim) && watch().state() == HomeWatch::State::Tripped; }));
+        QTest::mouseRelease(forward, Qt::LeftButton);
+        (void)sim.control(u"set 1 limit1 0"_s);
+    }
+}
+
+TEST_F(ArmedLimits, APositionErrorStopsIt) {
+    ASSERT_NO_FATAL_FAILURE(gains(200));
+    tick("armMotorOffButton");
+    ASSERT_NO_FATAL_FAILURE(armEachMotion("armPositionErrorBox"));
+    ASSERT_NO_FATAL_FAILURE(run());
+    (void)sim.control(u"set 1 friction 1"_s);  // N*m, more than the motor has
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.module().servoOn() && !moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return watch().state() == HomeWatch::State::Tripped; }));
+}
+
+}  // namespace
+}  // namespace nmc
