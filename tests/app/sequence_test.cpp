@@ -80,7 +80,8 @@ protected:
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
         auto* table = find<QTableView>("rowTable");
-        ASSERT_TRUE(panel.waitFor([&] { return table->findChild<QWidget*>(u"rowNumberField"_s) == nullptr; }));
+        ASSERT_TRUE(
+            panel.waitFor([&] { return table->findChild<QWidget*>(u"rowNumberField"_s) == nullptr; }));
     }
     void moveTo(std::int32_t position) {
         panel.ask(intent::GoTo{Counts(position), CountsPerTick(4 << 16), CountsPerTickSquared(1'311)});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a servo that holds is said to swing: engine and simulator in virtual time. The truth is the shaft's.
+// Whether a servo that holds is said to swing: engine and simulator in virtual time. The truth is the
+// shaft's.
 #include <random>
 
 #include "tests/procedures/procedurebench.h"
@@ -15,8 +16,8 @@ protected:
     void hold(const servo::SetGain& gains, Duration time) {
         ASSERT_TRUE(bench.perform(intent::ApplyGains{gains}));
         const std::int32_t goal = bench.truth().position + 50;
-        ASSERT_TRUE(bench.perform(
-            intent::GoTo{Counts(goal), CountsPerTick(2 << 16), CountsPerTickSquared(13'110)}));
+        ASSERT_TRUE(
+            bench.perform(intent::GoTo{Counts(goal), CountsPerTick(2 << 16), CountsPerTickSquared(13'110)}));
         positions.clear();
         bench.bus.onTime = [this] { positions.emplace_back(bench.bus.now, bench.truth().position); };
         bench.bus.runFor(time);
@@ -67,9 +68,8 @@ TEST_F(Swings, NoStableSetIsSaidTo) {
         const auto p = static_cast<std::uint16_t>(kp(random));
         const auto d = static_cast<std::uint16_t>(p * damping(random));
         bench.set(sim::Input::Friction, friction(random));
-        ASSERT_NO_FATAL_FAILURE(hold({p, d, static_cast<std::uint16_t>(ki(random)), 200, 255, 0, 4'000, 1,
-                                      std::uint8_t{0}},
-                                     3s));
+        ASSERT_NO_FATAL_FAILURE(
+            hold({p, d, static_cast<std::uint16_t>(ki(random)), 200, 255, 0, 4'000, 1, std::uint8_t{0}}, 3s));
         EXPECT_FALSE(bench.module().swing.swing())
             << "Kp " << p << " Kd " << d << ", truly ± " << truth().first << " counts";
     }

@@ -9,6 +9,8 @@
 namespace nmc {
 namespace {
 
+using namespace Qt::StringLiterals;
+
 class Docks : public WindowTest, public testing::WithParamInterface<QSize> {
 protected:
     [[nodiscard]] QRect place(const QWidget& widget) const {
@@ -59,6 +61,27 @@ TEST_P(Docks, NoneCoversAnother) {
 
 INSTANTIATE_TEST_SUITE_P(At, Docks, testing::Values(QSize(800, 600), QSize(1024, 768), QSize(1500, 1100)),
                          [](const auto& size) { return "W" + std::to_string(size.param.width()); });
+
+class DockKeys : public WindowTest {
+protected:
+    void strike(Qt::Key key) {
+        QTest::keyClick(window.get(), key);
+        QCoreApplication::processEvents();
+    }
+    bool seen(const QString& dock) { return !find<QDockWidget>(dock)->widget()->visibleRegion().isEmpty(); }
+};
+
+TEST_F(DockKeys, BringToTheFrontWhatStandsBehind) {
+    showServo();
+    window->resize(1'500, 1'100);
+    strike(Qt::Key_F3);
+    strike(Qt::Key_F4);
+    EXPECT_TRUE(seen(u"axesDock"_s) && !seen(u"sequencesDock"_s));
+    strike(Qt::Key_F3);
+    EXPECT_TRUE(seen(u"sequencesDock"_s) && !seen(u"axesDock"_s));
+    strike(Qt::Key_F3);
+    EXPECT_FALSE(find<QDockWidget>(u"sequencesDock"_s)->isVisible()) << "closed, where it was in front";
+}
 
 }  // namespace
 }  // namespace nmc

@@ -13,6 +13,8 @@
 namespace nmc {
 namespace {
 
+using namespace Qt::StringLiterals;
+
 using testing_support::Stepper;
 
 class Head : public WindowTest {
@@ -188,6 +190,28 @@ TEST_F(Head, AndTheListKeepTheLastPositionStruckOutWhenTheAdapterIsUnplugged) {
     next.phase = LinkPhase::Connecting;
     window->showLink(next);
     EXPECT_EQ(window->selectedModule(), std::nullopt);
+}
+
+TEST_F(Head, AServoThatHoldsAndSwingsSaysSo) {
+    ModuleState module = Servo{.held = true}.state();
+    // 12.5 Hz; the sine in a square wave of 8 samples is 1 / (2 sin 22.5 degrees) = 1.31 of its height.
+    for (int i = 0; i < 200; ++i) {
+        bus::Sample sample{module.info.index, TimePoint(std::chrono::milliseconds(2'000 + 10 * i)),
+                           *module.latest};
+        sample.report.position = i % 8 < 4 ? 200 : -200;
+        module.apply(sample);
+    }
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"stateMeaning"_s).replace(QChar(0x202F), u' '),
+              u"Oscillating ± 260 counts at about 13 Hz."_s);
+    EXPECT_TRUE(listed().contains(u"Holding, oscillating"_s)) << listed().toStdString();
+}
+
+TEST_F(Head, AServoWithoutKpIsNotSaidToHold) {
+    ModuleState module = Servo{}.state();
+    module.gains->kp = 0;
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"stateMeaning"_s), u"Kp is 0: the servo brakes the motor, and holds no position."_s);
 }
 
 }  // namespace

@@ -140,5 +140,27 @@ TEST_F(StandingTexts, AServoIsSaidToGoOnAndAStepperToBeHeld) {
     EXPECT_TRUE(step.body.contains(u"no farther that way"_s));
 }
 
+TEST_F(StandingTexts, AMotorThatSwingsIsToldWithAWayBack) {
+    const auto hold = [this](double from, int amplitude) {
+        for (int i = 0; i < 200; ++i) {
+            bus::Sample sample = sampleOf(from + i / 100.0, kOk, kServoOn);
+            sample.report.position = i % 8 < 4 ? amplitude : -amplitude;
+            servo().apply(sample);
+        }
+    };
+    servo::SetGain gains = *servo().gains;
+    gains.kp = static_cast<std::uint16_t>(gains.kp + 500);
+    servo().apply(executedAt(2.0, gains));
+    hold(3.0, 100);
+    ASSERT_THAT(keys(), ElementsAre("swings.1"));
+    const Message message = texts::standing(link, atSeconds(10)).front();
+    EXPECT_TRUE(message.offers(MessageAction::SwitchOff));
+    EXPECT_TRUE(message.offers(MessageAction::GainsBefore));
+    hold(5.0, 0);
+    EXPECT_THAT(keys(), IsEmpty());
+    servo().apply(executedAt(7.0, stopWith(servo::StopManner::MotorOff)));
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace nmc

@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/axes/axesdock.h"
 
-#include <QAction>
 #include <QScrollArea>
 
-#include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-AxesDock::AxesDock(QWidget* parent) : QDockWidget(AxesPage::tr("All axes"), parent) {
-    look::name(this, u"axesDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    toggleViewAction()->setShortcut(Qt::Key_F4);
-    connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
-        if (shown)
-            raise();
-    });
-    // Not showEvent: a dock behind another's tab is shown, but not seen.
-    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
-        m_seen = seen;
-        if (seen) {
-            page();
-            emit opened();
-        }
-    });
-}
+AxesDock::AxesDock(QWidget* parent) : LazyDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, parent) {}
 
 AxesPage& AxesDock::page() {
     if (m_page == nullptr) {
@@ -44,7 +26,7 @@ AxesPage& AxesDock::page() {
 }
 
 void AxesDock::showModules(const std::vector<PanelView>& views, const Machine& machine) {
-    if (m_seen)
+    if (seen())
         page().showModules(views, machine);
 }
 

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
-
 #include "widgets/axes/axespage.h"
+#include "widgets/common/lazydock.h"
 
 namespace nmc {
 
 /// The place of the table of all axes, closed at first: its content is built when it is seen for the first
 /// time.
-class AxesDock : public QDockWidget {
+class AxesDock : public LazyDock {
     Q_OBJECT
 
 public:
     explicit AxesDock(QWidget* parent = nullptr);
 
-    /// Whether showModules() would be seen.
-    [[nodiscard]] bool seen() const { return m_seen; }
     // As in AxesPage.
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
     void forgetModules();
@@ -24,8 +21,6 @@ public:
     void setHoldInterval(int milliseconds);
 
 signals:
-    /// It can be seen, and what it shows may be old.
-    void opened();
     // As in AxesPage.
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     void holdRequested(const nmc::bus::HoldToMove& hold);
@@ -34,10 +29,10 @@ signals:
     void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
 
 private:
+    void build() override { page(); }
     AxesPage& page();
 
     AxesPage* m_page = nullptr;
-    bool m_seen = false;
     int m_holdInterval = 100;
 };
 

@@ -29,6 +29,9 @@ bool isLeft(MessageAction action, const OperatorRights& rights) {
             return allows(rights, Request::SaveAsHome);
         case MessageAction::ClearAndStayOff:
             return allows(rights, Request::ClearStickyBits);
+        case MessageAction::GainsBefore:
+            return allows(rights, Request::ApplyGains);
+        case MessageAction::SwitchOff:
         case MessageAction::StopAll:
         case MessageAction::Retry:
         case MessageAction::ScanAgain:

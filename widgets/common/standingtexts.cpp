@@ -66,7 +66,8 @@ Message swings(const ModuleState& module) {
         .key = ofModule(u"swings"_s, index),
         .module = index,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
+        .headline =
+            Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
         .body = Texts::tr("Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply "
                           "them."),
         .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};

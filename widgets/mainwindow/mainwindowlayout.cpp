@@ -106,11 +106,7 @@ void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     }
     connect(m_sequences, &SequencesDock::opened, this, &MainWindow::showAllAxes);
     connect(
-        m_sequences->toggleViewAction(), &QAction::triggered, this,
-        [this, &messages](bool shown) {
-            if (shown)
-                makeRoomForSequences(messages);
-        },
+        m_sequences, &SequencesDock::roomWanted, this, [this, &messages] { makeRoomForSequences(messages); },
         Qt::QueuedConnection);
     connect(m_axes, &AxesDock::opened, this, &MainWindow::showAllAxes);
     connect(m_axes, &AxesDock::holdRequested, this, &MainWindow::holdRequested);

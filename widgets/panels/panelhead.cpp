@@ -177,7 +177,7 @@ void PanelHead::refresh() {
     const auto& swing = module.swing.swing();
     look::setText(m_meaning, activity == Activity::Holding && swing ? texts::swing(*swing, m_context.scale())
                              : brakes ? tr("Kp is 0: the servo brakes the motor, and holds no position.")
-                                    : texts::activityMeaning(activity));
+                                      : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
     m_glyph->showActivity(activity);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
-
+#include "widgets/common/lazydock.h"
 #include "widgets/response/stepresponsepage.h"
 
 namespace nmc {
 
 /// The place of the step responses, closed at first: its content is built when it is seen for the first time.
-class StepResponseDock : public QDockWidget {
+class StepResponseDock : public LazyDock {
     Q_OBJECT
 
 public:
@@ -21,21 +20,15 @@ public:
 
     /// The content; built if need be.
     StepResponsePage& page();
-    /// In front, whatever is beside it.
-    void open();
 
 signals:
-    /// The user wants it, and it may have too little room.
-    void roomWanted();
-    /// It can be seen, and what it shows may be old.
-    void opened();
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
+    void build() override { page(); }
     StepResponsePage* m_page = nullptr;
-    bool m_seen = false;
 };
 
 }  // namespace nmc

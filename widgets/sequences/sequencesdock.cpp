@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sequences/sequencesdock.h"
 
-#include <QAction>
 #include <QScrollArea>
 
-#include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sequencetexts.h"
 
@@ -13,23 +11,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 SequencesDock::SequencesDock(QWidget* parent)
-    : QDockWidget(SequencesPage::tr("Points and sequences"), parent) {
-    look::name(this, u"sequencesDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    toggleViewAction()->setShortcut(Qt::Key_F3);
-    connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
-        if (shown)
-            raise();
-    });
-    // Not showEvent: a dock behind another's tab is shown, but not seen.
-    connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
-        m_seen = seen;
-        if (seen) {
-            page();
-            emit opened();
-        }
-    });
-}
+    : LazyDock(u"sequencesDock"_s, SequencesPage::tr("Points and sequences"), Qt::Key_F3, parent) {}
 
 SequencesPage& SequencesDock::page() {
     if (m_page == nullptr) {
@@ -51,7 +33,7 @@ SequencesPage& SequencesDock::page() {
 }
 
 void SequencesDock::showSession(const LinkState& link, const Machine& machine) {
-    if (m_seen)
+    if (seen())
         page().showSession(link, machine);
 }
 

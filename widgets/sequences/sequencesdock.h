@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
-
+#include "widgets/common/lazydock.h"
 #include "widgets/sequences/sequencespage.h"
 
 namespace nmc {
 
 /// The place of points and sequences, closed at first: its content is built when it is seen for the first
 /// time.
-class SequencesDock : public QDockWidget {
+class SequencesDock : public LazyDock {
     Q_OBJECT
 
 public:
@@ -24,8 +23,6 @@ public:
     SequencesPage& page();
 
 signals:
-    /// It can be seen, and what it shows may be old.
-    void opened();
     /// What ran has ended, and not by the user.
     void ended();
     // As in SequencesPage.
@@ -40,8 +37,8 @@ signals:
     void foresightDropped();
 
 private:
+    void build() override { page(); }
     SequencesPage* m_page = nullptr;
-    bool m_seen = false;
     std::optional<SequenceReport> m_run;
 };
 

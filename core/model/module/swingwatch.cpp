@@ -26,8 +26,8 @@ constexpr double kOneRate = 0.5;
 /// Half of the way from the lowest to the highest.
 template <typename Looks>
 double reach(const Looks& begin, const Looks& end) {
-    const auto [low, high] = std::minmax_element(
-        begin, end, [](const auto& a, const auto& b) { return a.position < b.position; });
+    const auto [low, high] =
+        std::minmax_element(begin, end, [](const auto& a, const auto& b) { return a.position < b.position; });
     return (static_cast<double>(high->position) - static_cast<double>(low->position)) / 2.0;
 }
 

@@ -9,13 +9,14 @@
 
 namespace nmc {
 
-/// A servo that should hold and swings (too much Kp or Ki, or too little Kd: DS-V 4.3), as its positions of the
-/// last second tell. Pure.
+/// A servo that should hold and swings (too much Kp or Ki, or too little Kd: DS-V 4.3), as its positions of
+/// the last second tell. Pure.
 class SwingWatch {
 public:
     struct Swing {
-        double amplitude = 0.0;         ///< counts to either side
-        std::optional<double> hertz{};  ///< empty: it is looked at too rarely for that, or swings at no one rate
+        double amplitude = 0.0;  ///< counts to either side
+        std::optional<double>
+            hertz{};  ///< empty: it is looked at too rarely for that, or swings at no one rate
         bool operator==(const Swing&) const = default;
     };
 
