@@ -272,6 +272,7 @@ void Composition::openNow(const ConnectTarget& target) {
     } else {
         config.adapterLatency = m_ports.adapterLatency(port);
         config.known = knownChain(m_settings, port);
+        config.knownBaud = knownRate(m_settings, port);
         factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }
@@ -343,6 +344,12 @@ void Composition::act(const Message& message, MessageAction action) {
             carryOut(*message.module, intent::MotorOff{});
             carryOut(*message.module, intent::ClearStickyBits{});
             return;  // over when it is
+        case MessageAction::SwitchOff:
+            return carryOut(*message.module, intent::MotorOff{});
+        case MessageAction::GainsBefore:
+            if (const ModuleState* module = m_store.module(*message.module); module && module->gainsBefore)
+                carryOut(*message.module, intent::ApplyGains{*module->gainsBefore});
+            return;
         case MessageAction::TakePosition:
             return takePosition(*message.module);  // over when it is taken
         case MessageAction::ForgetPosition:

@@ -110,6 +110,7 @@ private:
     void act(const Message& message, MessageAction action);
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
+    void commandGroup(const bus::GroupCommand& command);
     [[nodiscard]] std::vector<ModuleIndex> groupMembers(std::uint8_t group) const;
     void scanAgain();
     /// The modules that are there are the expected ones from now on; those that are missing are forgotten.
@@ -121,6 +122,8 @@ private:
 
     void tell(const StoreEvent& event);
     void told(const bus::ChainFound& found);
+    /// A chain whose addresses have changed is to be found again.
+    void noteAddresses();
     void noteChain(const bus::ChainFound& found);
     void told(const bus::ConnectFailed& failed);
     void told(const bus::OperationFinished& finished);
@@ -133,6 +136,7 @@ private:
     void told(const bus::HealthChanged& changed);
     void told(const bus::ModuleRestarted&) {}  // the state tells
     void told(const bus::Readdressed& readdressed);
+    void told(const bus::AddressChanged& changed);
     void told(const bus::ReaddressFailed& failed);
     void told(const bus::MotionSuspect& suspect);
     void told(const bus::OwedStopConfirmed& confirmed);

@@ -13,6 +13,7 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
     connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
     connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
+    connect(&chain, &ChainMenu::addressRequested, &m_worker, &BusWorker::changeAddress);
     const auto changeGroup = [this](const bus::GroupChange& change) {
         m_worker.submit(bus::GroupOperation{bus::OperationId(++m_lastOperation), change});
         m_machine.noteGroup(change);
@@ -20,12 +21,27 @@ void Composition::wireChain() {
     connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
     connect(&chain, &ChainMenu::groupNamed, &m_machine, &MachineController::nameGroup);
     connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupCommandRequested, this, [this](const bus::GroupCommand& command) {
-        const bus::OperationId id(++m_lastOperation);
-        if (command.action == bus::GroupCommand::Action::StartMotion)
-            m_motionMarker.asked(id, groupMembers(command.group));
-        m_worker.submit(bus::GroupOperation{id, command});
-    });
+    connect(&chain, &ChainMenu::groupCommandRequested, this, &Composition::commandGroup);
+}
+
+void Composition::commandGroup(const bus::GroupCommand& command) {
+    using enum bus::GroupCommand::Action;
+    const bus::OperationId id(++m_lastOperation);
+    const std::vector<ModuleIndex> members = groupMembers(command.group);
+    const bool stops = isStop(command.action);
+    if (command.action == StartMotion)
+        m_motionMarker.asked(id, members);
+    // As when a module is asked by itself (carryOut).
+    for (const ModuleIndex module : members) {
+        if (stops || command.action == ResetPosition)
+            m_sequences.takeOver(module, stops);
+        if (command.action == ResetPosition)
+            m_procedures.cancel(module);
+    }
+    m_worker.submit(bus::GroupOperation{id, command});
+    for (const ModuleIndex module : members)
+        if (stops)
+            m_procedures.overtake(module);
 }
 
 /// Those that are known to be in it, and those of which nothing is known.
@@ -66,6 +82,16 @@ void Composition::noteChain(const bus::ChainFound& found) {
     } else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated) {
         rememberChain(m_settings, m_target->port, found.modules);
     }
+}
+
+void Composition::noteAddresses() {
+    const LinkState& link = m_store.link();
+    if (link.simulated)
+        return;
+    std::vector<bus::ModuleInfo> chain;
+    for (const ModuleState& module : link.modules)
+        chain.push_back(module.info);
+    rememberChain(m_settings, m_target->port, chain);
 }
 
 void Composition::acceptChain() {

@@ -3,12 +3,18 @@
 #include <algorithm>
 
 #include "app/composition.h"
+#include "app/knownchain.h"
 #include "link/clock.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
 
 namespace {
+
+[[nodiscard]] bool isGroupStop(const bus::GroupFinished& finished) {
+    const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
+    return command != nullptr && isStop(command->action);
+}
 
 /// Whatever was held is not held any more, whether the panel asked for that or not.
 bool endsHold(const StoreEvent& event) {
@@ -20,7 +26,7 @@ bool endsHold(const StoreEvent& event) {
            std::holds_alternative<bus::ForeignTraffic>(event) ||
            std::holds_alternative<bus::LinkLost>(event) ||
            (health != nullptr && health->health == bus::LinkHealth::Lost) ||
-           (group != nullptr && group->stopped);
+           (group != nullptr && (group->stopped || isGroupStop(*group)));
 }
 
 }  // namespace
@@ -120,6 +126,11 @@ void Composition::told(const bus::Readdressed& readdressed) {
     m_messages.tell(texts::readdressed(readdressed));
 }
 
+void Composition::told(const bus::AddressChanged& changed) {
+    m_messages.tell(texts::addressChanged(changed));
+    noteAddresses();
+}
+
 void Composition::told(const bus::ReaddressFailed& failed) {
     m_messages.tellOfChain(texts::notReaddressed(failed));
 }
@@ -142,20 +153,27 @@ void Composition::told(const bus::ForeignMotion& motion) {
 
 void Composition::told(const bus::GroupFinished& finished) {
     m_motionMarker.ended(finished.id, monotonicNow());
-    if (finished.outcome == bus::Outcome::Done)
-        return;
+    std::vector<ModuleIndex> members;
+    for (const bus::GroupMember& member : finished.members)
+        members.push_back(member.module);
+    if (finished.outcome == bus::Outcome::Done) {
+        if (!isGroupStop(finished))
+            return;
+        const Message news = texts::groupToldToStop(finished);
+        m_messages.noteStop(news, bus::StopCause::GroupStop, members);
+        return m_messages.tell(news);
+    }
     Message message = texts::groupFailed(finished);
     if (finished.stopped) {
         message = texts::withRecord(std::move(message));
-        std::vector<ModuleIndex> members;
-        for (const bus::GroupMember& member : finished.members)
-            members.push_back(member.module);
         m_messages.noteStop(message, bus::StopCause::GroupHalfStarted, members);
     }
     m_messages.tellOfChain(message);
 }
 
 void Composition::told(const bus::RateChanged& changed) {
+    if (!m_store.link().simulated)
+        rememberRate(m_settings, m_target->port, changed.baud);
     m_messages.tell(texts::rateChanged(changed));
 }
 

@@ -3,6 +3,9 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <set>
+
+#include "protocol/baud.h"
 
 namespace nmc {
 
@@ -15,8 +18,12 @@ constexpr unsigned kLastByte = 0xFF;
 /// Address, type and version of one module: "2/0/4".
 const QRegularExpression kEntry(QStringLiteral(R"(^(\d{1,3})/(\d{1,3})/(\d{1,3})$)"));
 
-QString keyOf(const QString& port) {
-    return QStringLiteral("chain/") + QString(port).replace(QLatin1Char('/'), QLatin1Char('_'));
+QString keyOf(const QString& port, const QString& what = QStringLiteral("chain/")) {
+    return what + QString(port).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
+QString rateKeyOf(const QString& port) {
+    return keyOf(port, QStringLiteral("chainRate/"));
 }
 
 }  // namespace
@@ -27,16 +34,15 @@ std::vector<bus::ModuleInfo> knownChain(const QSettings& settings, const QString
     if (entries.size() > kMostModules)
         return {};
     std::vector<bus::ModuleInfo> chain;
-    unsigned before = 0;
+    std::set<unsigned> taken;
     for (const QString& entry : entries) {
         const QRegularExpressionMatch match = kEntry.match(entry);
         const unsigned address = match.captured(1).toUInt();
         const unsigned type = match.captured(2).toUInt();
         const unsigned version = match.captured(3).toUInt();
-        if (!match.hasMatch() || address <= before || address > kLastAddress || type > kLastByte ||
-            version > kLastByte)
+        if (!match.hasMatch() || address == 0 || address > kLastAddress || type > kLastByte ||
+            version > kLastByte || !taken.insert(address).second)
             return {};
-        before = address;
         const ModuleIndex index(static_cast<std::uint8_t>(chain.size()));
         chain.push_back({index,
                          BusAddress(static_cast<std::uint8_t>(address)),
@@ -53,6 +59,18 @@ void rememberChain(QSettings& settings, const QString& port, const std::vector<b
                        .arg(static_cast<unsigned>(module.identity.type))
                        .arg(module.identity.version);
     settings.setValue(keyOf(port), entries.join(QLatin1Char(' ')));
+}
+
+std::uint32_t knownRate(const QSettings& settings, const QString& port) {
+    const std::uint32_t baud = settings.value(rateKeyOf(port)).toUInt();
+    return findBrd(baud) ? baud : 0;
+}
+
+void rememberRate(QSettings& settings, const QString& port, std::uint32_t baud) {
+    if (findBaud(baud))
+        settings.remove(rateKeyOf(port));
+    else
+        settings.setValue(rateKeyOf(port), baud);
 }
 
 }  // namespace nmc

@@ -169,40 +169,41 @@ bool ProcedureController::finished(const bus::OperationFinished& finished) {
 bool ProcedureController::take(const StoreEvent& event) {
     if (const auto* end = std::get_if<bus::OperationFinished>(&event))
         return finished(*end);
-    std::visit(Overloaded{
-                   [this](const AnyOf<bus::ModuleSilence, bus::ModuleRestarted> auto& news) {
-                       suspect(news.module);
-                   },
-                   [this](const bus::HealthChanged& changed) {
-                       if (changed.health != bus::LinkHealth::Good)
-                           suspect(changed.module);
-                   },
-                   [this](const AnyOf<MachineSlept, GuardianStopped, bus::LinkLost> auto&) {
-                       suspect(std::nullopt);
-                   },
-                   [this](const AnyOf<bus::MotionSuspect, bus::ForeignMotion> auto& motion) {
-                       overtake(motion.module);
-                   },
-                   [this](const bus::ForeignTraffic&) { overtakeAll(); },
-                   [this](const PanelFroze& froze) {
-                       if (froze.stopped)
-                           overtakeAll();
-                       else
-                           cancelAll();
-                   },
-                   [this](const bus::StopFinished&) {
-                       // Also one that nobody here has asked for.
-                       m_stopping = false;
-                       overtakeAll();
-                   },
-                   [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
-                   // What these concern ends a procedure's operation, shows in the module, or is no motor's.
-                   [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired,
-                                  bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
-                                  bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                                  bus::EchoNoticed, SimulatorAnswered, GuardianMissing> auto&) {},
-               },
-               event);
+    std::visit(
+        Overloaded{
+            [this](const AnyOf<bus::ModuleSilence, bus::ModuleRestarted> auto& news) {
+                suspect(news.module);
+            },
+            [this](const bus::HealthChanged& changed) {
+                if (changed.health != bus::LinkHealth::Good)
+                    suspect(changed.module);
+            },
+            [this](const AnyOf<MachineSlept, GuardianStopped, bus::LinkLost> auto&) {
+                suspect(std::nullopt);
+            },
+            [this](const AnyOf<bus::MotionSuspect, bus::ForeignMotion> auto& motion) {
+                overtake(motion.module);
+            },
+            [this](const bus::ForeignTraffic&) { overtakeAll(); },
+            [this](const PanelFroze& froze) {
+                if (froze.stopped)
+                    overtakeAll();
+                else
+                    cancelAll();
+            },
+            [this](const bus::StopFinished&) {
+                // Also one that nobody here has asked for.
+                m_stopping = false;
+                overtakeAll();
+            },
+            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, PortClosed> auto&) { forget(); },
+            // What these concern ends a procedure's operation, shows in the module, or is no motor's.
+            [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
+                           bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                           bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed, SimulatorAnswered,
+                           GuardianMissing> auto&) {},
+        },
+        event);
     return true;
 }
 

@@ -3782,6 +3782,46 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein Endschalter, Hitze oder der Not-Halt-Eingang hat die Fahrt beendet. Der Motor steht.</translation>
     </message>
     <message>
+        <source>Not every module of group %1 has certainly set its position to 0.</source>
+        <translation>Nicht jedes Modul der Gruppe %1 hat seine Position sicher auf 0 gesetzt.</translation>
+    </message>
+    <message>
+        <source>Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit again at once.</source>
+        <translation>Nicht jedes Modul der Gruppe %1 hat seine Merkbits sicher gelöscht: Was andauert, setzt sein Bit sofort wieder.</translation>
+    </message>
+    <message>
+        <source>Not every module of group %1 has certainly done it.</source>
+        <translation>Nicht jedes Modul der Gruppe %1 hat es sicher ausgeführt.</translation>
+    </message>
+    <message>
+        <source>A group is told something only when every member answers and may be told that now, and when the group of every module is known. Ask the modules one by one, or give this module its group again.</source>
+        <translation>Einer Gruppe wird nur etwas gesagt, wenn jedes Mitglied antwortet und das jetzt darf und wenn die Gruppe jedes Moduls bekannt ist. Die Module einzeln ansprechen oder diesem Modul seine Gruppe erneut geben.</translation>
+    </message>
+    <message>
+        <source>Group %1 was told to switch its motors off: module %2.</source>
+        <translation>Die Gruppe %1 soll ihre Motoren ausschalten: Modul %2.</translation>
+    </message>
+    <message>
+        <source>Group %1 was told to stop: module %2.</source>
+        <translation>Die Gruppe %1 soll anhalten: Modul %2.</translation>
+    </message>
+    <message>
+        <source>The port of this computer cannot make %1 Bd. Choose another rate.</source>
+        <translation>Der Anschluss dieses Rechners kann %1 Bd nicht erzeugen. Eine andere Rate wählen.</translation>
+    </message>
+    <message>
+        <source>Module %1 has address %2 now. Position, gains and group are what they were.</source>
+        <translation>Modul %1 hat jetzt die Adresse %2. Position, Reglerwerte und Gruppe sind, was sie waren.</translation>
+    </message>
+    <message>
+        <source>Another module answers there, or no module may have that address. Choose one of 1 to 127 that is free.</source>
+        <translation>Dort antwortet ein anderes Modul, oder kein Modul darf diese Adresse haben. Eine freie von 1 bis 127 wählen.</translation>
+    </message>
+    <message>
+        <source>Its group is not known here and would be changed with the address. Give it a group first, or none.</source>
+        <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Ihm zuerst eine Gruppe geben oder keine.</translation>
+    </message>
+    <message>
         <source>Which position the servo holds is not known to the count. Hold it here first, or move it.</source>
         <translation>Welche Position der Servo hält, ist nicht auf das Inkrement genau bekannt. Erst hier halten oder verfahren.</translation>
     </message>
@@ -5608,20 +5648,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Gruppen</translation>
     </message>
     <message>
-        <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them.</source>
-        <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Einen Befehl an eine Gruppe führen alle ihre Mitglieder im selben Takt aus; ihr Leitmodul, wenn sie eines hat, antwortet für sie.</translation>
-    </message>
-    <message>
         <source>No modules yet: connect first.</source>
         <translation>Noch keine Module: zuerst verbinden.</translation>
     </message>
     <message>
         <source>Group to be commanded</source>
         <translation>Gruppe für die Befehle</translation>
-    </message>
-    <message>
-        <source>Which group the two buttons are for.</source>
-        <translation>Für welche Gruppe die beiden Tasten gelten.</translation>
     </message>
     <message>
         <source>St&amp;art loaded moves</source>
@@ -5698,6 +5730,114 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>What you call this group. Kept with the machine; nothing is sent.</source>
         <translation>Wie Sie diese Gruppe nennen. Steht bei der Maschine; nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them; then each member is looked at by itself. Questions go to single modules: from a group only the leader would answer.</source>
+        <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Einen Befehl an eine Gruppe führen alle Mitglieder im selben Takt aus; ihr Leiter, wenn sie einen hat, antwortet für alle; dann wird jedes Mitglied einzeln angesehen. Fragen gehen an einzelne Module: von einer Gruppe würde nur der Leiter antworten.</translation>
+    </message>
+    <message>
+        <source>Which group the buttons are for.</source>
+        <translation>Für welche Gruppe die Schaltflächen gelten.</translation>
+    </message>
+    <message>
+        <source>Stop s&amp;moothly</source>
+        <translation>&amp;Sanft anhalten</translation>
+    </message>
+    <message>
+        <source>Stop this group smoothly</source>
+        <translation>Diese Gruppe sanft anhalten</translation>
+    </message>
+    <message>
+        <source>Stop at &amp;once</source>
+        <translation>S&amp;ofort anhalten</translation>
+    </message>
+    <message>
+        <source>Stop this group at once</source>
+        <translation>Diese Gruppe sofort anhalten</translation>
+    </message>
+    <message>
+        <source>Motors o&amp;ff</source>
+        <translation>&amp;Motoren aus</translation>
+    </message>
+    <message>
+        <source>Motors of this group off</source>
+        <translation>Motoren dieser Gruppe aus</translation>
+    </message>
+    <message>
+        <source>C&amp;lear sticky bits</source>
+        <translation>Merkbits &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Clear the sticky bits of this group</source>
+        <translation>Die Merkbits dieser Gruppe löschen</translation>
+    </message>
+    <message>
+        <source>Set &amp;position to 0…</source>
+        <translation>&amp;Position auf 0 setzen…</translation>
+    </message>
+    <message>
+        <source>Set the positions of this group to 0</source>
+        <translation>Die Positionen dieser Gruppe auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>Address of module %1</source>
+        <translation>Adresse von Modul %1</translation>
+    </message>
+    <message>
+        <source>address </source>
+        <translation>Adresse </translation>
+    </message>
+    <message>
+        <source>The address this module answers to, 1 to 127. Sent with Enter; it keeps its position, gains and group.</source>
+        <translation>Die Adresse, auf die dieses Modul antwortet, 1 bis 127. Wird mit der Eingabetaste gesendet; Position, Reglerwerte und Gruppe bleiben.</translation>
+    </message>
+    <message>
+        <source>The place where each member stands becomes 0. Asks first.</source>
+        <translation>Der Ort, an dem jedes Mitglied steht, wird 0. Fragt vorher.</translation>
+    </message>
+    <message>
+        <source>Takes back what each member has remembered of faults. PIC-SERVO only.</source>
+        <translation>Nimmt zurück, was sich jedes Mitglied an Fehlern gemerkt hat. Nur PIC-SERVO.</translation>
+    </message>
+    <message>
+        <source>Each member that is on slows down, and holds. Repeated until each is seen at rest.</source>
+        <translation>Jedes eingeschaltete Mitglied bremst ab und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Each member that is on stops at once, and holds. Repeated until each is seen at rest.</source>
+        <translation>Jedes eingeschaltete Mitglied hält sofort an und hält. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Switches each member off: it coasts, and a load may drop. Repeated until each is seen at rest.</source>
+        <translation>Schaltet jedes Mitglied aus: Es läuft aus, und eine Last kann fallen. Wird wiederholt, bis jedes in Ruhe gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>The place where each motor of %1 stands becomes position 0: module %2. Home, limits and taught points mean other places after that.</source>
+        <translation>Der Ort, an dem jeder Motor von %1 steht, wird Position 0: Modul %2. Referenz, Grenzen und gelernte Punkte bedeuten danach andere Orte.</translation>
+    </message>
+    <message>
+        <source>Set positions to 0</source>
+        <translation>Positionen auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Set positions to 0</source>
+        <translation>&amp;Positionen auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>Its group is not known here and would be changed with the address. Choose a group first, or none.</source>
+        <translation>Seine Gruppe ist hier nicht bekannt und würde mit der Adresse geändert. Zuerst eine Gruppe wählen oder keine.</translation>
+    </message>
+    <message>
+        <source>A motor is moving. Addresses change at standstill only.</source>
+        <translation>Ein Motor bewegt sich. Adressen ändern sich nur im Stillstand.</translation>
+    </message>
+    <message>
+        <source>Address %1 is that of %2. Nothing was sent.</source>
+        <translation>Adresse %1 ist die von %2. Nichts wurde gesendet.</translation>
     </message>
 </context>
 <context>
@@ -7825,6 +7965,22 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.</source>
         <translation>Ein Gruppenleiter würde antworten, während die Rate wechselt. Nehmen Sie das auf der Seite Gruppen diesen ab: %1.</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Andere…</translation>
+    </message>
+    <message>
+        <source>Divisor of Set Baud Rate</source>
+        <translation>Teiler von Set Baud Rate</translation>
+    </message>
+    <message>
+        <source>The rate is 1 250 000 Bd / (divisor + 1). Whether the port of this computer makes it to within 2 % is tried before any module is told.</source>
+        <translation>Die Rate ist 1 250 000 Bd / (Teiler + 1). Ob der Anschluss dieses Rechners sie auf 2 % genau erzeugt, wird geprüft, bevor ein Modul davon erfährt.</translation>
+    </message>
+    <message>
+        <source>= %1 Bd</source>
+        <translation>= %1 Bd</translation>
     </message>
 </context>
 <context>

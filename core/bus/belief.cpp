@@ -165,9 +165,7 @@ unsigned Belief::looksSince(TimePoint time) const {
     return since(m_statusTime) + since(m_before);
 }
 
-bool Belief::anySticky() const {
-    const servo::StatusByte status{m_status};
-    const servo::AuxByte aux{m_aux};
+bool anySticky(servo::StatusByte status, servo::AuxByte aux) {
     return status.overcurrent() || (status.positionError() && aux.servoOn()) || aux.positionWrap() ||
            aux.servoOverrun();
 }

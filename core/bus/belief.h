@@ -10,6 +10,9 @@
 
 namespace nmc::bus {
 
+/// PIC-SERVO: a sticky bit is set, other than pos_error of a servo that is off (DS-V 5.3).
+[[nodiscard]] bool anySticky(servo::StatusByte status, servo::AuxByte aux);
+
 /// What the host believes about one module: the last status and what was sent since. The chips tell neither
 /// trajectory nor mode, so this is the only copy, and it errs to the careful side: a command that was sent
 /// and not answered counts as carried out where that is the worse case, and as not where that is. Pure; the
@@ -39,6 +42,8 @@ public:
     }
     /// The command that was sent last was certainly not carried out, as a look has shown.
     void onNotExecuted(const Belief& before);
+    /// It has another address, and is what it was.
+    void setAddress(BusAddress address) { m_info.address = address; }
     /// It restarted by itself, is off, and has no address any more: nothing is sent to it.
     void setRestarted();
     [[nodiscard]] bool restarted() const { return m_restarted; }
@@ -55,8 +60,10 @@ public:
     /// Items to ask for next: a reply of another length than the last one (link.md 2.2).
     [[nodiscard]] StatusItems otherItems() const;
     [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
-    /// PIC-SERVO: a sticky bit is set, other than pos_error of a servo that is off (DS-V 5.3).
-    [[nodiscard]] bool anySticky() const;
+    /// As of the last status.
+    [[nodiscard]] bool anySticky() const {
+        return bus::anySticky(servo::StatusByte{m_status}, servo::AuxByte{m_aux});
+    }
     [[nodiscard]] std::optional<std::int32_t> home() const { return m_home; }
 
     /// Servo (PIC-STEP: amplifier) as of the last status that told.

@@ -152,33 +152,54 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
     return burst;
 }
 
+std::optional<BusAddress> Chain::groupOf(const std::vector<Step>& stops) const {
+    if (stops.size() < 2)
+        return std::nullopt;
+    const auto& place = belief(stops.front().module).info().group;
+    const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
+    const auto told = [&](const Module& module) {
+        return std::any_of(stops.begin(), stops.end(),
+                           [&](const Step& s) { return s.module == module.belief.info().index; });
+    };
+    // Only where the groups are known: those that another host left behind may have a leader, or be others.
+    // And only where all answer: one that restarted unseen is in group FF, off, and would be switched on.
+    const auto fits = [&](const Module& module) {
+        const auto& other = module.belief.info().group;
+        const bool heard = answers(module.belief.info().index);
+        if (!place || !other || (BusAddress(place->group) == kEverybody && !heard))
+            return false;
+        const bool member = other->group == place->group;
+        return member == told(module) && (!member || heard);
+    };
+    if (!std::all_of(stops.begin(), stops.end(), same) ||
+        !std::all_of(m_modules.begin(), m_modules.end(), fits))
+        return std::nullopt;
+    return BusAddress(place->group);
+}
+
 Line::Script Chain::stopScript(const std::vector<Step>& stops) const {
     Line::Script script;
-    if (stops.empty())
+    if (const auto group = groupOf(stops)) {
+        std::size_t reply = 0;  // of its leader
+        for (const Step& step : stops)
+            if (belief(step.module).info().group->leader)
+                reply = layoutOf(belief(step.module), payloadOf(step.command)).length();
+        addStop(script, *group, payloadOf(stops.front().command), reply);
         return script;
-    const auto same = [&](const Step& s) { return payloadOf(s.command) == payloadOf(stops.front().command); };
-    // Only where the groups are known: those that another host left behind may have a leader, or be others.
-    // And only where all answer: one that restarted unseen is off, and would be switched on.
-    const auto everybody = [&](const Step& s) {
-        return belief(s.module).info().group == GroupPlace{} && answers(s.module);
-    };
-    const bool all = stops.size() > 1 && stops.size() == m_modules.size() &&
-                     std::all_of(stops.begin(), stops.end(), same) &&
-                     std::all_of(stops.begin(), stops.end(), everybody);
+    }
     for (const Step& step : stops) {
         const Payload payload = payloadOf(step.command);
-        if (all) {
-            // Every module is a member of group FF, which has no leader: nobody answers.
-            script.insert(script.end(), {Line::Packet{toPacket({kEverybody, payload})}, Line::Spacer{}});
-            break;
-        }
-        const std::size_t reply = layoutOf(belief(step.module), payload).length();
-        script.insert(
-            script.end(),
-            {Line::Packet{toPacket({belief(step.module).info().address, payload}), reply}, Line::Spacer{},
-             Line::Pause{byteTimeAtBaud(m_rate) * static_cast<Duration::rep>(reply)}});
+        addStop(script, belief(step.module).info().address, payload,
+                layoutOf(belief(step.module), payload).length());
     }
     return script;
+}
+
+void Chain::addStop(Line::Script& script, BusAddress address, const Payload& payload,
+                    std::size_t reply) const {
+    script.insert(script.end(), {Line::Packet{toPacket({address, payload}), reply}, Line::Spacer{}});
+    if (reply > 0)
+        script.emplace_back(Line::Pause{byteTimeAtBaud(m_rate) * static_cast<Duration::rep>(reply)});
 }
 
 }  // namespace nmc::bus

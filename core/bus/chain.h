@@ -102,10 +102,15 @@ public:
     [[nodiscard]] std::vector<Step> stops() const;
     /// The same as bytes that need no answer, nulls first; empty when nothing is on, or it is read-only.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
-    /// Packets with these stops, one to all where that is the same, and the pauses after them.
+    /// Packets with these stops, one to a whole group where that is the same, and the pauses after them.
     [[nodiscard]] Line::Script stopScript(const std::vector<Step>& stops) const;
+    /// The group to which one packet is the same as these stops; nothing where it would be heard by others,
+    /// or not by all of them.
+    [[nodiscard]] std::optional<BusAddress> groupOf(const std::vector<Step>& stops) const;
 
 private:
+    void addStop(Line::Script& script, BusAddress address, const Payload& payload, std::size_t reply) const;
+
     std::vector<Module> m_modules;
     std::uint32_t m_rate = kPowerUpBaud;
     bool m_readOnly = false;

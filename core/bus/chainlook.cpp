@@ -8,13 +8,36 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr unsigned kUnaddressed = 0;
+constexpr BusAddress kUnaddressed{0};
 constexpr unsigned kFirstAddress = 1;
-constexpr unsigned kUsualAddresses = 2;  ///< probed at every rate first
+constexpr std::size_t kUsualAddresses = 2;  ///< probed at every rate first
 /// A search that skips a number, because nobody was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
+template <typename T>
+void addNew(std::vector<T>& list, const T& value) {
+    if (std::find(list.begin(), list.end(), value) == list.end())
+        list.push_back(value);
+}
+
 }  // namespace
+
+ChainLook::ChainLook(const std::vector<std::uint32_t>& rates, std::vector<BusAddress> addresses)
+    : m_rates(kRates.begin(), kRates.end()) {
+    for (const std::uint32_t rate : rates)
+        addNew(m_rates, rate);
+    for (unsigned address = kFirstAddress; address <= kLastAddress; ++address)
+        (m_first.size() < kUsualAddresses ? m_first : m_rest)
+            .emplace_back(static_cast<std::uint8_t>(address));
+    const std::size_t usual = std::min(addresses.size(), kUsualAddresses);
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+        addNew(i < usual ? m_first : m_rest, addresses[i]);
+    const auto asked = [this](BusAddress address) {
+        return std::find(m_first.begin(), m_first.end(), address) != m_first.end();
+    };
+    std::erase_if(m_rest, asked);
+    std::sort(m_rest.begin(), m_rest.end());
+}
 
 ChainLook::Next ChainLook::next() {
     while (m_at == m_probes.size()) {
@@ -38,22 +61,22 @@ void ChainLook::refill() {
     m_probes.clear();
     m_at = 0;
     if (!std::exchange(m_begun, true)) {
-        add(kPowerUpBaud, kUnaddressed, kUnaddressed);
-        for (const std::uint32_t rate : kRates)
-            add(rate, kFirstAddress, kUsualAddresses);
+        add(kPowerUpBaud, {kUnaddressed});
+        for (const std::uint32_t rate : m_rates)
+            add(rate, m_first);
         return;
     }
     switch (m_stage) {
         case Stage::First:
             if (m_rate) {
                 m_stage = Stage::Rest;
-                add(*m_rate, kUsualAddresses + 1, kLastAddress);
+                add(*m_rate, m_rest);
             } else if (m_unaddressed) {
                 m_stage = Stage::Over;
             } else {
                 m_stage = Stage::Everywhere;
-                for (const std::uint32_t rate : kRates)
-                    add(rate, kUsualAddresses + 1, kLastAddress);
+                for (const std::uint32_t rate : m_rates)
+                    add(rate, m_rest);
             }
             return;
         case Stage::Rest:
@@ -64,9 +87,9 @@ void ChainLook::refill() {
     }
 }
 
-void ChainLook::add(std::uint32_t rate, unsigned from, unsigned to) {
-    for (unsigned address = from; address <= to; ++address)
-        m_probes.push_back({rate, BusAddress(static_cast<std::uint8_t>(address))});
+void ChainLook::add(std::uint32_t rate, const std::vector<BusAddress>& addresses) {
+    for (const BusAddress address : addresses)
+        m_probes.push_back({rate, address});
 }
 
 void ChainLook::onReply(const ReplyEnd& end) {
@@ -86,7 +109,7 @@ void ChainLook::onReply(const ReplyEnd& end) {
 /// Somebody answers. False when the same has to be asked again.
 bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard) {
     const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
-    const bool unaddressed = probe.address.value() == kUnaddressed;
+    const bool unaddressed = probe.address == kUnaddressed;
     if (uniform({end.bytes.data(), end.bytes.size()})) {
         // A PIC-STEP at rest without motor power says so with zeros; its type is another number (DS-S 5.2).
         m_zerosHeard = right && !zerosHeard;
@@ -120,7 +143,7 @@ void ChainLook::found(const Probe& probe) {
             std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
             m_probes.end());
     }
-    m_found.push_back(probe.address);
+    m_found.insert(std::upper_bound(m_found.begin(), m_found.end(), probe.address), probe.address);
 }
 
 std::optional<ConnectFailure> ChainLook::trouble() const {

@@ -15,13 +15,16 @@ namespace nmc::bus {
 
 /// Looks for a chain that is there already, at any of the rates it may have been left at, with nulls and No
 /// Operation only: nothing is changed and nothing that moves is disturbed. The first two addresses at every
-/// rate come first, because hardly a host counts otherwise; every address at every rate only if nobody
-/// answers there. Where zeros answer, type and version are asked for. Says what to do next and is told what
-/// came of it. Pure.
+/// rate come first, because hardly a host counts otherwise, and the first two of those that are known from
+/// the last time; the others at every rate only if nobody answers there. Where zeros answer, type and version
+/// are asked for. Says what to do next and is told what came of it. Pure.
 class ChainLook {
 public:
     /// Address and rate a module wakes up with come first.
     static constexpr std::array<std::uint32_t, 4> kRates{19'200, 115'200, 57'600, 9'600};
+
+    /// Where it was the last time, as far as that is known: beside the rates and addresses that are usual.
+    explicit ChainLook(const std::vector<std::uint32_t>& rates = {}, std::vector<BusAddress> addresses = {});
 
     /// A script to run or a question to ask; nothing when the look is over.
     using Next = std::variant<std::monostate, Line::Script, Request>;
@@ -49,8 +52,11 @@ private:
     void refill();
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
     void found(const Probe& probe);
-    void add(std::uint32_t rate, unsigned from, unsigned to);
+    void add(std::uint32_t rate, const std::vector<BusAddress>& addresses);
 
+    std::vector<std::uint32_t> m_rates;
+    std::vector<BusAddress> m_first;  ///< addresses
+    std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;

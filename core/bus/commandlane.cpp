@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bus/commandlane.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace nmc::bus {
@@ -60,6 +61,30 @@ std::vector<Event> CommandLane::cancelAll() {
     std::vector<Event> events;
     while (!empty())
         events.push_back(finish(Outcome::Cancelled));
+    return events;
+}
+
+bool CommandLane::concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules) {
+    const auto toOne = [&](const Step& step) {
+        return std::find(modules.begin(), modules.end(), step.module) != modules.end();
+    };
+    return waiting.group || std::any_of(waiting.steps.begin(), waiting.steps.end(), toOne);
+}
+
+std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& modules) {
+    std::vector<Event> events;
+    while (isFor(modules))
+        events.push_back(finish(Outcome::Cancelled));
+    for (const Waiting& waiting : m_waiting) {
+        if (!concerns(waiting, modules))
+            continue;
+        if (waiting.group)
+            events.emplace_back(
+                GroupFinished{waiting.id, Outcome::Cancelled, waiting.group->what, {}, false});
+        else
+            events.emplace_back(rejected({waiting.id, waiting.steps}, Outcome::Cancelled));
+    }
+    std::erase_if(m_waiting, [&](const Waiting& waiting) { return concerns(waiting, modules); });
     return events;
 }
 

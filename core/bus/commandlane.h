@@ -41,6 +41,12 @@ public:
     [[nodiscard]] GroupFinished finishGroup(Outcome outcome, std::vector<GroupMember> members = {});
     /// Everything that waits or runs.
     [[nodiscard]] std::vector<Event> cancelAll();
+    /// The same of what is for one of these, or for a group.
+    [[nodiscard]] std::vector<Event> cancelFor(const std::vector<ModuleIndex>& modules);
+    /// The operation to carry out now is such a one.
+    [[nodiscard]] bool isFor(const std::vector<ModuleIndex>& modules) const {
+        return !empty() && concerns(m_waiting.front(), modules);
+    }
 
 private:
     struct Waiting {
@@ -48,6 +54,7 @@ private:
         std::vector<Step> steps;
         std::optional<GroupOperation> group;
     };
+    [[nodiscard]] static bool concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules);
     [[nodiscard]] bool push(Waiting waiting);
     Event finish(Outcome outcome);
     [[nodiscard]] std::vector<GroupMember> membersOfChange(Outcome outcome) const;

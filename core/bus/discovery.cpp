@@ -22,6 +22,21 @@ constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPo
 static_assert(kRestartRates.size() == kBaudRows.size());
 static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
+/// Beside the usual ones.
+[[nodiscard]] std::vector<std::uint32_t> usedRates(const EngineConfig& config) {
+    std::vector<std::uint32_t> rates{config.baud};
+    if (config.knownBaud != 0 && config.knownBaud != config.baud)
+        rates.push_back(config.knownBaud);
+    return rates;
+}
+
+[[nodiscard]] std::vector<BusAddress> addressesOf(const std::vector<ModuleInfo>& modules) {
+    std::vector<BusAddress> addresses;
+    for (const ModuleInfo& module : modules)
+        addresses.push_back(module.address);
+    return addresses;
+}
+
 [[nodiscard]] Ask question(const Request& request, std::uint8_t silentRepeats, Quarantine quarantine) {
     Ask ask;
     ask.purpose = Purpose::Connect;
@@ -39,6 +54,7 @@ static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
 Discovery::Discovery(const EngineConfig& config, Start start)
     : m_config(config),
+      m_look(usedRates(config), addressesOf(config.known)),
       m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
       m_progress(
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
@@ -180,7 +196,12 @@ std::optional<ConnectProgress> Discovery::takeProgress() {
 
 Line::Script Discovery::restartScript() const {
     Line::Script script{Line::Gap{}};
-    for (const std::uint32_t rate : kRestartRates) {
+    std::vector<std::uint32_t> rates;
+    for (const std::uint32_t rate : usedRates(m_config))
+        if (!findBaud(rate))
+            rates.push_back(rate);
+    rates.insert(rates.end(), kRestartRates.begin(), kRestartRates.end());
+    for (const std::uint32_t rate : rates) {
         script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls}});
         // A module that another host put into another group does not hear FF (DS-V 5.2, faults.md F-48). FF
         // comes last, and the rate of power-up: everything is reset at once then, and only the farthest

@@ -23,7 +23,7 @@ void Engine::restart(TimePoint now) {
 
 /// The chain that is known stays until another one is found: a stop must reach somebody.
 void Engine::begin(Discovery::Start start, TimePoint now) {
-    if (!findBaud(m_config.baud)) {  // before anything is reset for it
+    if (!findBrd(m_config.baud)) {  // before anything is reset for it
         m_events.emplace_back(ConnectFailed{ConnectFailure::RateChange, {}, m_config.baud});
         return;
     }
@@ -42,7 +42,9 @@ void Engine::begin(Discovery::Start start, TimePoint now) {
         m_again.reset();
     }
     m_line.statistics() = {};
-    m_search.begin(m_config, start);
+    EngineConfig config = m_config;
+    config.known = knownModules();
+    m_search.begin(config, start);
     m_owed.setBlind(true);
     proceed(now);
 }
@@ -61,11 +63,43 @@ void Engine::submit(Operation operation, TimePoint now) {
 }
 
 void Engine::submit(const GroupOperation& operation, TimePoint now) {
-    if (!accepting() || !m_operations.submit(operation)) {
+    const auto* command = std::get_if<GroupCommand>(&operation.what);
+    if (command != nullptr && isStop(command->action) && accepting())
+        m_events.emplace_back(stopGroup(operation, *command));
+    else if (!accepting() || !m_operations.submit(operation))
         m_events.emplace_back(GroupFinished{operation.id, refusal(), operation.what, {}, false});
-        return;
-    }
     proceed(now);
+}
+
+/// Members that are known: one whose group is not is stopped with its own address, or with all.
+GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupCommand& command) {
+    using enum GroupCommand::Action;
+    const StopManner manner = command.action == MotorOff       ? StopManner::Off
+                              : command.action == StopSmoothly ? StopManner::Smoothly
+                                                               : StopManner::Abruptly;
+    GroupFinished finished{operation.id, Outcome::Done, operation.what, {}, false};
+    std::vector<ModuleIndex> members;
+    for (const Chain::Module& module : m_chain.modules()) {
+        const ModuleInfo& info = module.belief.info();
+        if (module.belief.restarted() || !info.group || info.group->group != command.group)
+            continue;
+        members.push_back(info.index);
+        finished.members.push_back({info.index, MemberOutcome::Done});
+    }
+    if (m_operations.cancelFor(members))
+        dropOperation();
+    for (const ModuleIndex module : members) {
+        if (m_hold.holds(module))
+            m_hold.clear();
+        // What is owed for a fault is not made weaker.
+        const auto& owed = m_chain.at(module).owed;
+        if (!owed || ofOperator(owed->cause) || manner == StopManner::Off)
+            m_chain.owe(module, StopCause::GroupStop, manner);
+    }
+    m_owed.tellTogether(std::move(members));
+    if (finished.members.empty())
+        finished.outcome = Outcome::Forbidden;
+    return finished;
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
@@ -80,6 +114,11 @@ void Engine::readdress(ModuleIndex module, TimePoint now) {
 
 void Engine::resetModule(ModuleIndex module, TimePoint now) {
     m_readdress.begin(module, ReaddressTask::Of::Answering, busy());
+    proceed(now);
+}
+
+void Engine::moveTo(ModuleIndex module, BusAddress address, TimePoint now) {
+    m_readdress.beginMove(module, address, busy());
     proceed(now);
 }
 
@@ -116,7 +155,7 @@ void Engine::stopAll(TimePoint now) {
         m_stop.begin(now);
         interrupt(now);
         m_rate.abandon();
-        m_readdress.drop();
+        m_readdress.interrupted();
     } else if (m_search.active()) {
         m_stop.beginAfterSearch(now);
     } else {
@@ -179,7 +218,8 @@ std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     changed = changed || m_burstStops.size() != m_chain.size();
     m_burstStops.resize(m_chain.size());
     for (std::size_t i = 0; i < m_chain.size(); ++i) {
-        auto stop = stopFor(m_chain.modules()[i].belief);
+        const Belief& belief = m_chain.modules()[i].belief;
+        std::pair stop(belief.info().address, stopFor(belief));
         changed = changed || m_burstStops[i] != stop;
         m_burstStops[i] = std::move(stop);
     }
@@ -316,13 +356,18 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
     m_stop.onSearchOver(now);
 }
 
+/// Those of the chain that is there, or that was when this port was used last.
+std::vector<ModuleInfo> Engine::knownModules() const {
+    if (m_chain.empty())
+        return m_config.known;
+    std::vector<ModuleInfo> known;
+    for (const Chain::Module& module : m_chain.modules())
+        known.push_back(module.belief.info());
+    return known;
+}
+
 void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) {
-    std::vector<ModuleInfo> known = m_config.known;
-    if (!m_chain.empty()) {
-        known.clear();
-        for (const Chain::Module& module : m_chain.modules())
-            known.push_back(module.belief.info());
-    }
+    const std::vector<ModuleInfo> known = knownModules();
     found.readOnly = m_config.readOnly;
     const std::vector<ModuleInfo> seen = found.modules;
     const auto rejoined =
@@ -430,6 +475,15 @@ void Engine::dropWork() {
         m_again.reset();
     for (Work& work : m_works)
         if (work.task == &m_operations || work.task == &m_hold)
+            work.task = nullptr;
+}
+
+/// The operation that was under way is over, whatever becomes of its exchange.
+void Engine::dropOperation() {
+    if (m_again && m_again->task == &m_operations)
+        m_again.reset();
+    for (Work& work : m_works)
+        if (work.task == &m_operations)
             work.task = nullptr;
 }
 

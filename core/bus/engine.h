@@ -58,15 +58,21 @@ public:
 
     /// The same for groups; ends in exactly one GroupFinished. A command to a group is sent once, and what
     /// came of it is what each member shows; only if all groups are known.
+    /// A stop of a group goes past all that waits: what was asked for of its members is cancelled, a hold of
+    /// one of them ends, and they are owed the stop until each has confirmed (OwedStopConfirmed).
     void submit(const GroupOperation& operation, TimePoint now);
 
-    /// Takes the chain to another rate of kBaudRows; positions, gains and loads stay. Refused while anything
-    /// moves; when a module does not follow, all go back. Ends in RateChanged or RateChangeFailed.
+    /// Takes the chain to another rate that the chips can make (findBrd); positions, gains and loads stay.
+    /// Refused while anything moves; when a module does not follow, all go back. Ends in RateChanged or
+    /// RateChangeFailed.
     void changeRate(std::uint32_t baud, TimePoint now);
 
     /// Gives a module that restarted its address back (readdresstask.h). Ends in Readdressed or
     /// ReaddressFailed.
     void readdress(ModuleIndex module, TimePoint now);
+    /// Gives a module that answers another address, 1..127; its group stays. Ends in AddressChanged or
+    /// ReaddressFailed.
+    void moveTo(ModuleIndex module, BusAddress address, TimePoint now);
     /// Resets one module, and does the same; the others keep what they have. ModuleRestarted comes before the
     /// end.
     void resetModule(ModuleIndex module, TimePoint now);
@@ -141,6 +147,7 @@ private:
     };
 
     void begin(Discovery::Start start, TimePoint now);
+    [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
     /// What changes a module may be asked for now.
     /// Something is under way that may not be interrupted by a change of the chain.
@@ -177,6 +184,7 @@ private:
     // ---- what follows for all tasks ----
     void takeFindings(TimePoint now);
     void onSearchEnded(SearchTask::Ended ended, TimePoint now);
+    [[nodiscard]] std::vector<ModuleInfo> knownModules() const;
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
@@ -185,6 +193,7 @@ private:
     void giveUp(const Recovery::GivenUp& what, TimePoint now);
     void goQuiet(TimePoint now);
     void dropWork();
+    void dropOperation();
     void interrupt(TimePoint now);
 
     EngineConfig m_config;
@@ -211,9 +220,10 @@ private:
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
-    std::optional<Work> m_again;                             ///< to be repeated
-    std::vector<std::optional<ModuleCommand>> m_burstStops;  ///< of each module, when somebody asked last
-    std::uint32_t m_burstBaud = 0;                           ///< the same
+    std::optional<Work> m_again;  ///< to be repeated
+    /// Of each module, and where it went, when somebody asked last.
+    std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;
+    std::uint32_t m_burstBaud = 0;  ///< the same
 };
 
 }  // namespace nmc::bus

@@ -44,10 +44,25 @@ constexpr unsigned kSilences = 2;
 }  // namespace
 
 ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
-    const bool starts = action == GroupCommand::Action::StartMotion;
-    if (type == ModuleType::Step)
-        return starts ? StepCommand(StartMotion{}) : StepCommand(SaveAsHome{});
-    return starts ? ServoCommand(StartMotion{}) : ServoCommand(SaveAsHome{});
+    const auto inItsWords = [type](const auto& command) {
+        return type == ModuleType::Step ? ModuleCommand(StepCommand(command))
+                                        : ModuleCommand(ServoCommand(command));
+    };
+    switch (action) {
+        case GroupCommand::Action::StartMotion:
+            return inItsWords(StartMotion{});
+        case GroupCommand::Action::SaveAsHome:
+            return inItsWords(SaveAsHome{});
+        case GroupCommand::Action::ResetPosition:
+            return inItsWords(ResetPosition{});
+        case GroupCommand::Action::ClearStickyBits:
+            return ServoCommand(servo::ClearStickyBits{});  // the gate keeps it from a PIC-STEP
+        case GroupCommand::Action::StopSmoothly:
+        case GroupCommand::Action::StopAbruptly:
+        case GroupCommand::Action::MotorOff:
+            break;  // GroupWork has each stopped as it is
+    }
+    return inItsWords(Nop{});
 }
 
 GroupRun::GroupRun(GroupCommand command, std::vector<Belief> members, TimePoint latched)
@@ -133,7 +148,14 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
     switch (m_command.action) {
         case GroupCommand::Action::StartMotion:
             return started(member, report, latched);
+        case GroupCommand::Action::ResetPosition:
+            return reset(member, report);
+        case GroupCommand::Action::ClearStickyBits:
+            return cleared(report);
         case GroupCommand::Action::SaveAsHome:
+        case GroupCommand::Action::StopSmoothly:
+        case GroupCommand::Action::StopAbruptly:
+        case GroupCommand::Action::MotorOff:
             break;
     }
     if (!report.home || !report.position)
@@ -143,6 +165,23 @@ std::optional<MemberOutcome> GroupRun::shows(const Member& member, const StatusR
     // It was on its way, so the place is another one than the home before.
     const auto& home = member.before.home();
     return home && *home != *report.home ? MemberOutcome::Done : MemberOutcome::Unknown;
+}
+
+/// It stood: the gate has seen to that.
+std::optional<MemberOutcome> GroupRun::reset(const Member& member, const StatusReport& report) {
+    if (!report.position)
+        return std::nullopt;
+    if (near(*report.position, 0))
+        return MemberOutcome::Done;
+    const auto& from = member.before.position();
+    return from && near(*report.position, *from) ? MemberOutcome::NotDone : MemberOutcome::Unknown;
+}
+
+/// A cause that lasts sets its bit again at once, which looks the same as not having heard.
+std::optional<MemberOutcome> GroupRun::cleared(const StatusReport& report) {
+    if (!report.aux || anySticky(report.servoStatus(), servo::AuxByte{*report.aux}))
+        return std::nullopt;
+    return MemberOutcome::Done;
 }
 
 std::optional<MemberOutcome> GroupRun::started(const Member& member, const StatusReport& report,

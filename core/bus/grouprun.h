@@ -11,7 +11,7 @@
 
 namespace nmc::bus {
 
-/// The command to a group in the words of a member's chip.
+/// The command to a group in the words of a member's chip; of stops, nothing that would stop.
 [[nodiscard]] ModuleCommand commandFor(GroupCommand::Action action, ModuleType type);
 
 /// What became of a command that went to a group, once, and that only its leader answers if it has one: each
@@ -56,6 +56,8 @@ private:
     [[nodiscard]] Member& at(ModuleIndex module);
     [[nodiscard]] std::optional<MemberOutcome> shows(const Member& member, const StatusReport& report,
                                                      TimePoint latched) const;
+    [[nodiscard]] static std::optional<MemberOutcome> reset(const Member& member, const StatusReport& report);
+    [[nodiscard]] static std::optional<MemberOutcome> cleared(const StatusReport& report);
     [[nodiscard]] std::optional<MemberOutcome> started(const Member& member, const StatusReport& report,
                                                        TimePoint latched) const;
 

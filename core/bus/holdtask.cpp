@@ -66,7 +66,7 @@ Next HoldTask::next(TimePoint /*now*/) {
         return m_chain.look(Purpose::Hold, start.module);
     const auto& owed = m_chain.at(start.module).owed;
     // First it has to be told, or for other reasons than the end of a hold to be seen at rest.
-    if (owed && (!ofHold(owed->cause) || owed->target.stopOwed()))
+    if (owed && (!ofOperator(owed->cause) || owed->target.stopOwed()))
         return Idle{};
     // Load Trajectory would switch a servo on: that is never the hold's business. And what has been begun
     // with a goal does not go on with another, or without.

@@ -26,6 +26,18 @@ void OperationTask::cancel() {
     m_group.cancel();
 }
 
+bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
+    const bool underWay = m_commands.isFor(modules);
+    for (Event& event : m_commands.cancelFor(modules))
+        m_events.emplace_back(std::move(event));
+    if (underWay) {
+        m_verification.reset();
+        m_group.cancel();
+        m_attempts = 0;
+    }
+    return underWay;
+}
+
 Next OperationTask::next(TimePoint now) {
     if (m_verification)
         return verifyStep();
@@ -64,7 +76,7 @@ Next OperationTask::send() {
     auto& owed = m_chain.at(step.module).owed;
     if (owed && mayStartMotion(ask.request.payload)) {
         // A motion that strayed has to be seen at rest first.
-        if (!ofHold(owed->cause) || owed->target.stopOwed()) {
+        if (!ofOperator(owed->cause) || owed->target.stopOwed()) {
             m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
             return Again{};
         }

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool submit(const GroupOperation& operation) { return m_commands.submit(operation); }
     /// All that wait or run.
     void cancel();
+    /// The same of those that are for one of these modules, or for a group. True when one was under way.
+    bool cancelFor(const std::vector<ModuleIndex>& modules);
     [[nodiscard]] bool empty() const { return m_commands.empty(); }
     /// Half a group has started: its members have to be stopped. Once.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return m_group.takeHalfStarted(); }

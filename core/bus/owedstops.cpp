@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bus/commandlane.h"
+
 namespace nmc::bus {
 
 namespace {
@@ -46,6 +48,8 @@ bool OwedStops::blindly(ModuleIndex module) const {
 }
 
 Next OwedStops::next(TimePoint now) {
+    if (Line::Script script = groupScript(now); !script.empty())
+        return script;
     Chain::Module* asked = nullptr;
     for (Chain::Module& module : m_chain.modules()) {
         if (!module.owed || module.owed->due > now)
@@ -69,6 +73,31 @@ Next OwedStops::next(TimePoint now) {
     ask.refusedAttempts = 1;
     ask.ownTrouble = !m_chain.answers(module);
     return ask;
+}
+
+/// The leader's answer is dropped: each member answers for itself.
+Line::Script OwedStops::groupScript(TimePoint now) {
+    std::vector<Step> stops;
+    for (const ModuleIndex module : std::exchange(m_together, {})) {
+        const auto& owed = m_chain.at(module).owed;
+        if (const auto stop = owed ? owed->target.stop(m_chain.belief(module)) : std::nullopt)
+            stops.push_back({module, *stop});
+    }
+    const bool here = !m_blind && m_line.baud() == m_chain.rate() && !m_recovery.suspect();
+    const auto group = m_chain.groupOf(stops);
+    if (!here || !group)
+        return {};
+    for (const Step& stop : stops) {
+        const PacketBytes packet = toPacket({*group, payloadOf(stop.command)});
+        const TimePoint latched = m_line.latchTime(packet.size(), now);
+        m_chain.tell(stop.module, stop.command, latched);
+        m_chain.at(stop.module).owed->target.onBlindSent(StopTarget::Blind{stop.command, latched});
+    }
+    Line::Script script{Line::Gap{}};
+    const Line::Script packets = m_chain.stopScript(stops);
+    script.insert(script.end(), packets.begin(), packets.end());
+    script.insert(script.end(), {Line::Lag{}, DiscardInput{}});
+    return script;
 }
 
 /// All that are due, in one go, at the rate of the chain; the port then goes back to where it was.
@@ -99,6 +128,13 @@ Next OwedStops::blindScript(TimePoint now) {
         script.insert(script.end(), back.begin(), back.end());
     }
     return script;
+}
+
+/// The first answer after a stop that went to the whole group.
+void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
+    auto& owed = m_chain.at(*ask.module).owed;
+    if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
+        m_events.emplace_back(CommandExecuted{*ask.module, blind->latched, blind->stop});
 }
 
 Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bus/chain.h"
@@ -20,22 +21,28 @@ public:
 
     /// Somebody looks for the chain: questions would be in his way, so stops go out blindly.
     void setBlind(bool blind) { m_blind = blind; }
+    /// These are owed their stops in the same tick: one packet to their group goes out first, where that is
+    /// the same. Each is told and looked at by itself after that.
+    void tellTogether(std::vector<ModuleIndex> modules) { m_together = std::move(modules); }
     /// A module that answers has not been told yet.
     [[nodiscard]] bool untold() const;
 
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] Next next(TimePoint now) override;
+    void onAnswer(const Ask& ask, const ReplyEnd& end) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
     [[nodiscard]] std::optional<TimePoint> due() const override;
 
 private:
     [[nodiscard]] bool blindly(ModuleIndex module) const;
     [[nodiscard]] Next blindScript(TimePoint now);
+    [[nodiscard]] Line::Script groupScript(TimePoint now);
 
     Chain& m_chain;
     Recovery& m_recovery;
     const Line& m_line;
     std::vector<Event>& m_events;
+    std::vector<ModuleIndex> m_together;
     bool m_blind = false;
 };
 

@@ -94,8 +94,7 @@ void RateChange::interrupt() {
 
 /// Nobody answers: there is no leader.
 Line::Script RateChange::tellAll(std::uint32_t rate) const {
-    const auto row = findBaud(rate);
-    const Payload payload = SetBaud{row ? row->brd : kPowerUpBrd}.encode();
+    const Payload payload = SetBaud{findBrd(rate).value_or(kPowerUpBrd)}.encode();
     Line::Script script{Line::Gap{}};
     for (const BusAddress group : m_groups) {
         if (group != m_groups.front())

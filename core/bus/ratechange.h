@@ -25,7 +25,7 @@ public:
     enum class WayBack : std::uint8_t { None, Wanted };
 
     /// `groups`: everybody is in one of them, and none has a leader, which would answer at the new rate
-    /// (faults.md F-26). Both rates are of kBaudRows.
+    /// (faults.md F-26). The chips can make both rates (findBrd).
     RateChange(std::vector<Target> chain, std::vector<BusAddress> groups, std::uint32_t from,
                std::uint32_t to, WayBack wayBack);
 

@@ -39,7 +39,7 @@ void RateTask::begin(std::uint32_t baud, bool busy) {
 std::optional<RateChangeFailed::Reason> RateTask::obstacle(std::uint32_t baud,
                                                            std::vector<ModuleIndex>& modules) const {
     using enum RateChangeFailed::Reason;
-    if (!findBaud(baud))
+    if (!findBrd(baud))
         return NoSuchRate;
     if (m_chain.empty() || active())
         return NotNow;

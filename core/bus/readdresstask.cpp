@@ -8,26 +8,72 @@
 
 namespace nmc::bus {
 
+namespace {
+
+constexpr unsigned kFirstAddress = 1;
+constexpr unsigned kLastAddress = 0x7F;
+constexpr unsigned kMoves = 3;  ///< to a module that is provably where it was
+
+}  // namespace
+
+bool ReaddressTask::anythingMoves() const {
+    const auto& modules = m_chain.modules();
+    return std::any_of(modules.begin(), modules.end(), [&](const Chain::Module& m) {
+        return !m.belief.restarted() && m_chain.answers(m.belief.info().index) && m.belief.seenMoving();
+    });
+}
+
 void ReaddressTask::begin(ModuleIndex module, Of of, bool busy) {
     const bool resets = of == Of::Answering;
     const bool fits =
         m_chain.has(module) && (resets ? m_chain.answers(module) : m_chain.belief(module).restarted());
-    const auto moves = [&](const Chain::Module& m) {
-        return !m.belief.restarted() && m_chain.answers(m.belief.info().index) && m.belief.seenMoving();
-    };
-    const auto& modules = m_chain.modules();
-    if (!fits || busy || active() || std::any_of(modules.begin(), modules.end(), moves)) {
+    if (!fits || busy || active() || anythingMoves()) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }
     m_module = module;
+    m_to.reset();
     m_stage = resets ? Stage::Reset : Stage::Address;
     m_done = false;
 }
 
+void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy) {
+    using Reason = ReaddressFailed::Reason;
+    const auto& modules = m_chain.modules();
+    const bool taken = address.value() < kFirstAddress || address.value() > kLastAddress ||
+                       std::any_of(modules.begin(), modules.end(), [&](const Chain::Module& other) {
+                           return other.belief.info().address == address;
+                       });
+    const bool fits = m_chain.has(module) && m_chain.answers(module) && !m_chain.belief(module).restarted();
+    if (!fits || busy || active() || anythingMoves())
+        m_events.emplace_back(ReaddressFailed{module, Reason::NotNow});
+    else if (taken)
+        m_events.emplace_back(ReaddressFailed{module, Reason::Taken});
+    else if (!m_chain.belief(module).info().group)
+        m_events.emplace_back(ReaddressFailed{module, Reason::GroupUnknown});
+    else {
+        m_module = module;
+        m_to = address;
+        m_moves = 0;
+        m_stage = Stage::Free;
+    }
+}
+
+void ReaddressTask::interrupted() {
+    if (!m_to || m_moves == 0)
+        return drop();
+    m_moves = kMoves;
+    m_stage = Stage::There;
+}
+
+void ReaddressTask::fail(ReaddressFailed::Reason reason) {
+    m_events.emplace_back(ReaddressFailed{*std::exchange(m_module, std::nullopt), reason});
+    m_to.reset();
+}
+
 void ReaddressTask::drop() {
-    if (const auto module = std::exchange(m_module, std::nullopt))
-        m_events.emplace_back(ReaddressFailed{*module, ReaddressFailed::Reason::NotNow});
+    if (active())
+        fail(ReaddressFailed::Reason::NotNow);
 }
 
 Next ReaddressTask::next(TimePoint now) {
@@ -53,14 +99,24 @@ Next ReaddressTask::next(TimePoint now) {
                 return Again{};
             // The others hear noise at their own rate; nobody answers, there is no leader in group FF.
             Line::Script script{Line::Gap{}};
-            const auto row = findBaud(m_chain.rate());
-            if (m_done && row)
-                script.emplace_back(Line::Packet{toPacket({kEverybody, SetBaud{row->brd}.encode()})});
+            const auto brd = findBrd(m_chain.rate());
+            if (m_done && brd)
+                script.emplace_back(Line::Packet{toPacket({kEverybody, SetBaud{*brd}.encode()})});
             const Line::Script back = Line::toRate(m_chain.rate());
             script.insert(script.end(), back.begin(), back.end());
             return script;
         }
         case Stage::Identify:
+            return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+        case Stage::Free:
+        case Stage::There:
+            return question(*m_to, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
+        case Stage::Move: {
+            ++m_moves;
+            const Payload set = SetAddress{*m_to, BusAddress(info.group->group), info.group->leader}.encode();
+            return question(info.address, set, m_chain.layoutOf(m_chain.belief(*m_module), set).items);
+        }
+        case Stage::Still:
             return question(info.address, ReadStatus{kIdentityItems}.encode(), kIdentityItems);
         case Stage::Over:
             break;
@@ -89,6 +145,26 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
             if (m_done)
                 m_chain.welcome(*m_module, now);
             break;
+        case Stage::Free:
+            if (!end.bytes.empty())
+                fail(ReaddressFailed::Reason::Taken);
+            m_stage = Stage::Move;
+            break;
+        case Stage::Move:
+            if (right)
+                moved();
+            m_stage = Stage::There;
+            break;
+        case Stage::There:
+            if (right)
+                moved();
+            m_stage = Stage::Still;
+            break;
+        case Stage::Still:
+            if (!right || m_moves >= kMoves)
+                fail(right ? ReaddressFailed::Reason::NotNow : ReaddressFailed::Reason::NoAnswer);
+            m_stage = Stage::Move;
+            break;
         case Stage::Reset:
         case Stage::Forget:
         case Stage::Rate:
@@ -96,6 +172,13 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
             break;
     }
     return right ? Line::Script{} : Line::Script{Line::Lag{}, DiscardInput{}};
+}
+
+void ReaddressTask::moved() {
+    const ModuleIndex module = *std::exchange(m_module, std::nullopt);
+    const BusAddress address = *std::exchange(m_to, std::nullopt);
+    m_chain.at(module).belief.setAddress(address);
+    m_events.emplace_back(AddressChanged{module, address});
 }
 
 Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusItems items) const {
@@ -108,11 +191,9 @@ Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusIt
 }
 
 void ReaddressTask::end(bool done) {
+    if (!done)
+        return fail(ReaddressFailed::Reason::NoAnswer);
     const ModuleIndex module = *std::exchange(m_module, std::nullopt);
-    if (!done) {
-        m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NoAnswer});
-        return;
-    }
     m_events.emplace_back(Readdressed{m_chain.belief(module).info()});
     m_events.emplace_back(ModuleSilence{module, false});
 }

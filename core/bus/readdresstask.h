@@ -13,7 +13,9 @@ namespace nmc::bus {
 
 /// Gives a module that restarted its address back, and takes it to the rate of the chain; or resets one
 /// first, alone (DS-V 5.2, DS-S 5.1 Hard Reset). The others keep what they have. The module itself has lost
-/// everything but its type. Ends in Readdressed or ReaddressFailed.
+/// everything but its type. Or gives a module that answers another address, and it keeps all it has: whether
+/// somebody is there already is asked first, and where it is by then when its answer got lost (link.md 2.3).
+/// Ends in Readdressed, AddressChanged or ReaddressFailed.
 class ReaddressTask : public Task {
 public:
     ReaddressTask(const EngineConfig& config, Chain& chain, RestartSearch& restarts, const Line& line,
@@ -27,6 +29,10 @@ public:
     /// `busy`: something else is going on. Refused with an event when it cannot be done: only while nothing
     /// moves, since the chain is left alone for as long as it takes.
     void begin(ModuleIndex module, Of of, bool busy);
+    /// Another address, likewise.
+    void beginMove(ModuleIndex module, BusAddress address, bool busy);
+    /// A stop comes first. Where a module is that may have moved is found out after it.
+    void interrupted();
     /// Something goes before it. The module may have its address by then; the next search tells.
     void drop();
     [[nodiscard]] bool active() const { return m_module.has_value(); }
@@ -36,9 +42,25 @@ public:
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
-    enum class Stage : std::uint8_t { Reset, Forget, Address, Probe, Rate, Identify, Over };
+    enum class Stage : std::uint8_t {
+        Reset,
+        Forget,
+        Address,
+        Probe,
+        Rate,
+        Identify,
+        // of another address
+        Free,
+        Move,
+        There,
+        Still,
+        Over
+    };
+    [[nodiscard]] bool anythingMoves() const;
+    void fail(ReaddressFailed::Reason reason);
     [[nodiscard]] Ask question(BusAddress address, const Payload& payload, StatusItems items) const;
     void end(bool done);
+    void moved();
 
     const EngineConfig& m_config;
     Chain& m_chain;
@@ -46,6 +68,8 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<ModuleIndex> m_module;
+    std::optional<BusAddress> m_to;  ///< another address
+    unsigned m_moves = 0;            ///< so often it was told
     Stage m_stage = Stage::Over;
     bool m_done = false;
 };

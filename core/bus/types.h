@@ -52,12 +52,22 @@ struct GroupChange {
 struct GroupCommand {
     enum class Action : std::uint8_t {
         StartMotion,  ///< withheld unless each member has confirmed its load
-        SaveAsHome
+        SaveAsHome,
+        ResetPosition,    ///< withheld while any member moves
+        ClearStickyBits,  ///< PIC-SERVO only
+        StopSmoothly,     ///< stops: past all that waits, and never withheld from a member that is known;
+        StopAbruptly,     ///< who is off stays off. Done: each member is owed its stop, and
+        MotorOff,         ///< OwedStopConfirmed follows for each
     };
     std::uint8_t group = 0xFF;
     Action action = Action::StartMotion;
     bool operator==(const GroupCommand&) const = default;
 };
+
+[[nodiscard]] constexpr bool isStop(GroupCommand::Action action) {
+    using enum GroupCommand::Action;
+    return action == StopSmoothly || action == StopAbruptly || action == MotorOff;
+}
 
 struct GroupOperation {
     OperationId id;
@@ -226,6 +236,7 @@ struct RateChanged {
 struct RateChangeFailed {
     enum class Reason : std::uint8_t {
         NoSuchRate,
+        PortCannot,     ///< the host's port does not make it to within 2 %
         NotNow,         ///< something moves, or is about to; not connected; read-only
         Missing,        ///< `modules` do not answer, and would be left behind
         GroupsUnknown,  ///< `modules` may be in groups that are not known here, and would not hear it
@@ -257,11 +268,13 @@ enum class StopCause : std::uint8_t {
     LinkGivenUp,  ///< the link, or that to this module: nobody sees what it does any more
     StopAll,      ///< a stop of all did not see it at rest
     ForeignTraffic,
+    GroupStop,  ///< the operator stopped its group
 };
 
 /// The operator wanted the motion to end, and may want it again before it has.
-[[nodiscard]] constexpr bool ofHold(StopCause cause) {
-    return cause == StopCause::HoldReleased || cause == StopCause::HoldExpired;
+[[nodiscard]] constexpr bool ofOperator(StopCause cause) {
+    return cause == StopCause::HoldReleased || cause == StopCause::HoldExpired ||
+           cause == StopCause::GroupStop;
 }
 
 /// A stop that the engine owed to one module is confirmed: the module was seen at rest, twice. Until then it
@@ -316,11 +329,19 @@ struct Readdressed {
     ModuleInfo module;
 };
 
+/// A module has another address; nothing else about it has changed.
+struct AddressChanged {
+    ModuleIndex module;
+    BusAddress address;
+};
+
 /// The module has not been given its address.
 struct ReaddressFailed {
     enum class Reason : std::uint8_t {
         NotNow,  ///< something moves, or is under way; the module has not restarted; read-only
         NoAnswer,
+        Taken,         ///< another module has that address, or no module may have it: 1..127
+        GroupUnknown,  ///< and it would be changed with the address
     };
     ModuleIndex module;
     Reason reason = Reason::NotNow;
@@ -356,11 +377,11 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event =
-    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
-                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion>;
+using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
+                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
+                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect, GroupFinished,
+                           GroupChanged, RateChanged, RateChangeFailed, OwedStopConfirmed, Readdressed,
+                           ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion, AddressChanged>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

@@ -32,6 +32,14 @@ inline constexpr std::array<BaudRow, 4> kBaudRows{{
 /// The row for a nominal rate, or nothing when the chips cannot make it.
 [[nodiscard]] std::optional<BaudRow> findBaud(std::uint32_t nominal);
 
+/// The divisor byte for any rate that the chips can make to within 2 %, beyond which bytes get lost
+/// (protocol.md section 1): that of the row where there is one, or the nearest.
+[[nodiscard]] std::optional<std::uint8_t> findBrd(std::uint32_t baud);
+
+/// The rate a host's port is set to for a divisor: that of the row whose divisor it is, or the nearest whole
+/// number.
+[[nodiscard]] std::uint32_t baudOf(std::uint8_t brd);
+
 /// The rate a divisor really gives, in bits per second: 1 250 000 / (brd + 1) (DS-V 5.2 Set Baud Rate, 20
 /// MHz).
 [[nodiscard]] double realRate(std::uint8_t brd);

@@ -192,7 +192,7 @@ TEST(ChainRate, IsNotChangedWhenThatWouldLeaveSomebody) {
             EXPECT_FALSE(bus.sent[i].bytes.size() == 5 && bus.sent[i].bytes[2] == 0x1A);
         return bus.failure();
     };
-    EXPECT_EQ(refused(38'400).reason, Reason::NoSuchRate);
+    EXPECT_EQ(refused(360'000).reason, Reason::NoSuchRate);
     ASSERT_EQ(bus.perform({loadVelocity(1, 6'554, true)}), Outcome::Done);
     EXPECT_EQ(refused(115'200).reason, Reason::NotNow);
     EXPECT_EQ(bus.failure().modules, std::vector{ModuleIndex(1)});

@@ -31,8 +31,14 @@ STOPPING = (
     )),
     Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group that another host left may have a leader", (
         Edit("core/bus/chain.cpp",
-             "return belief(s.module).info().group == GroupPlace{} && answers(s.module);",
-             "return answers(s.module);"),
+             "        const auto& other = module.belief.info().group;\n",
+             "        const std::optional other = module.belief.info().group.value_or(GroupPlace{});\n"),
+        Edit("core/bus/chain.cpp",
+             "    const auto& place = belief(stops.front().module).info().group;\n",
+             "    const std::optional place = belief(stops.front().module).info().group.value_or(GroupPlace{});\n"),
+        Edit("core/bus/chain.cpp",
+             "            if (belief(step.module).info().group->leader)",
+             "            if (belief(step.module).info().group.value_or(GroupPlace{}).leader)"),
     )),
     Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
         Edit("core/bus/engineoutcome.cpp",

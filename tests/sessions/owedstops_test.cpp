@@ -94,6 +94,7 @@ public:
             case StopCause::LinkGivenUp:
             case StopCause::StopAll:
             case StopCause::ForeignTraffic:
+            case StopCause::GroupStop:
                 return false;
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -131,6 +132,117 @@ TEST_F(ChainWindow, AGroupStartIsWithheldUntilEachMemberHasLoaded) {
               (bus::GroupCommand{0x81, bus::GroupCommand::Action::StartMotion}));
     EXPECT_EQ(commands.at(1).at(0).value<bus::GroupCommand>(),
               (bus::GroupCommand{0x81, bus::GroupCommand::Action::SaveAsHome}));
+}
+
+TEST_F(ChainWindow, AGroupIsToldToStopAndToClear) {
+    using enum bus::GroupCommand::Action;
+    showGrouped({bus::GroupPlace{0x90, false}, bus::GroupPlace{0x90, false}, bus::GroupPlace{}});
+    open("groupsAction");
+    std::vector<bus::GroupCommand> wanted;
+    for (const auto& [name, action] : {std::pair(u"groupStopSmoothlyButton"_s, StopSmoothly),
+                                       {u"groupStopAbruptlyButton"_s, StopAbruptly},
+                                       {u"groupMotorOffButton"_s, MotorOff},
+                                       {u"groupClearButton"_s, ClearStickyBits}}) {
+        click(name);
+        wanted.push_back({0x90, action});
+    }
+    ASSERT_EQ(commands.size(), qsizetype{4});
+    for (qsizetype i = 0; i < 4; ++i)
+        EXPECT_EQ(commands.at(i).at(0).value<bus::GroupCommand>(), wanted[static_cast<std::size_t>(i)]);
+    link.rights = OperatorRights{};
+    window->showLink(link);
+    EXPECT_TRUE(button(u"groupStopAbruptlyButton"_s)->isEnabled()) << "a stop is never locked";
+    EXPECT_FALSE(button(u"groupHomeButton"_s)->isEnabled());
+    link.readOnly = true;
+    window->showLink(link);
+    EXPECT_FALSE(button(u"groupStopAbruptlyButton"_s)->isEnabled());
+}
+
+TEST_F(ChainWindow, ANewZeroOfAGroupAsksFirstAndOnlyAtRest) {
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x81, false}});
+    open("groupsAction");
+    click(u"groupResetButton"_s);
+    EXPECT_EQ(commands.size(), 0);
+    ASSERT_NE(find(u"groupResetDialog"_s), nullptr);
+    click(u"cancelGroupResetButton"_s);
+    EXPECT_EQ(commands.size(), 0);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    click(u"groupResetButton"_s);
+    click(u"confirmGroupResetButton"_s);
+    ASSERT_EQ(commands.size(), 1);
+    EXPECT_EQ(commands.at(0).at(0).value<bus::GroupCommand>(),
+              (bus::GroupCommand{0x81, bus::GroupCommand::Action::ResetPosition}));
+    const std::vector<ModuleState> moving{Servo{.moveDone = false}.state()};
+    link.modules[1].latest = moving[0].latest;
+    window->showLink(link);
+    EXPECT_FALSE(button(u"groupResetButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"groupResetButton"_s)->toolTip().startsWith(u"Module 2:"_s))
+        << button(u"groupResetButton"_s)->toolTip().toStdString();
+}
+
+TEST_F(ChainWindow, AnyGroupOfTheDataSheetsCanBeChosen) {
+    showGrouped({bus::GroupPlace{}});
+    open("groupsAction");
+    auto* group = find<QComboBox>(u"group1Box"_s);
+    EXPECT_GE(group->findData(0x80), 0);
+    EXPECT_GE(group->findData(0xFE), 0);
+    EXPECT_EQ(group->count(), 128) << "80 to FE, and none";
+}
+
+TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
+    QSignalSpy addresses(&window->chainMenu(), &ChainMenu::addressRequested);
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    open("groupsAction");
+    auto* field = find<QSpinBox>(u"address2Box"_s);
+    EXPECT_EQ(field->value(), 2);
+    field->window()->activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return field->isActiveWindow(); }));
+    const auto enter = [&](const QString& text, Qt::Key key) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, key);
+    };
+    enter(u"1"_s, Qt::Key_Return);
+    EXPECT_EQ(addresses.size(), 0);
+    EXPECT_EQ(window->findChild<QLabel*>(u"addressReason"_s)->text(),
+              u"Address 1 is that of Module 1. Nothing was sent."_s);
+    enter(u"77"_s, Qt::Key_Tab);
+    EXPECT_EQ(addresses.size(), 0) << "without Enter";
+    EXPECT_EQ(field->value(), 2);
+    enter(u"77"_s, Qt::Key_Return);
+    ASSERT_EQ(addresses.size(), 1);
+    EXPECT_EQ(addresses.at(0).at(0).value<ModuleIndex>(), ModuleIndex(1));
+    EXPECT_EQ(addresses.at(0).at(1).value<BusAddress>(), BusAddress(77));
+    EXPECT_FALSE(window->findChild<QLabel*>(u"addressReason"_s)->isVisible());
+    showGrouped({std::nullopt});
+    EXPECT_FALSE(find(u"address1Box"_s)->isEnabled()) << "its group would change";
+}
+
+TEST_F(ChainWindow, AnyDivisorGivesItsRate) {
+    showServos({{}});
+    open("rateAction");
+    auto* rate = find<QComboBox>(u"chainRateBox"_s);
+    auto* divisor = find<QSpinBox>(u"chainDivisorBox"_s);
+    EXPECT_FALSE(divisor->isVisible());
+    rate->setFocus();
+    QTest::keyClick(rate, Qt::Key_End);
+    ASSERT_TRUE(divisor->isVisible());
+    EXPECT_EQ(divisor->value(), 10) << "where the chain is: 1 250 000 / 11";
+    EXPECT_FALSE(button(u"changeRateButton"_s)->isEnabled());
+    divisor->setFocus();
+    divisor->selectAll();
+    QTest::keyClicks(divisor, u"4"_s);
+    EXPECT_EQ(text(u"chainDivisorRate"_s), u"= 250\u202f000 Bd"_s);
+    click(u"changeRateButton"_s);
+    ASSERT_EQ(rates.size(), 1);
+    EXPECT_EQ(rates.at(0).at(0).toUInt(), 250'000U);
+    link = connectedTo({Servo{}.state()});
+    link.baud = 250'000;
+    window->showLink(link);
+    EXPECT_EQ(rate->currentText(), u"Other…"_s);
+    EXPECT_EQ(divisor->value(), 4);
+    EXPECT_EQ(text(u"chainRateLabel"_s), u"The chain runs at 250\u202f000 Bd."_s);
 }
 
 TEST_F(ChainWindow, AnUnknownGroupIsSaidToBeUnknown) {

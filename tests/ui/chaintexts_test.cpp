@@ -50,6 +50,36 @@ TEST(ChainTexts, GroupStartWithheld) {
               u"Group 81 has no members. Nothing was sent."_s);
 }
 
+bus::GroupFinished command(Action action, bus::Outcome outcome, std::vector<bus::GroupMember> members) {
+    return {bus::OperationId(1), outcome, bus::GroupCommand{0x81, action}, std::move(members), false};
+}
+
+TEST(ChainTexts, GroupThatIsToldToStop) {
+    const std::vector<bus::GroupMember> both{{ModuleIndex(0), MemberOutcome::Done},
+                                             {ModuleIndex(2), MemberOutcome::Done}};
+    EXPECT_EQ(texts::groupToldToStop(command(Action::StopSmoothly, bus::Outcome::Done, both)).headline,
+              u"Group 81 was told to stop: module 1 and 3."_s);
+    EXPECT_EQ(texts::groupToldToStop(command(Action::MotorOff, bus::Outcome::Done, both)).headline,
+              u"Group 81 was told to switch its motors off: module 1 and 3."_s);
+    EXPECT_EQ(texts::stopConfirmed({ModuleIndex(2), bus::StopCause::GroupStop}), u"Module 3 has stopped."_s);
+}
+
+TEST(ChainTexts, GroupWhoseZeroIsNotCertain) {
+    const Message m = texts::groupFailed(
+        command(Action::ResetPosition, bus::Outcome::NoAnswer,
+                {{ModuleIndex(0), MemberOutcome::Done}, {ModuleIndex(1), MemberOutcome::NotDone}}));
+    EXPECT_EQ(m.headline, u"Not every module of group 81 has certainly set its position to 0."_s);
+    EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1. Not carried out by: 2."_s)) << m.body.toStdString();
+}
+
+TEST(ChainTexts, AddressThatIsTaken) {
+    const Message m = texts::notReaddressed({ModuleIndex(1), bus::ReaddressFailed::Reason::Taken});
+    EXPECT_EQ(m.headline, u"Module 2 was not given its address. No motor moved by it."_s);
+    EXPECT_TRUE(m.body.contains(u"1 to 127"_s));
+    EXPECT_EQ(texts::addressChanged({ModuleIndex(1), BusAddress(77)}).headline,
+              u"Module 2 has address 77 now. Position, gains and group are what they were."_s);
+}
+
 TEST(ChainTexts, RateThatAModuleDidNotHear) {
     const Message m = texts::rateNotChanged({Reason::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
     EXPECT_EQ(m.headline, u"The rate was not changed: the chain stays at 19 200 Bd. No motor moved by it."_s);
@@ -69,8 +99,9 @@ TEST(ChainTexts, RateForAll) {
 
 TEST(ChainTexts, HaveNoForbiddenWords) {
     QStringList all;
-    for (const Reason reason : {Reason::NoSuchRate, Reason::NotNow, Reason::Missing, Reason::GroupsUnknown,
-                                Reason::Leader, Reason::NotHeard, Reason::Interrupted}) {
+    for (const Reason reason :
+         {Reason::NoSuchRate, Reason::PortCannot, Reason::NotNow, Reason::Missing, Reason::GroupsUnknown,
+          Reason::Leader, Reason::NotHeard, Reason::Interrupted}) {
         const Message m = texts::rateNotChanged({reason, 57'600, 19'200, {ModuleIndex(1)}, {}});
         EXPECT_FALSE(m.body.isEmpty());
         all << m.headline << m.body;

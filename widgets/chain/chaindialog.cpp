@@ -47,6 +47,7 @@ ChainDialog::ChainDialog(QWidget* parent)
     connect(m_doctor, &DoctorPage::restartRequested, this, &ChainDialog::restartRequested);
     connect(m_doctor, &DoctorPage::acceptRequested, this, &ChainDialog::acceptRequested);
     connect(m_groups, &GroupsPage::groupChangeRequested, this, &ChainDialog::groupChangeRequested);
+    connect(m_groups, &GroupsPage::addressRequested, this, &ChainDialog::addressRequested);
     connect(m_groups, &GroupsPage::groupCommandRequested, this, &ChainDialog::groupCommandRequested);
     connect(m_groups, &GroupsPage::groupNamed, this, &ChainDialog::groupNamed);
     connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);

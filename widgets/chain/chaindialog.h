@@ -37,6 +37,7 @@ signals:
     void scanRequested();
     void restartRequested();
     void acceptRequested();
+    void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
     void groupNamed(quint8 group, const QString& name);

@@ -74,6 +74,7 @@ void ChainMenu::open(int page) {
         connect(m_dialog, &ChainDialog::restartRequested, this, &ChainMenu::restartRequested);
         connect(m_dialog, &ChainDialog::acceptRequested, this, &ChainMenu::acceptRequested);
         connect(m_dialog, &ChainDialog::groupChangeRequested, this, &ChainMenu::groupChangeRequested);
+        connect(m_dialog, &ChainDialog::addressRequested, this, &ChainMenu::addressRequested);
         connect(m_dialog, &ChainDialog::groupCommandRequested, this, &ChainMenu::groupCommandRequested);
         connect(m_dialog, &ChainDialog::rateRequested, this, &ChainMenu::rateRequested);
     }

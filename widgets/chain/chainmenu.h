@@ -35,6 +35,7 @@ signals:
     void restartRequested();
     /// What is there now is what is expected from now on.
     void acceptRequested();
+    void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
     void groupNamed(quint8 group, const QString& name);

@@ -22,6 +22,7 @@ ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& 
     facts.address = module.info.address.value();
     facts.rate = qRound(module.repliesPerSecond);
     facts.activity = module.activity();
+    facts.swings = facts.activity == Activity::Holding && module.swing.swing();
     if (const auto run = procedures.find(module.info.index); run != procedures.end() && !run->second.over())
         facts.procedure = run->second;
     facts.scale = scaleOf(module, settings);
@@ -43,6 +44,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
         row.title = row.facts.axis.empty() ? row.facts.name : QString::fromStdString(row.facts.axis);
         row.type = texts::moduleType(row.facts.identity);
         row.activity = row.facts.procedure ? texts::procedureStage(*row.facts.procedure)
+                       : row.facts.swings  ? tr("%1, oscillating").arg(texts::activity(row.facts.activity))
                                            : texts::activity(row.facts.activity);
         row.unit = texts::unitOf(row.facts.scale);
     }

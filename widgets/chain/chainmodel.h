@@ -50,6 +50,7 @@ private:
         int address = 0;
         int rate = 0;  ///< status replies a second
         Activity activity = Activity::Unknown;
+        bool swings = false;
         std::optional<ProcedureReport> procedure;  ///< while it runs
         AxisScale scale;
         std::optional<HomeFact::Place> home;

@@ -8,9 +8,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <algorithm>
 #include <set>
 
+#include "widgets/common/askdialog.h"
 #include "widgets/common/doctortexts.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -21,11 +23,14 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr std::uint8_t kNoGroup = 0xFF;  // everybody's
-constexpr std::uint8_t kFirstGroup = 0x81;
-constexpr std::uint8_t kLastGroup = 0x88;  // more than enough for 32 modules
+constexpr std::uint8_t kNoGroup = 0xFF;     // everybody's
+constexpr std::uint8_t kFirstGroup = 0x81;  // 80 comes last: hosts begin with 81
+constexpr std::uint8_t kLastGroup = 0xFE;
+constexpr std::uint8_t kOtherGroup = 0x80;
 constexpr int kUnknown = -1;
-enum Column { Name, Group, Leader, Load };
+constexpr int kFirstAddress = 1;
+constexpr int kLastAddress = 0x7F;
+enum Column { Name, Address, Group, Leader, Load };
 }  // namespace
 
 GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
@@ -34,11 +39,17 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     auto* remark =
         look::newMutedLabel(tr("A module listens to one group besides its own address. A command to "
                                "a group is carried out by all its members in the same tick; its "
-                               "leader, if it has one, answers for them."),
+                               "leader, if it has one, answers for them; then each member is looked at "
+                               "by itself. Questions go to single modules: from a group only the leader "
+                               "would answer."),
                             this);
     remark->setWordWrap(true);
     m_none = look::newMutedLabel(tr("No modules yet: connect first."), this);
     m_none->setObjectName(u"noGroupsLabel"_s);
+    m_addressReason = new QLabel(this);
+    m_addressReason->setObjectName(u"addressReason"_s);
+    m_addressReason->setWordWrap(true);
+    m_addressReason->hide();
     m_grid = new QGridLayout;
     m_grid->setHorizontalSpacing(unit * 2);
     m_grid->setVerticalSpacing(unit / 2);
@@ -46,21 +57,41 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
 
     m_group = new QComboBox(this);
     look::name(m_group, u"groupBox"_s, tr("Group to be commanded"));
-    m_group->setToolTip(tr("Which group the two buttons are for."));
+    m_group->setToolTip(tr("Which group the buttons are for."));
     m_name = new QLineEdit(this);
     look::name(m_name, u"groupNameField"_s, tr("Name of the group"));
     m_name->setMaxLength(40);
     m_name->setPlaceholderText(tr("Name"));
-    m_start = new QPushButton(icons::tinted(u"player-play"_s), tr("St&art loaded moves"), this);
-    look::name(m_start, u"groupStartButton"_s, tr("Start the loaded moves of this group"));
-    m_saveHome = new QPushButton(icons::tinted(u"home"_s), tr("Save &home"), this);
-    look::name(m_saveHome, u"groupHomeButton"_s, tr("Save the present positions of this group as home"));
-    auto* commands = new QHBoxLayout;
-    commands->setSpacing(unit);
-    commands->addWidget(m_group);
-    commands->addWidget(m_name, 1);
-    commands->addWidget(m_start);
-    commands->addWidget(m_saveHome);
+    using enum bus::GroupCommand::Action;
+    m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
+                         tr("Start the loaded moves of this group"), StartMotion);
+    m_start->setIcon(icons::tinted(u"player-play"_s));
+    m_saveHome = newCommand(tr("Save &home"), u"groupHomeButton"_s,
+                            tr("Save the present positions of this group as home"), SaveAsHome);
+    m_saveHome->setIcon(icons::tinted(u"home"_s));
+    m_stopSmoothly = newCommand(tr("Stop s&moothly"), u"groupStopSmoothlyButton"_s,
+                                tr("Stop this group smoothly"), StopSmoothly);
+    m_stopAbruptly = newCommand(tr("Stop at &once"), u"groupStopAbruptlyButton"_s,
+                                tr("Stop this group at once"), StopAbruptly);
+    m_motorOff =
+        newCommand(tr("Motors o&ff"), u"groupMotorOffButton"_s, tr("Motors of this group off"), MotorOff);
+    m_clear = newCommand(tr("C&lear sticky bits"), u"groupClearButton"_s,
+                         tr("Clear the sticky bits of this group"), ClearStickyBits);
+    m_reset = new QPushButton(tr("Set &position to 0…"), this);
+    m_reset->setAutoDefault(false);
+    look::name(m_reset, u"groupResetButton"_s, tr("Set the positions of this group to 0"));
+    connect(m_reset, &QPushButton::clicked, this, &GroupsPage::askBeforeReset);
+    const auto row = [this, unit](std::initializer_list<QWidget*> widgets) {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(unit);
+        for (QWidget* widget : widgets)
+            line->addWidget(widget, widget == m_name ? 1 : 0);
+        return line;
+    };
+    auto* stops = row({m_stopSmoothly, m_stopAbruptly, m_motorOff});
+    stops->addStretch(1);
+    auto* others = row({m_saveHome, m_reset, m_clear});
+    others->addStretch(1);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, unit, unit);
@@ -68,15 +99,23 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     layout->addWidget(remark);
     layout->addWidget(m_none);
     layout->addLayout(m_grid);
-    layout->addLayout(commands);
+    layout->addWidget(m_addressReason);
+    layout->addLayout(row({m_group, m_name, m_start}));
+    layout->addLayout(stops);
+    layout->addLayout(others);
     layout->addStretch(1);
     connect(m_group, &QComboBox::currentIndexChanged, this, &GroupsPage::refreshCommands);
     connect(m_name, &QLineEdit::editingFinished, this, &GroupsPage::nameGroup);
-    connect(m_start, &QPushButton::clicked, this,
-            [this] { command(bus::GroupCommand::Action::StartMotion); });
-    connect(m_saveHome, &QPushButton::clicked, this,
-            [this] { command(bus::GroupCommand::Action::SaveAsHome); });
     showLink({}, {});
+}
+
+QPushButton* GroupsPage::newCommand(const QString& text, const QString& objectName,
+                                    const QString& accessibleName, bus::GroupCommand::Action action) {
+    auto* button = new QPushButton(text, this);
+    look::name(button, objectName, accessibleName);
+    button->setAutoDefault(false);  // Enter is for addresses and names
+    connect(button, &QPushButton::clicked, this, [this, action] { command(action); });
+    return button;
 }
 
 void GroupsPage::addMember() {
@@ -84,20 +123,27 @@ void GroupsPage::addMember() {
     const int number = static_cast<int>(row) + 1;
     Member member;
     member.name = new QLabel(this);
+    member.address = new QSpinBox(this);
+    look::name(member.address, u"address%1Box"_s.arg(number), tr("Address of module %1").arg(number));
+    member.address->setRange(kFirstAddress, kLastAddress);
+    member.address->setPrefix(tr("address "));
     member.group = new QComboBox(this);
     look::name(member.group, u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number));
     member.group->setToolTip(tr("The group this module listens to. Sent at once; nothing moves."));
     member.group->addItem(texts::groupName(kNoGroup), kNoGroup);
     for (int group = kFirstGroup; group <= kLastGroup; ++group)
         member.group->addItem(titleOf(group), group);
+    member.group->addItem(titleOf(kOtherGroup), kOtherGroup);
     member.leader = new QCheckBox(tr("leads"), this);
     look::name(member.leader, u"leader%1Box"_s.arg(number), tr("Module %1 leads its group").arg(number));
     member.load = look::newMutedLabel({}, this);
     member.load->setObjectName(u"load%1Label"_s.arg(number));
     m_grid->addWidget(member.name, number, Name);
+    m_grid->addWidget(member.address, number, Address);
     m_grid->addWidget(member.group, number, Group);
     m_grid->addWidget(member.leader, number, Leader);
     m_grid->addWidget(member.load, number, Load);
+    connect(member.address, &QSpinBox::editingFinished, this, [this, row] { readdress(row); });
     connect(member.group, &QComboBox::activated, this, [this, row] { changed(row); });
     connect(member.leader, &QCheckBox::clicked, this, [this, row] { changed(row); });
     m_members.push_back(member);
@@ -128,10 +174,18 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
                       : place && place->group != kNoGroup ? QString()
                                                           : tr("Choose a group first."),
                       tr("This module answers for its group; a group has one leader at most."));
+    look::setPossible(row.address, !reason.isEmpty() ? reason : whyNotAddress(module),
+                      tr("The address this module answers to, 1 to 127. Sent with Enter; it keeps its "
+                         "position, gains and group."));
+    if (!row.address->hasFocus()) {
+        const QSignalBlocker addressBlocker(row.address);
+        row.address->setValue(module.info.address.value());
+    }
     look::setText(row.load, module.loadWaiting ? tr("move loaded") : QString());
 }
 
 void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings>& groups) {
+    const bool renamed = m_groups != groups;
     m_link = link;
     m_groups = groups;
     while (m_members.size() < link.modules.size())
@@ -139,15 +193,17 @@ void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings
     for (std::size_t i = 0; i < m_members.size(); ++i) {
         const bool there = i < link.modules.size();
         for (QWidget* widget :
-             {static_cast<QWidget*>(m_members[i].name), static_cast<QWidget*>(m_members[i].group),
-              static_cast<QWidget*>(m_members[i].leader), static_cast<QWidget*>(m_members[i].load)})
+             {static_cast<QWidget*>(m_members[i].name), static_cast<QWidget*>(m_members[i].address),
+              static_cast<QWidget*>(m_members[i].group), static_cast<QWidget*>(m_members[i].leader),
+              static_cast<QWidget*>(m_members[i].load)})
             widget->setVisible(there);
         if (there)
             showMember(m_members[i], link.modules[i]);
     }
     m_none->setVisible(link.modules.empty());
     offerGroups();
-    showNames();
+    if (renamed)
+        showNames();
     refreshCommands();
 }
 
@@ -200,11 +256,15 @@ void GroupsPage::offerGroups() {
     m_group->setCurrentIndex(qMax(0, m_group->findData(chosen)));
 }
 
-QString GroupsPage::whyNotStart(std::uint8_t group) const {
+std::uint8_t GroupsPage::group() const {
+    return static_cast<std::uint8_t>(m_group->currentData().toInt());
+}
+
+QString GroupsPage::whyNotAll(Request request) const {
     for (const ModuleState& module : m_link.modules) {
-        if (!module.info.group || module.info.group->group != group)
+        if (!module.info.group || module.info.group->group != group())
             continue;
-        if (const auto refusal = whyNot(Request::StartLoaded, module))
+        if (const auto refusal = whyNot(request, module))
             return tr("%1: %2").arg(texts::moduleName(module.info.index), texts::refusal(*refusal));
     }
     return {};
@@ -215,14 +275,29 @@ void GroupsPage::refreshCommands() {
     const QString none = tr("No module is in a group yet.");
     const auto refusal = whyNotTold(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
-    const auto group = static_cast<std::uint8_t>(m_group->currentData().toInt());
     look::setPossible(
-        m_start, any ? whyNotStart(group) : none,
+        m_start, any ? whyNotAll(Request::StartLoaded) : none,
         tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every "
            "member has confirmed its load."));
     look::setPossible(
         m_saveHome, any ? notTold : none,
         tr("Each member captures its present position as home, in the same tick. Nothing moves."));
+    look::setPossible(m_reset, any ? whyNotAll(Request::ResetPosition) : none,
+                      tr("The place where each member stands becomes 0. Asks first."));
+    look::setPossible(m_clear, any ? whyNotAll(Request::ClearStickyBits) : none,
+                      tr("Takes back what each member has remembered of faults. PIC-SERVO only."));
+    // Stops are left to whoever stands there.
+    const QString notStopped = !any ? none : m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
+    look::setPossible(
+        m_stopSmoothly, notStopped,
+        tr("Each member that is on slows down, and holds. Repeated until each is seen at rest."));
+    look::setPossible(
+        m_stopAbruptly, notStopped,
+        tr("Each member that is on stops at once, and holds. Repeated until each is seen at rest."));
+    look::setPossible(m_motorOff, notStopped,
+                      tr("Switches each member off: it coasts, and a load may drop. Repeated until each is "
+                         "seen at rest."));
+    AskDialog::reviewAll(*this);
     m_group->setEnabled(any);
     look::setPossible(m_name,
                       m_group->count() == 0 ? none
@@ -230,7 +305,34 @@ void GroupsPage::refreshCommands() {
                                             : QString(),
                       tr("What you call this group. Kept with the machine; nothing is sent."));
     if (!m_name->hasFocus())
-        m_name->setText(nameOf(group));
+        m_name->setText(nameOf(group()));
+}
+
+QString GroupsPage::questionBeforeReset() const {
+    if (m_group->count() == 0 || !whyNotAll(Request::ResetPosition).isEmpty())
+        return {};
+    std::vector<ModuleIndex> members;
+    for (const ModuleState& module : m_link.modules)
+        if (module.info.group && module.info.group->group == group())
+            members.push_back(module.info.index);
+    return tr("The place where each motor of %1 stands becomes position 0: module %2. Home, limits and "
+              "taught "
+              "points mean other places after that.")
+        .arg(titleOf(group()), texts::listOfModules(members));
+}
+
+void GroupsPage::askBeforeReset() {
+    // The group it asks about is the one that is reset.
+    const auto asked = group();
+    AskDialog::ask({.name = u"groupResetDialog"_s,
+                    .title = tr("Set positions to 0"),
+                    .text = [this, asked] { return asked == group() ? questionBeforeReset() : QString(); },
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelGroupResetButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("&Set positions to 0"), u"confirmGroupResetButton"_s,
+                     [this] { command(bus::GroupCommand::Action::ResetPosition); }}},
+                   this);
 }
 
 void GroupsPage::changed(std::size_t row) {
@@ -242,8 +344,42 @@ void GroupsPage::changed(std::size_t row) {
     emit groupChangeRequested({m_link.modules[row].info.index, {static_cast<std::uint8_t>(group), leader}});
 }
 
+/// As the engine would, which asks at that address besides.
+QString GroupsPage::whyNotAddress(const ModuleState& module) const {
+    if (!module.info.group)
+        return tr(
+            "Its group is not known here and would be changed with the address. Choose a group first, "
+            "or none.");
+    const bool moves = std::any_of(m_link.modules.begin(), m_link.modules.end(),
+                                   [](const ModuleState& other) { return other.moving(); });
+    return moves ? tr("A motor is moving. Addresses change at standstill only.") : QString();
+}
+
+/// With Enter. Without, the field says again what is the case.
+void GroupsPage::readdress(std::size_t row) {
+    QSpinBox* field = m_members[row].address;
+    if (row >= m_link.modules.size())
+        return;
+    const bus::ModuleInfo& info = m_link.modules[row].info;
+    const BusAddress wanted(static_cast<std::uint8_t>(field->value()));
+    if (!field->hasFocus())
+        return showMember(m_members[row], m_link.modules[row]);
+    const auto taken =
+        std::find_if(m_link.modules.begin(), m_link.modules.end(), [&](const ModuleState& other) {
+            return other.info.index != info.index && other.info.address == wanted;
+        });
+    const bool free = taken == m_link.modules.end();
+    m_addressReason->setVisible(!free);
+    if (!free)
+        m_addressReason->setText(tr("Address %1 is that of %2. Nothing was sent.")
+                                     .arg(wanted.value())
+                                     .arg(texts::moduleName(taken->info.index)));
+    else if (wanted != info.address)
+        emit addressRequested(info.index, wanted);
+}
+
 void GroupsPage::command(bus::GroupCommand::Action action) {
-    emit groupCommandRequested({static_cast<std::uint8_t>(m_group->currentData().toInt()), action});
+    emit groupCommandRequested({group(), action});
 }
 
 }  // namespace nmc

@@ -15,11 +15,13 @@ class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QSpinBox;
 
 namespace nmc {
 
-/// Which group each module listens to, who leads it, and what a whole group can be told at once: start the
-/// loaded moves in one tick, or save home (DS-V 4.1).
+/// Which address each module has, which group it listens to, who leads it, and what a whole group can be told
+/// at once, in one tick: start the loaded moves, stop, save home, set the position to 0, clear sticky bits
+/// (DS-V 4.1).
 class GroupsPage : public QWidget {
     Q_OBJECT
 
@@ -32,12 +34,14 @@ public:
 signals:
     /// What its user calls it; nothing is sent by that.
     void groupNamed(quint8 group, const QString& name);
+    void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
     void groupChangeRequested(const nmc::bus::GroupChange& change);
     void groupCommandRequested(const nmc::bus::GroupCommand& command);
 
 private:
     struct Member {
         QLabel* name = nullptr;
+        QSpinBox* address = nullptr;
         QComboBox* group = nullptr;
         QCheckBox* leader = nullptr;
         QLabel* load = nullptr;
@@ -45,6 +49,8 @@ private:
     void addMember();
     void showMember(const Member& row, const ModuleState& module);
     void changed(std::size_t row);
+    void readdress(std::size_t row);
+    [[nodiscard]] QString whyNotAddress(const ModuleState& module) const;
     void command(bus::GroupCommand::Action action);
     void offerGroups();
     void showNames();
@@ -53,15 +59,27 @@ private:
     /// "Group 81 "Table""
     [[nodiscard]] QString titleOf(int group) const;
     void refreshCommands();
-    [[nodiscard]] QString whyNotStart(std::uint8_t group) const;
+    /// Why some member may not be asked for that now, and which.
+    [[nodiscard]] QString whyNotAll(Request request) const;
+    [[nodiscard]] QString questionBeforeReset() const;
+    void askBeforeReset();
+    [[nodiscard]] std::uint8_t group() const;
+    [[nodiscard]] QPushButton* newCommand(const QString& text, const QString& objectName,
+                                          const QString& accessibleName, bus::GroupCommand::Action action);
 
     std::vector<Member> m_members;
     QGridLayout* m_grid = nullptr;
     QLabel* m_none = nullptr;
+    QLabel* m_addressReason = nullptr;
     QComboBox* m_group = nullptr;
     QLineEdit* m_name = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_saveHome = nullptr;
+    QPushButton* m_stopSmoothly = nullptr;
+    QPushButton* m_stopAbruptly = nullptr;
+    QPushButton* m_motorOff = nullptr;
+    QPushButton* m_clear = nullptr;
+    QPushButton* m_reset = nullptr;
     LinkState m_link;
     std::vector<GroupSettings> m_groups;
 };

@@ -8,6 +8,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSpinBox;
 
 namespace nmc {
 
@@ -27,9 +28,12 @@ signals:
 
 private:
     void refresh();
+    [[nodiscard]] quint32 wanted() const;
 
     QLabel* m_now;
     QComboBox* m_rate;
+    QSpinBox* m_divisor;  ///< of any other rate
+    QLabel* m_other;
     QPushButton* m_change;
     QLabel* m_reason;  ///< why not, for whoever does not look for a tool tip
     /// Why the bus would refuse it (bus::RateChangeFailed); empty: it would not.

@@ -54,6 +54,27 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
     return m;
 }
 
+/// %1 is the group.
+QString notByAll(bus::GroupCommand::Action action) {
+    using enum bus::GroupCommand::Action;
+    switch (action) {
+        case ResetPosition:
+            return Texts::tr("Not every module of group %1 has certainly set its position to 0.");
+        case ClearStickyBits:
+            return Texts::tr(
+                "Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit "
+                "again at once.");
+        case SaveAsHome:
+            return Texts::tr("Not every module of group %1 has certainly saved its position as home.");
+        case StartMotion:
+        case StopSmoothly:
+        case StopAbruptly:
+        case MotorOff:
+            break;
+    }
+    return Texts::tr("Not every module of group %1 has certainly done it.");
+}
+
 Message withheld(const bus::GroupFinished& finished, quint8 group) {
     Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Attention};
     const auto modules = those(finished, bus::MemberOutcome::Withheld);
@@ -64,6 +85,13 @@ Message withheld(const bus::GroupFinished& finished, quint8 group) {
     }
     m.headline = Texts::tr("The command to group %1 was withheld because of module %2. Nothing was sent.")
                      .arg(nameOf(group), listOfModules(modules));
+    if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
+        m.body = Texts::tr(
+            "A group is told something only when every member answers and may be told that now, and when the "
+            "group of every module is known. Ask the modules one by one, or give this module its group "
+            "again.");
+        return m;
+    }
     m.body = Texts::tr(
         "A group starts only when every member has confirmed its load, answers, and may start; and only "
         "when the group of every module is known. Load this module again, or give it its group again.");
@@ -103,9 +131,18 @@ Message groupFailed(const bus::GroupFinished& finished) {
         return startFailed(finished, command.group);
     return {.key = u"group%1"_s.arg(command.group),
             .severity = Severity::Attention,
-            .headline = Texts::tr("Not every module of group %1 has certainly saved its position as home.")
-                            .arg(nameOf(command.group)),
+            .headline = notByAll(command.action).arg(nameOf(command.group)),
             .body = membersSentence(finished) + u' ' + Texts::tr("No motor moved by it.")};
+}
+
+Message groupToldToStop(const bus::GroupFinished& finished) {
+    const auto& command = std::get<bus::GroupCommand>(finished.what);
+    const bool off = command.action == bus::GroupCommand::Action::MotorOff;
+    const QString text = off ? Texts::tr("Group %1 was told to switch its motors off: module %2.")
+                             : Texts::tr("Group %1 was told to stop: module %2.");
+    return {.key = u"groupStop%1"_s.arg(command.group),
+            .headline =
+                text.arg(nameOf(command.group), listOfModules(those(finished, bus::MemberOutcome::Done)))};
 }
 
 Message rateChanged(const bus::RateChanged& changed) {
@@ -123,6 +160,10 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
     switch (failed.reason) {
         case Reason::NoSuchRate:
             m.body = Texts::tr("The modules cannot make %1 Bd.").arg(rate(failed.wanted));
+            break;
+        case Reason::PortCannot:
+            m.body = Texts::tr("The port of this computer cannot make %1 Bd. Choose another rate.")
+                         .arg(rate(failed.wanted));
             break;
         case Reason::NotNow:
             m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");

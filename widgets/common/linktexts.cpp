@@ -267,15 +267,42 @@ Message readdressed(const bus::Readdressed& readdressed) {
             Texts::tr("The other modules are as they were. Send its gains and home it before you use it.")};
 }
 
+Message addressChanged(const bus::AddressChanged& changed) {
+    return {
+        .key = u"readdress"_s,
+        .headline = Texts::tr("Module %1 has address %2 now. Position, gains and group are what they were.")
+                        .arg(moduleNumber(changed.module))
+                        .arg(changed.address.value())};
+}
+
 Message notReaddressed(const bus::ReaddressFailed& failed) {
-    const QString number = moduleNumber(failed.module);
-    const bool silent = failed.reason == bus::ReaddressFailed::Reason::NoAnswer;
-    return {.key = u"readdress"_s,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Module %1 was not given its address. No motor moved by it.").arg(number),
-            .body = silent ? Texts::tr("It does not answer. Scan again, or restart the network.")
-                           : Texts::tr("Something moves, or is about to. Stop all motors, then try again."),
-            .actions = {scanAgain(), restartNetwork()}};
+    using Reason = bus::ReaddressFailed::Reason;
+    Message m{.key = u"readdress"_s,
+              .severity = Severity::Attention,
+              .headline = Texts::tr("Module %1 was not given its address. No motor moved by it.")
+                              .arg(moduleNumber(failed.module)),
+              .actions = {scanAgain(), restartNetwork()}};
+    switch (failed.reason) {
+        case Reason::NotNow:
+            m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
+            break;
+        case Reason::NoAnswer:
+            m.body = Texts::tr("It does not answer. Scan again, or restart the network.");
+            break;
+        case Reason::Taken:
+            m.body = Texts::tr(
+                "Another module answers there, or no module may have that address. Choose one of "
+                "1 to 127 that is free.");
+            m.actions.clear();
+            break;
+        case Reason::GroupUnknown:
+            m.body = Texts::tr(
+                "Its group is not known here and would be changed with the address. Give it a "
+                "group first, or none.");
+            m.actions.clear();
+            break;
+    }
+    return m;
 }
 
 Message refused(const bus::CommandRefused& refused) {

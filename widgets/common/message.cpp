@@ -55,6 +55,8 @@ bool mayAct(const Message& message, MessageAction action, const LinkState& link)
     switch (action) {
         case MessageAction::Readdress:
         case MessageAction::ClearAndStayOff:
+        case MessageAction::SwitchOff:
+        case MessageAction::GainsBefore:
         case MessageAction::RestartNetwork:
         case MessageAction::TakePosition:
             return own && !link.readOnly;

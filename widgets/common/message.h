@@ -24,6 +24,8 @@ enum class MessageAction : std::uint8_t {
     WorkWith,
     How,
     ClearAndStayOff,
+    SwitchOff,
+    GainsBefore,
     RestartNetwork,  ///< the window asks before it
     Reconnect,
     ConnectOffered,  ///< an adapter that is back

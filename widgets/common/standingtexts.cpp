@@ -60,6 +60,21 @@ Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
             "the page Homing, or disarm it there.")};
 }
 
+Message swings(const ModuleState& module) {
+    const ModuleIndex index = module.info.index;
+    Message m{
+        .key = ofModule(u"swings"_s, index),
+        .module = index,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
+        .body = Texts::tr("Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply "
+                          "them."),
+        .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
+    if (module.gainsBefore)
+        m.actions.append({MessageAction::GainsBefore, Texts::tr("Back to the gains before")});
+    return m;
+}
+
 namespace {
 
 /// A servo tells by a bit why it is off, a stepper by what is the case.
@@ -116,6 +131,8 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
             all.push_back(withRecord(wentOff(module)));
         if (module.currentWasLimited())
             all.push_back(withRecord(currentLimited(index)));
+        if (module.swing.swing() && !module.silent)
+            all.push_back(withRecord(swings(module)));
         for (const int limit : {1, 2})
             if (tellsOfLimit(module, limit))
                 all.push_back(withRecord(limitClosed(module, limit)));

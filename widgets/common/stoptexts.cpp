@@ -55,6 +55,7 @@ QString stopReach(int reachable, int modules) {
 QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
     // These messages are about several.
     return confirmed.cause == bus::StopCause::GroupHalfStarted ||
+                   confirmed.cause == bus::StopCause::GroupStop ||
                    confirmed.cause == bus::StopCause::ForeignTraffic
                ? Texts::tr("Module %1 has stopped.").arg(moduleNumber(confirmed.module))
                : Texts::tr("It has stopped.");

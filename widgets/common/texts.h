@@ -58,6 +58,7 @@ namespace texts {
 
 // ---- the chain as a whole ----
 [[nodiscard]] Message groupFailed(const bus::GroupFinished& finished);
+[[nodiscard]] Message groupToldToStop(const bus::GroupFinished& finished);
 [[nodiscard]] Message rateChanged(const bus::RateChanged& changed);
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
 
@@ -65,6 +66,7 @@ namespace texts {
 [[nodiscard]] Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
 [[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
 [[nodiscard]] Message readdressed(const bus::Readdressed& readdressed);
+[[nodiscard]] Message addressChanged(const bus::AddressChanged& changed);
 [[nodiscard]] Message notReaddressed(const bus::ReaddressFailed& failed);
 [[nodiscard]] Message refused(const bus::CommandRefused& refused);
 [[nodiscard]] Message garbled(ModuleIndex module);
@@ -80,6 +82,8 @@ namespace texts {
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: too much current.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
+/// A servo that is to hold, and swings.
+[[nodiscard]] Message swings(const ModuleState& module);
 /// A limit switch closed while the motor moved, and nobody had asked for that. `limit`: 1 or 2.
 [[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
 /// A limit stop that was armed has stopped the motor.

@@ -94,6 +94,12 @@ QString position(const AxisScale& scale, double counts) {
     return readout(scale.position(counts), 6) + u' ' + unitOf(scale);
 }
 
+QString swing(const SwingWatch::Swing& swing, const AxisScale& scale) {
+    const QString far = readout(scale.position(swing.amplitude), 2) + u' ' + unitOf(scale);
+    return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz.").arg(far, readout(*swing.hertz, 2))
+                       : Units::tr("Oscillating ± %1.").arg(far);
+}
+
 QString otherPosition(const AxisScale& scale, double counts) {
     return scale.native() ? QString() : equal(counts, countsOf(scale));
 }

@@ -174,7 +174,9 @@ void PanelHead::refresh() {
     look::setText(m_state, texts::activity(activity));
     const bool brakes =
         activity == Activity::Holding && module.isServo() && module.gains && module.gains->kp == 0;
-    look::setText(m_meaning, brakes ? tr("Kp is 0: the servo brakes the motor, and holds no position.")
+    const auto& swing = module.swing.swing();
+    look::setText(m_meaning, activity == Activity::Holding && swing ? texts::swing(*swing, m_context.scale())
+                             : brakes ? tr("Kp is 0: the servo brakes the motor, and holds no position.")
                                     : texts::activityMeaning(activity));
     const auto procedure = m_context.runningProcedure();
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());

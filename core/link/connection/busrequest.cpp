@@ -29,7 +29,7 @@ struct Ends {
     bool operator()(const bus::RateChangeFailed&) const {
         return std::holds_alternative<ChangeRate>(request);
     }
-    bool operator()(const AnyOf<bus::Readdressed, bus::ReaddressFailed> auto&) const {
+    bool operator()(const AnyOf<bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed> auto&) const {
         return std::holds_alternative<Readdress>(request);
     }
     bool operator()(

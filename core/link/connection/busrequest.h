@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,15 +18,16 @@ struct ChangeRate {
 };
 struct Readdress {
     ModuleIndex module;
-    bool reset = false;  ///< it is reset first
+    bool reset = false;                   ///< it is reset first
+    std::optional<BusAddress> address{};  ///< another one, to a module that answers
 };
 struct ControlLine {
     std::string text;
 };
 
 /// Each ends in exactly one event, whatever becomes of the connection: OperationFinished, GroupFinished,
-/// RateChanged or RateChangeFailed, Readdressed or ReaddressFailed; a simulator's control line in
-/// SimulatorAnswered.
+/// RateChanged or RateChangeFailed, Readdressed, AddressChanged or ReaddressFailed; a simulator's control
+/// line in SimulatorAnswered.
 using BusRequest = std::variant<bus::Operation, bus::GroupOperation, ChangeRate, Readdress, ControlLine>;
 
 /// The end of a request that the engine has never seen, or will not finish.

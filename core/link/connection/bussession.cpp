@@ -119,8 +119,10 @@ void BusSession::take(BusRequest& request, TimePoint now) {
     std::visit(Overloaded{
                    [&](bus::Operation& operation) { m_engine.submit(std::move(operation), now); },
                    [&](const bus::GroupOperation& operation) { m_engine.submit(operation, now); },
-                   [&](const ChangeRate& change) { m_engine.changeRate(change.baud, now); },
+                   [&](const ChangeRate& change) { changeRate(change, now); },
                    [&](const Readdress& readdress) {
+                       if (readdress.address)
+                           return m_engine.moveTo(readdress.module, *readdress.address, now);
                        readdress.reset ? m_engine.resetModule(readdress.module, now)
                                        : m_engine.readdress(readdress.module, now);
                    },
@@ -130,6 +132,20 @@ void BusSession::take(BusRequest& request, TimePoint now) {
                    },
                },
                request);
+}
+
+/// Before the modules are told: they would be out of reach at a rate that the port does not make.
+void BusSession::changeRate(const ChangeRate& change, TimePoint now) {
+    if (m_engine.anythingMoves())
+        return m_engine.changeRate(change.baud, now);  // which refuses
+    const bool made = m_transport.setBaud(change.baud).has_value();
+    const bool back = m_transport.setBaud(m_portBaud).has_value();
+    if (made && back)
+        return m_engine.changeRate(change.baud, now);
+    bus::RateChangeFailed failed{
+        bus::RateChangeFailed::Reason::PortCannot, change.baud, m_engine.stopBurstBaud(), {}, {}};
+    m_open.onEvent(failed);
+    m_channel.post(bus::Event(std::move(failed)));
 }
 
 void BusSession::search(RequestBox::Search how, TimePoint now) {

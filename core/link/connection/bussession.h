@@ -44,6 +44,7 @@ private:
     std::optional<PortError> converse();
     void takeRequests(TimePoint now);
     void take(BusRequest& request, TimePoint now);
+    void changeRate(const ChangeRate& change, TimePoint now);
     void search(RequestBox::Search how, TimePoint now);
     /// Stops the motors when nobody else can see to it, as the engine lets it (Engine::stopUnasked).
     void watchOver(TimePoint now);

@@ -127,12 +127,13 @@ void BusStore::take(const bus::Event& event) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;
             },
-            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                               bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                               bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
-                               bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed,
-                               bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                               bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion> auto& news) {
+            [this](
+                const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
+                            bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
+                            bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished,
+                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                            bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion,
+                            bus::AddressChanged> auto& news) {
                 note(news);
                 emit happened(news);
             },
@@ -170,7 +171,8 @@ void BusStore::note(const bus::OperationFinished& finished) {
 /// The same of a group.
 void BusStore::note(const bus::GroupFinished& finished) {
     const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
-    if (command == nullptr || command->action != bus::GroupCommand::Action::SaveAsHome)
+    using enum bus::GroupCommand::Action;
+    if (command == nullptr || (command->action != SaveAsHome && command->action != ResetPosition))
         return;
     for (const bus::GroupMember& member : finished.members)
         if (known(member.module) &&

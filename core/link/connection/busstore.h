@@ -20,8 +20,8 @@ using StoreEvent =
                  bus::ModuleSilence, bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
                  bus::ModuleRestarted, bus::MotionSuspect, bus::GroupFinished, bus::RateChanged,
                  bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed, bus::ReaddressFailed,
-                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, PortClosed, SimulatorAnswered,
-                 PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
+                 bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, bus::AddressChanged, PortClosed,
+                 SimulatorAnswered, PanelFroze, MachineSlept, GuardianStopped, GuardianMissing>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads it here.
@@ -89,6 +89,10 @@ private:
     void note(const bus::HealthChanged& changed);
     void note(const bus::ModuleRestarted& restarted);
     void note(const bus::Readdressed& readdressed);
+    void note(const bus::AddressChanged& changed) {
+        if (known(changed.module))
+            m_link.modules[changed.module.value()].info.address = changed.address;
+    }
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
     void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
     void note(const bus::StopFinished& stopped);

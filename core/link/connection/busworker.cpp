@@ -53,6 +53,11 @@ void BusWorker::resetModule(ModuleIndex module) {
     m_loop.ask(Readdress{module, true});
 }
 
+void BusWorker::changeAddress(ModuleIndex module, BusAddress address) {
+    qCDebug(requestLog) << "change the address of module" << module.value() + 1 << "to" << address.value();
+    m_loop.ask(Readdress{module, false, address});
+}
+
 void BusWorker::control(std::string line) {
     qCDebug(requestLog).noquote() << "simulator:" << line.c_str();
     m_loop.ask(ControlLine{std::move(line)});

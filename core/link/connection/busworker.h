@@ -54,6 +54,8 @@ public:
     void readdress(ModuleIndex module);
     /// Resets one module and gives it its address again; ends likewise.
     void resetModule(ModuleIndex module);
+    /// Gives a module another address; bus::AddressChanged or bus::ReaddressFailed follows.
+    void changeAddress(ModuleIndex module, BusAddress address);
     /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
     void changeRate(std::uint32_t baud);
     /// A control line for the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port

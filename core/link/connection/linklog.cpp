@@ -126,6 +126,9 @@ struct EventLine {
     std::string operator()(const bus::Readdressed& readdressed) const {
         return name(readdressed.module.index) + " has its address again";
     }
+    std::string operator()(const bus::AddressChanged& changed) const {
+        return name(changed.module) + " has address " + std::to_string(changed.address.value());
+    }
     std::string operator()(const bus::ReaddressFailed& failed) const {
         return name(failed.module) + " was not given its address, reason " + number(failed.reason);
     }

@@ -87,6 +87,12 @@ void ModuleState::apply(const bus::Sample& sample) {
     }
     if (latest->position)
         m_trip.apply(tripLook());
+    // What a motion leaves behind has calmed down by then, or does not.
+    constexpr Duration kCalm = std::chrono::milliseconds(500);
+    if (!servoOn() || moving() || sample.time - motionCommandedAt < kCalm)
+        swing.forget();
+    else if (sample.report.position)
+        swing.look(sample.time, *sample.report.position);
 }
 
 void ModuleState::wentOff() {
@@ -187,7 +193,10 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
         apply(*stop, executed.time);
     } else if (const auto* sent = std::get_if<servo::SetGain>(command)) {
+        if (gains && *gains != *sent)
+            gainsBefore = gains;
         gains = *sent;
+        swing.forget();
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
         io = *control;
     } else if (std::holds_alternative<ResetPosition>(*command)) {
@@ -201,7 +210,9 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
 void ModuleState::restarted() {
     hasRestarted = true;
     speed.forget();
+    swing.forget();
     gains.reset();
+    gainsBefore.reset();
     io.reset();
     homing = {};
     limits = {};

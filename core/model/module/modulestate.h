@@ -12,6 +12,7 @@
 #include "model/module/homewatch.h"
 #include "model/module/limitwatch.h"
 #include "model/module/measuredspeed.h"
+#include "model/module/swingwatch.h"
 #include "model/module/stepstate.h"
 #include "model/module/tripwatch.h"
 #include "model/settings/machine.h"
@@ -42,6 +43,8 @@ struct ModuleState {
     std::optional<bus::OperationId> awaited;
     /// Gains as last confirmed; empty: unknown.
     std::optional<servo::SetGain> gains;
+    /// What they were before; empty: unknown too.
+    std::optional<servo::SetGain> gainsBefore;
     MotionMode motion = MotionMode::None;
     /// Goal velocity of velocity mode, counts/tick, signed; for telling "at speed" from "at rest".
     double goalVelocity = 0.0;
@@ -64,6 +67,8 @@ struct ModuleState {
     BacklashSettings backlash;
     LimitStopSettings limitStop;
     MeasuredSpeed speed;
+    /// PIC-SERVO: whether it swings where it is to hold.
+    SwingWatch swing;
     /// The servo went off without a command of ours while it was on, and has not been on since.
     bool switchedItselfOff = false;
     /// Of switchedItselfOff, on a PIC-SERVO: why, as far as that can be told.

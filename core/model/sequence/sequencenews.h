@@ -30,10 +30,11 @@ struct SequenceNews {
             run.onTakenOver(member.module);
     }
     void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
-    void operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress,
-                                bus::OperationFinished, bus::CommandRefused, bus::GroupChanged,
-                                bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
-                                bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed> auto&) const {}
+    void operator()(
+        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::OperationFinished,
+                    bus::CommandRefused, bus::GroupChanged, bus::RateChanged, bus::RateChangeFailed,
+                    bus::OwedStopConfirmed, bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed,
+                    bus::EchoNoticed> auto&) const {}
 };
 
 }  // namespace nmc

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "model/module/swingwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace nmc {
+
+namespace {
+
+constexpr Duration kWindow = std::chrono::milliseconds(1'000);
+constexpr Duration kLeastSpan = std::chrono::milliseconds(800);
+constexpr Duration kBetween = std::chrono::milliseconds(200);
+/// Where it is looked at rarely, they go farther back than the window.
+constexpr std::size_t kFewestLooks = 12;
+constexpr std::size_t kFewestForRate = 16;
+/// Counts to either side: friction and Ki make a good servo creep by a few.
+constexpr double kLeastAmplitude = 8.0;
+/// Less than that of the half second before: it calms down by itself.
+constexpr double kStays = 0.7;
+/// Of all that is seen, what one sine has to account for.
+constexpr double kOneRate = 0.5;
+
+/// Half of the way from the lowest to the highest.
+template <typename Looks>
+double reach(const Looks& begin, const Looks& end) {
+    const auto [low, high] = std::minmax_element(
+        begin, end, [](const auto& a, const auto& b) { return a.position < b.position; });
+    return (static_cast<double>(high->position) - static_cast<double>(low->position)) / 2.0;
+}
+
+struct Sine {
+    double amplitude = 0.0;
+    double share = 0.0;  ///< of the variance
+};
+
+/// The sine of that rate that fits best, about the mean (least squares; the times are uneven).
+Sine fit(const std::vector<double>& seconds, const std::vector<double>& off, double hertz) {
+    double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0, yy = 0;
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        const double phase = 2.0 * std::numbers::pi * hertz * seconds[i];
+        const double c = std::cos(phase), s = std::sin(phase), y = off[i];
+        cc += c * c;
+        cs += c * s;
+        ss += s * s;
+        cy += c * y;
+        sy += s * y;
+        yy += y * y;
+    }
+    const double det = cc * ss - cs * cs;
+    if (det <= 1e-9 * cc * ss || yy <= 0)
+        return {};
+    const double a = (cy * ss - sy * cs) / det;
+    const double b = (sy * cc - cy * cs) / det;
+    return {std::hypot(a, b), (a * cy + b * sy) / yy};
+}
+
+}  // namespace
+
+void SwingWatch::forget() {
+    m_looks.clear();
+    m_swing.reset();
+    m_lookedInto = {};
+}
+
+void SwingWatch::look(TimePoint time, std::int32_t position) {
+    if (!m_looks.empty() && time <= m_looks.back().time)
+        return;
+    m_looks.push_back({time, position});
+    while (time - m_looks.front().time > kWindow && m_looks.size() > kFewestLooks)
+        m_looks.pop_front();
+    if (time - m_lookedInto < kBetween || time - m_looks.front().time < kLeastSpan)
+        return;
+    m_lookedInto = time;
+    m_swing = lookInto();
+}
+
+std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
+    if (m_looks.size() < kFewestLooks)
+        return std::nullopt;
+    const auto middle = m_looks.begin() + static_cast<std::ptrdiff_t>(m_looks.size() / 2);
+    const double now = reach(middle, m_looks.end());
+    const double before = reach(m_looks.begin(), middle);
+    if (now < kLeastAmplitude || before < kLeastAmplitude || now < kStays * before)
+        return std::nullopt;
+    double mean = 0;
+    for (const Look& one : m_looks)
+        mean += one.position;
+    mean /= static_cast<double>(m_looks.size());
+    // A creep to one side is none: it has to come by from both sides, again and again.
+    int turns = 0, side = 0;
+    std::vector<double> seconds, off;
+    for (const Look& one : m_looks) {
+        off.push_back(one.position - mean);
+        seconds.push_back(toSeconds(one.time - m_looks.front().time));
+        const int here = off.back() > now / 3 ? 1 : off.back() < -now / 3 ? -1 : side;
+        turns += here != side && side != 0 ? 1 : 0;
+        side = here;
+    }
+    if (turns < 3)
+        return std::nullopt;
+    if (m_looks.size() < kFewestForRate)
+        return Swing{now, std::nullopt};
+    const double span = seconds.back();
+    const double between = span / static_cast<double>(seconds.size() - 1);
+    Sine best;
+    double rate = 0;
+    const double step = 1.0 / (4.0 * span);
+    for (double hertz = 1.5 / span; hertz < 0.45 / between; hertz += step)
+        if (const Sine one = fit(seconds, off, hertz); one.share > best.share) {
+            best = one;
+            rate = hertz;
+        }
+    if (best.share < kOneRate)
+        return Swing{now, std::nullopt};
+    return Swing{best.amplitude, rate};
+}
+
+}  // namespace nmc

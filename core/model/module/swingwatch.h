@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "base/time.h"
+
+namespace nmc {
+
+/// A servo that should hold and swings (too much Kp or Ki, or too little Kd: DS-V 4.3), as its positions of the
+/// last second tell. Pure.
+class SwingWatch {
+public:
+    struct Swing {
+        double amplitude = 0.0;         ///< counts to either side
+        std::optional<double> hertz{};  ///< empty: it is looked at too rarely for that, or swings at no one rate
+        bool operator==(const Swing&) const = default;
+    };
+
+    /// While the servo is to hold one position.
+    void look(TimePoint time, std::int32_t position);
+    /// It is off, moves, or is told something else.
+    void forget();
+    /// Kept as it was for a while: it is looked into a few times a second.
+    [[nodiscard]] const std::optional<Swing>& swing() const { return m_swing; }
+
+private:
+    struct Look {
+        TimePoint time;
+        std::int32_t position = 0;
+    };
+    [[nodiscard]] std::optional<Swing> lookInto() const;
+
+    std::deque<Look> m_looks;
+    std::optional<Swing> m_swing;
+    TimePoint m_lookedInto{};
+};
+
+}  // namespace nmc

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the two data sheets let a host say, against the controls that say it, in both directions: each command
+// and each bit of a command has a control in the window, and each control of a panel that sends something is
+// in the table.
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <array>
+#include <span>
+
+#include "protocol/commandtable.h"
+#include "tests/model/stepfixture.h"
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::Stepper;
+
+struct Cell {
+    CommandCode code;
+    std::uint8_t bits;  ///< of the control byte; 0: the command itself, or a number in it
+    QString control;    ///< empty: nobody is asked, the panel says it by itself
+};
+
+using enum CommandCode;
+
+/// Of a group, or of the chain, in whichever panel (DS-V 4.1).
+const std::vector<Cell> kChainCells{
+    {ResetPosition, 0, u"groupResetButton"_s},
+    {SetAddress, 0, u"address1Box"_s},
+    {SetAddress, 0, u"group1Box"_s},
+    {SetAddress, 0, u"leader1Box"_s},
+    {StartMotion, 0, u"groupStartButton"_s},
+    {StopMotor, 0, u"groupStopSmoothlyButton"_s},
+    {StopMotor, 0, u"groupStopAbruptlyButton"_s},
+    {StopMotor, 0, u"groupMotorOffButton"_s},
+    {SetBaud, 0, u"chainRateBox"_s},
+    {SetBaud, 0, u"chainDivisorBox"_s},
+    {SetBaud, 0, u"changeRateButton"_s},
+    {SaveAsHome, 0, u"groupHomeButton"_s},
+    {HardReset, 0, u"restartChainButton"_s},
+    {DefineStatus, 0, {}},
+    {ReadStatus, 0, {}},
+    {Nop, 0, {}},
+};
+
+const std::vector<Cell> kServoCells{
+    {ResetPosition, 0, u"zeroHereButton"_s},
+    {LoadTrajectory, 0x01, u"expertLoadPositionLoaded"_s},
+    {LoadTrajectory, 0x02, u"expertLoadVelocityLoaded"_s},
+    {LoadTrajectory, 0x04, u"expertLoadAccelerationLoaded"_s},
+    {LoadTrajectory, 0x08, u"expertLoadPwmLoaded"_s},
+    {LoadTrajectory, 0x30, u"expertLoadMode"_s},
+    {LoadTrajectory, 0x40, u"expertLoadReverse"_s},
+    {LoadTrajectory, 0x80, u"expertLoadNow"_s},
+    {LoadTrajectory, 0, u"expertLoadButton"_s},
+    {LoadTrajectory, 0, u"goButton"_s},
+    {LoadTrajectory, 0, u"loadButton"_s},
+    {LoadTrajectory, 0, u"goHomeButton"_s},
+    {LoadTrajectory, 0, u"runForwardButton"_s},
+    {LoadTrajectory, 0, u"runReverseButton"_s},
+    {LoadTrajectory, 0, u"holdForwardButton"_s},
+    {LoadTrajectory, 0, u"holdReverseButton"_s},
+    {LoadTrajectory, 0, u"pwmForwardButton"_s},
+    {LoadTrajectory, 0, u"pwmReverseButton"_s},
+    {StartMotion, 0, u"startButton"_s},
+    {SetGain, 0, u"kpField"_s},
+    {SetGain, 0, u"kdField"_s},
+    {SetGain, 0, u"kiField"_s},
+    {SetGain, 0, u"ilField"_s},
+    {SetGain, 0, u"olField"_s},
+    {SetGain, 0, u"clField"_s},
+    {SetGain, 0, u"clSenseBox"_s},
+    {SetGain, 0, u"elField"_s},
+    {SetGain, 0, u"srField"_s},
+    {SetGain, 0, u"dbField"_s},
+    {SetGain, 0, u"applyGainsButton"_s},
+    {StopMotor, 0x01, u"expertStopAmplifier"_s},
+    {StopMotor, 0x1E, u"expertStopManner"_s},
+    {StopMotor, 0, u"expertStopButton"_s},
+    {StopMotor, 0, u"enableButton"_s},
+    {StopMotor, 0, u"stopSmoothlyButton"_s},
+    {StopMotor, 0, u"stopAbruptlyButton"_s},
+    {StopMotor, 0, u"stopHereButton"_s},
+    {StopMotor, 0, u"motorOffButton"_s},
+    {StopMotor, 0, u"pwmOffButton"_s},
+    {StopMotor, 0, u"amplifierBox"_s},
+    {IoControl, 0x05, u"limit1UseBox"_s},
+    {IoControl, 0x0A, u"limit2UseBox"_s},
+    {SetHoming, 0x01, u"expertHomingLimit1"_s},
+    {SetHoming, 0x02, u"expertHomingLimit2"_s},
+    {SetHoming, 0x08, u"expertHomingIndex"_s},
+    {SetHoming, 0x34, u"expertHomingManner"_s},
+    {SetHoming, 0x40, u"expertHomingPositionError"_s},
+    {SetHoming, 0x80, u"expertHomingCurrentLimit"_s},
+    {SetHoming, 0, u"expertHomingButton"_s},
+    {SetHoming, 0, u"homeButton"_s},
+    {SetHoming, 0, u"armLimitStopButton"_s},
+    {SetHoming, 0, u"disarmLimitStopButton"_s},
+    {ClearStickyBits, 0, u"clearStickyButton"_s},
+    {ClearStickyBits, 0, u"groupClearButton"_s},
+    {SaveAsHome, 0, u"saveHomeButton"_s},
+    {HardReset, 0, u"resetModuleButton"_s},
+};
+
+const std::vector<Cell> kStepCells{
+    {ResetPosition, 0, u"stepZeroHereButton"_s},
+    {LoadTrajectory, 0x01, u"expertLoadPositionLoaded"_s},
+    {LoadTrajectory, 0x02, u"expertLoadSpeedLoaded"_s},
+    {LoadTrajectory, 0x04, u"expertLoadAccelerationLoaded"_s},
+    {LoadTrajectory, 0x08, u"expertLoadTimerLoaded"_s},
+    {LoadTrajectory, 0x10, u"expertLoadReverse"_s},
+    {LoadTrajectory, 0x80, u"expertLoadNow"_s},
+    {LoadTrajectory, 0, u"expertLoadButton"_s},
+    // The goals of DS-S Table 4; from where to where is judged of each load.
+    {LoadTrajectory, 0, u"stepModeTrapezoidal"_s},
+    {LoadTrajectory, 0, u"stepModeProfile"_s},
+    {LoadTrajectory, 0, u"stepModeTimedMove"_s},
+    {LoadTrajectory, 0, u"stepModeTimedRun"_s},
+    {LoadTrajectory, 0, u"stepGoButton"_s},
+    {LoadTrajectory, 0, u"stepGoHomeButton"_s},
+    {LoadTrajectory, 0, u"stepRunForwardButton"_s},
+    {LoadTrajectory, 0, u"stepRunReverseButton"_s},
+    {LoadTrajectory, 0, u"stepHoldForwardButton"_s},
+    {LoadTrajectory, 0, u"stepHoldReverseButton"_s},
+    {LoadTrajectory, 0, u"stepLoadOnlyBox"_s},
+    {StartMotion, 0, u"stepStartLoadedButton"_s},
+    {SetGain, 0x03, u"stepSpeedModeField"_s},
+    {SetGain, 0x04, u"stepIgnoreLimitsField"_s},
+    {SetGain, 0x08, u"stepIgnoreEstopField"_s},
+    {SetGain, 0x10, u"stepMotorOffOnStopField"_s},
+    {SetGain, 0, u"stepMinimumSpeedField"_s},
+    {SetGain, 0, u"stepRunCurrentField"_s},
+    {SetGain, 0, u"stepHoldCurrentField"_s},
+    {SetGain, 0, u"stepThermalLimitField"_s},
+    {SetGain, 0, u"stepApplyParametersButton"_s},
+    {StopMotor, 0x01, u"expertStopAmplifier"_s},
+    {StopMotor, 0x0C, u"expertStopManner"_s},
+    {StopMotor, 0, u"expertStopButton"_s},
+    {StopMotor, 0, u"stepEnableButton"_s},
+    {StopMotor, 0, u"stepStopSmoothlyButton"_s},
+    {StopMotor, 0, u"stepStopAbruptlyButton"_s},
+    {StopMotor, 0, u"stepMotorOffButton"_s},
+    {IoControl, 0x01, u"stepOutput1Box"_s},
+    {IoControl, 0x02, u"stepOutput2Box"_s},
+    {IoControl, 0x04, u"stepOutput3Box"_s},
+    {IoControl, 0x08, u"stepOutput4Box"_s},
+    {IoControl, 0x10, u"stepOutput5Box"_s},
+    {IoControl, 0, u"stepSetOutputsButton"_s},
+    {SetHoming, 0x01, u"expertHomingLimit1"_s},
+    {SetHoming, 0x02, u"expertHomingLimit2"_s},
+    {SetHoming, 0x08, u"expertHomingHomeSwitch"_s},
+    {SetHoming, 0x34, u"expertHomingManner"_s},
+    {SetHoming, 0, u"expertHomingButton"_s},
+    {SetHoming, 0, u"stepHomeButton"_s},
+    {SaveAsHome, 0, u"stepSaveHomeButton"_s},
+    {HardReset, 0, u"resetModuleButton"_s},
+};
+
+/// They send what the table has, several commands one after the other, or only tell the panel something.
+const QSet<QString> kMadeOfCells{u"stepForwardButton"_s, u"stepReverseButton"_s, u"directionCheckButton"_s,
+                                 u"declarePositionButton"_s, u"doubtPositionButton"_s};
+
+/// The bits that a control byte has (DS-V 5.2, DS-S 5.1).
+struct Bits {
+    CommandCode code;
+    unsigned mask;
+};
+constexpr std::array kServoBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F}, Bits{IoControl, 0x0F},
+                                Bits{SetHoming, 0xFF}};
+constexpr std::array kStepBits{Bits{LoadTrajectory, 0x9F}, Bits{SetGain, 0x1F}, Bits{StopMotor, 0x0D},
+                               Bits{IoControl, 0x1F}, Bits{SetHoming, 0x3F}};
+
+class Cells : public WindowTest {
+protected:
+    Cells() {
+        window->resize(1500, 1100);
+        for (const char* action : {"chainDoctorAction", "groupsAction", "rateAction"})
+            window->findChild<QAction*>(QLatin1StringView(action))->trigger();
+    }
+
+    void expectEachHasItsControl(ModuleType type, const std::vector<Cell>& own) {
+        for (const CommandRow& row : commandTable(type)) {
+            const auto isIt = [&](const Cell& cell) { return cell.code == row.code; };
+            EXPECT_TRUE(std::any_of(own.begin(), own.end(), isIt) ||
+                        std::any_of(kChainCells.begin(), kChainCells.end(), isIt))
+                << row.name << " is in no row";
+        }
+        for (const auto* cells : {&own, &kChainCells})
+            for (const Cell& cell : *cells)
+                EXPECT_TRUE(cell.control.isEmpty() || window->findChild<QObject*>(cell.control) != nullptr)
+                    << cell.control.toStdString() << " is not in the window";
+    }
+    static void expectEachBit(const std::vector<Cell>& cells, std::span<const Bits> bits) {
+        for (const Bits& byte : bits) {
+            unsigned reached = 0;
+            for (const Cell& cell : cells)
+                if (cell.code == byte.code)
+                    reached |= cell.bits;
+            EXPECT_EQ(reached, byte.mask) << "command " << static_cast<int>(byte.code);
+        }
+    }
+    /// Presses each control of the panel that can be pressed, and looks whether that sends something.
+    void expectEachSenderInTheTable(const std::vector<Cell>& cells) {
+        const auto sent = [this] { return intents.size() + holds.size(); };
+        unsigned senders = 0;
+        for (QWidget* control : find(u"modulePanel"_s)->findChildren<QWidget*>()) {
+            auto* press = qobject_cast<QAbstractButton*>(control);
+            auto* list = qobject_cast<QComboBox*>(control);
+            const QString name = control->objectName();
+            if ((press == nullptr && list == nullptr) || name.isEmpty() || name.startsWith(u"qt_"_s))
+                continue;
+            testing_support::turnTo(*control);
+            if (!control->isEnabled() || !control->isVisible())
+                continue;
+            const auto before = sent();
+            if (list != nullptr) {
+                list->setFocus();
+                QTest::keyClick(list, list->currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+            } else {
+                QTest::mouseClick(press, Qt::LeftButton, {}, {press->height() / 2, press->height() / 2});
+            }
+            if (sent() == before)
+                continue;
+            ++senders;
+            EXPECT_TRUE(kMadeOfCells.contains(name) ||
+                        std::any_of(cells.begin(), cells.end(),
+                                    [&](const Cell& cell) { return cell.control == name; }))
+                << name.toStdString() << " sends what is in no row";
+        }
+        EXPECT_GE(senders, 5U) << "or nothing was tried";
+    }
+
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
+};
+
+TEST_F(Cells, EachOfThePicServoSheetHasItsControl) {
+    showServo();
+    expectEachHasItsControl(ModuleType::Servo, kServoCells);
+    expectEachBit(kServoCells, kServoBits);
+}
+
+TEST_F(Cells, EachOfThePicStepSheetHasItsControl) {
+    window->showLink(connectedTo({Stepper::holding().module}));
+    expectEachHasItsControl(ModuleType::Step, kStepCells);
+    expectEachBit(kStepCells, kStepBits);
+}
+
+TEST_F(Cells, WhateverSendsSomethingToAServoIsInTheTable) {
+    showServo();
+    expectEachSenderInTheTable(kServoCells);
+}
+
+TEST_F(Cells, WhateverSendsSomethingToAStepperIsInTheTable) {
+    window->showLink(connectedTo({Stepper::holding().module}));
+    expectEachSenderInTheTable(kStepCells);
+}
+
+}  // namespace
+}  // namespace nmc
