@@ -3825,6 +3825,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Which position the servo holds is not known to the count. Hold it here first, or move it.</source>
         <translation>Welche Position der Servo hält, ist nicht auf das Inkrement genau bekannt. Erst hier halten oder verfahren.</translation>
     </message>
+    <message>
+        <source>Module %1 holds its motor, and the motor oscillates.</source>
+        <translation>Modul %1 hält seinen Motor, und der Motor schwingt.</translation>
+    </message>
+    <message>
+        <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
+        <translation>Sein Servo ist mit diesen Reglerwerten nicht stabil. Kp und Ki senken oder Kd erhöhen und anwenden.</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>Motor aus</translation>
+    </message>
+    <message>
+        <source>Back to the gains before</source>
+        <translation>Zurück zu den Reglerwerten davor</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -3930,6 +3946,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 (%2 of 255)</source>
         <translation>%1 (%2 von 255)</translation>
+    </message>
+    <message>
+        <source>Oscillating ± %1 at about %2 Hz.</source>
+        <translation>Schwingt um ± %1 bei etwa %2 Hz.</translation>
+    </message>
+    <message>
+        <source>Oscillating ± %1.</source>
+        <translation>Schwingt um ± %1.</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +4497,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1, %2, at address %3 on the wire</source>
         <translation>%1, %2, mit Adresse %3 an der Leitung</translation>
+    </message>
+    <message>
+        <source>%1, oscillating</source>
+        <translation>%1, schwingt</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,44 @@ TEST_F(Chainwide, GroupsStartTogetherAndTheStoreKnowsThem) {
             [&] { return std::abs(sim.state(number)[u"position"_s].toInt() - 2'000) <= 5; }));
 }
 
+TEST_F(Chainwide, AGroupStopsAtOnceAndSoDoesTheStore) {
+    for (const std::uint8_t module : {std::uint8_t{0}, std::uint8_t{1}}) {
+        ASSERT_EQ(connection.carryOut(gainsAndEnable(module)), bus::Outcome::Done);
+        ASSERT_EQ(carryOut(bus::GroupChange{ModuleIndex(module), {0xA0, module == 0}}), bus::Outcome::Done);
+        ASSERT_EQ(connection.carryOut({move(module, 2'000'000).front()}), bus::Outcome::Done);
+    }
+    ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StartMotion}), bus::Outcome::Done);
+    ASSERT_TRUE(connection.waitUntil([&] { return sim.state(2)[u"position"_s].toInt() > 100; }));
+    ASSERT_EQ(carryOut(bus::GroupCommand{0xA0, bus::GroupCommand::Action::StopAbruptly}), bus::Outcome::Done);
+    EXPECT_TRUE(connection.waitUntil([&] { return connection.count<bus::OwedStopConfirmed>() == 2; }));
+    const int place = sim.state(2)[u"position"_s].toInt();
+    EXPECT_TRUE(connection.waitUntil([&] { return !connection.module(1).moving(); }));
+    EXPECT_NEAR(sim.state(2)[u"position"_s].toInt(), place, 5);
+    EXPECT_TRUE(sim.state(2)[u"servo_on"_s].toBool());
+}
+
+TEST_F(Chainwide, AModuleTakesAnotherAddressAndTheStoreKnowsIt) {
+    connection.worker().changeAddress(ModuleIndex(1), BusAddress(77));
+    ASSERT_TRUE(connection.waitFor<bus::AddressChanged>());
+    EXPECT_EQ(connection.module(1).info.address, BusAddress(77));
+    EXPECT_EQ(sim.state(2)[u"address"_s].toInt(), 77);
+    EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
+    connection.worker().changeAddress(ModuleIndex(1), BusAddress(1));
+    ASSERT_TRUE(connection.waitFor<bus::ReaddressFailed>());
+    EXPECT_EQ(connection.news<bus::ReaddressFailed>()->reason, bus::ReaddressFailed::Reason::Taken);
+}
+
+TEST_F(Chainwide, AnyDivisorGivesItsRateOnTheTerminal) {
+    connection.worker().changeRate(250'000);
+    ASSERT_TRUE(connection.waitFor<bus::RateChanged>());
+    EXPECT_EQ(connection.store().link().baud, 250'000U);
+    EXPECT_NEAR(sim.state(1)[u"baud"_s].toInt(), 250'000, 5'000);
+    const auto before = connection.worker().statistics().answered;
+    EXPECT_TRUE(
+        connection.waitUntil([&] { return connection.worker().statistics().answered > before + 50; }));
+    EXPECT_EQ(connection.count<bus::ModuleSilence>(), 0);
+}
+
 TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     for (const std::uint32_t baud : {115'200U, 57'600U}) {

@@ -68,7 +68,12 @@ protected:
         QTest::keyClick(window.get(), key);
         QCoreApplication::processEvents();
     }
-    bool seen(const QString& dock) { return !find<QDockWidget>(dock)->widget()->visibleRegion().isEmpty(); }
+    bool inFront(const QString& dock, const QString& other) {
+        const auto seen = [this](const QString& name) {
+            return !find<QDockWidget>(name)->visibleRegion().isEmpty();
+        };
+        return QTest::qWaitFor([&] { return seen(dock) && !seen(other); });
+    }
 };
 
 TEST_F(DockKeys, BringToTheFrontWhatStandsBehind) {
@@ -76,9 +81,10 @@ TEST_F(DockKeys, BringToTheFrontWhatStandsBehind) {
     window->resize(1'500, 1'100);
     strike(Qt::Key_F3);
     strike(Qt::Key_F4);
-    EXPECT_TRUE(seen(u"axesDock"_s) && !seen(u"sequencesDock"_s));
+    EXPECT_TRUE(inFront(u"axesDock"_s, u"sequencesDock"_s));
     strike(Qt::Key_F3);
-    EXPECT_TRUE(seen(u"sequencesDock"_s) && !seen(u"axesDock"_s));
+    EXPECT_TRUE(inFront(u"sequencesDock"_s, u"axesDock"_s));
+    QCoreApplication::processEvents();
     strike(Qt::Key_F3);
     EXPECT_FALSE(find<QDockWidget>(u"sequencesDock"_s)->isVisible()) << "closed, where it was in front";
 }
