@@ -3787,7 +3787,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit again at once.</source>
-        <translation>Nicht jedes Modul der Gruppe %1 hat seine Merkbits sicher gelöscht: Was andauert, setzt sein Bit sofort wieder.</translation>
+        <translation>Nicht jedes Modul der Gruppe %1 hat seine Sticky-Bits sicher gelöscht: Was andauert, setzt sein Bit sofort wieder.</translation>
     </message>
     <message>
         <source>Not every module of group %1 has certainly done it.</source>
@@ -3948,12 +3948,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 (%2 von 255)</translation>
     </message>
     <message>
-        <source>Oscillating ± %1 at about %2 Hz.</source>
-        <translation>Schwingt um ± %1 bei etwa %2 Hz.</translation>
+        <source>Oscillating ± %1 at about %2 Hz</source>
+        <translation>Schwingt um ± %1 bei etwa %2 Hz</translation>
     </message>
     <message>
-        <source>Oscillating ± %1.</source>
-        <translation>Schwingt um ± %1.</translation>
+        <source>Oscillating ± %1</source>
+        <translation>Schwingt um ± %1</translation>
     </message>
 </context>
 <context>
@@ -5793,11 +5793,11 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>C&amp;lear sticky bits</source>
-        <translation>Merkbits &amp;löschen</translation>
+        <translation>Sticky-Bits &amp;löschen</translation>
     </message>
     <message>
         <source>Clear the sticky bits of this group</source>
-        <translation>Die Merkbits dieser Gruppe löschen</translation>
+        <translation>Die Sticky-Bits dieser Gruppe löschen</translation>
     </message>
     <message>
         <source>Set &amp;position to 0…</source>

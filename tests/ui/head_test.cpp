@@ -204,7 +204,7 @@ TEST_F(Head, AServoThatHoldsAndSwingsSaysSo) {
     }
     window->showLink(connectedTo({module}));
     const QString said = text(u"stateMeaning"_s);
-    const QRegularExpression words(u"^Oscillating ± (\\d+) counts at about ([\\d.]+) Hz\\.$"_s);
+    const QRegularExpression words(u"^Oscillating ± (\\d+) counts at about ([\\d.]+) Hz$"_s);
     const auto numbers = words.match(said);
     ASSERT_TRUE(numbers.hasMatch()) << said.toStdString();
     EXPECT_NEAR(numbers.captured(1).toDouble(), 261, 5);

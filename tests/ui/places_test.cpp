@@ -139,6 +139,16 @@ TEST_P(Places, StayWhereAFieldSaysWhatItTakes) {
     }
 }
 
+TEST_P(Places, StayWhateverIsForeseen) {
+    find(u"goalField"_s);
+    const auto before = places();
+    for (const QString& goal : {u"0"_s, u"1"_s, u"100"_s, u"-2000000000"_s}) {
+        type(u"goalField"_s, goal);
+        settle();
+        EXPECT_EQ(places(), before) << goal.toStdString();
+    }
+}
+
 TEST_P(Places, StayWhateverTheModuleSays) {
     const auto before = places();
     for (const Servo& servo : {Servo{.on = false}, Servo{.power = false}, Servo{.moveDone = false},

@@ -96,8 +96,8 @@ QString position(const AxisScale& scale, double counts) {
 
 QString swing(const SwingWatch::Swing& swing, const AxisScale& scale) {
     const QString far = readout(scale.position(swing.amplitude), 2) + u' ' + unitOf(scale);
-    return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz.").arg(far, readout(*swing.hertz, 2))
-                       : Units::tr("Oscillating ± %1.").arg(far);
+    return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz").arg(far, readout(*swing.hertz, 2))
+                       : Units::tr("Oscillating ± %1").arg(far);
 }
 
 QString otherPosition(const AxisScale& scale, double counts) {

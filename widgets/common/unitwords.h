@@ -26,7 +26,7 @@ namespace nmc::texts {
 [[nodiscard]] int positionDecimals(const AxisScale& scale);
 /// "1 234 counts", "0.617 turns".
 [[nodiscard]] QString position(const AxisScale& scale, double counts);
-/// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz."
+/// Of a servo that should hold: "Oscillating ± 200 counts at about 37 Hz"
 [[nodiscard]] QString swing(const SwingWatch::Swing& swing, const AxisScale& scale);
 /// A native number in the view that a field does not have: "= 977 counts/s" beside counts/tick, "= 0.5
 /// counts/tick" beside turns/s. Empty where there is only one view.

@@ -97,7 +97,8 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
                              &MotionSettings::velocity);
     m_acceleration = addQuantity(grid, line++, tr("Acceleratio&n"), u"accelerationField"_s,
                                  tr("Acceleration"), &MotionSettings::acceleration);
-    m_forecast = look::newMutedLabel({}, this);
+    m_forecast = new ElidedLabel(1, this);
+    m_forecast->setForegroundRole(QPalette::PlaceholderText);
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
                              .icon = {},

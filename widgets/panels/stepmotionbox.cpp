@@ -84,7 +84,8 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     outcome->addWidget(m_outcome);
     outcome->addWidget(m_ramp, 1);
     grid->addLayout(outcome, line++, 1, 1, 4);
-    m_forecast = look::newMutedLabel({}, this);
+    m_forecast = new ElidedLabel(1, this);
+    m_forecast->setForegroundRole(QPalette::PlaceholderText);
     m_forecast->setObjectName(u"stepForecast"_s);
     m_nearest = new Command({.name = u"stepNearestGoalButton"_s,
                              .icon = {},
