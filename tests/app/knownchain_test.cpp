@@ -89,11 +89,23 @@ TEST_F(KnownChain, IsRememberedByPort) {
     QSettings settings(directory.filePath(QStringLiteral("x.ini")), QSettings::IniFormat);
     const std::vector<bus::ModuleInfo> chain{
         {ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}},
-        {ModuleIndex(1), BusAddress(3), {ModuleType::Step, 1}},
+        {ModuleIndex(1), BusAddress(77), {ModuleType::Step, 1}},
+        {ModuleIndex(2), BusAddress(3), {ModuleType::Servo, 4}},  // addresses are given freely
     };
     rememberChain(settings, QStringLiteral("/dev/ttyUSB0"), chain);
     EXPECT_EQ(knownChain(settings, QStringLiteral("/dev/ttyUSB0")), chain);
     EXPECT_TRUE(knownChain(settings, QStringLiteral("/dev/ttyUSB1")).empty());
+}
+
+TEST_F(KnownChain, ARateThatNoLookTriesIsRemembered) {
+    QSettings settings(directory.filePath(QStringLiteral("x.ini")), QSettings::IniFormat);
+    const QString port = QStringLiteral("/dev/ttyUSB0");
+    rememberRate(settings, port, 250'000);
+    EXPECT_EQ(knownRate(settings, port), 250'000U);
+    rememberRate(settings, port, 57'600);
+    EXPECT_EQ(knownRate(settings, port), 0U) << "each look tries it anyway";
+    settings.setValue(QStringLiteral("chainRate/_dev_ttyUSB0"), QStringLiteral("4000"));
+    EXPECT_EQ(knownRate(settings, port), 0U) << "1 250 000 / 256 = 4883 is the slowest";
 }
 
 TEST_F(KnownChain, WhatIsNoneOfOursIsIgnored) {
@@ -102,11 +114,11 @@ TEST_F(KnownChain, WhatIsNoneOfOursIsIgnored) {
     for (int i = 1; i <= 33; ++i)
         many += QStringLiteral("%1/0/4 ").arg(i);
     for (const QVariant& foreign :
-         {QVariant(3), QVariant(QStringLiteral("1/0/4 1/0/4")), QVariant(QStringLiteral("2/0/4 1/0/4")),
-          QVariant(QStringLiteral("0/0/4")), QVariant(QStringLiteral("128/0/4")),
-          QVariant(QStringLiteral("1/256/4")), QVariant(QStringLiteral("1/0/256")),
-          QVariant(QStringLiteral("1/0")), QVariant(QStringLiteral("1/0/4;2/0/4")),
-          QVariant(QStringLiteral("1/0/-4")), QVariant(many), QVariant(QByteArray(1 << 20, '1')),
+         {QVariant(3), QVariant(QStringLiteral("1/0/4 1/0/4")), QVariant(QStringLiteral("0/0/4")),
+          QVariant(QStringLiteral("128/0/4")), QVariant(QStringLiteral("1/256/4")),
+          QVariant(QStringLiteral("1/0/256")), QVariant(QStringLiteral("1/0")),
+          QVariant(QStringLiteral("1/0/4;2/0/4")), QVariant(QStringLiteral("1/0/-4")), QVariant(many),
+          QVariant(QByteArray(1 << 20, '1')),
           QVariant(QStringList{QStringLiteral("1/0/4"), QStringLiteral("2/0/4")})}) {
         settings.setValue(QStringLiteral("chain/x"), foreign);
         EXPECT_TRUE(knownChain(settings, QStringLiteral("x")).empty())
