@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/goalmoves.h"
+
+#include "model/intent/stepplan.h"
+#include "model/intent/travel.h"
+
+namespace nmc {
+
+GoalMoves::GoalMoves(ProcedureKind kind, const ModuleState& module) : Procedure(module.info.index, kind) {
+    m_mayRun = true;
+}
+
+GoalMoves::Next GoalMoves::proceed(const ModuleState& module, TimePoint now) {
+    if (module.silent)
+        return fail(ProcedureFailure::ModuleSilent);
+    if (!module.driveOn())
+        return fail(ProcedureFailure::WentOff);
+    if (m_moves)
+        if (auto next = underWay(module, now))
+            return *next;
+    return standing(module, now);
+}
+
+GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const ModuleState& module) {
+    if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)
+        return fail(ProcedureFailure::TravelLimit);
+    m_heading = static_cast<std::int32_t>(goal);
+    const Intent next = moveTo(m_heading);
+    if (travelProblem(next, module))
+        return fail(ProcedureFailure::SoftLimit);
+    const auto steps = plan(next, module);
+    if (!steps)
+        return fail(ProcedureFailure::Refused);
+    m_report.stage = stage;
+    m_moves = true;
+    m_startedAt.reset();
+    return send(*steps);
+}
+
+std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, TimePoint now) {
+    if (!m_startedAt) {
+        m_startedAt = now;
+        m_standstill.reset();
+    }
+    // Its goal is not ours any more: something else moves or has stopped it. One that its chip has stopped
+    // short still has it.
+    if ((module.isStepper() ? module.stepper.goal() : module.goal()) != m_heading) {
+        m_mayRun = false;
+        cancel();
+        return Wait{};
+    }
+    const bool fresh = module.latestTime > *m_startedAt && module.latest->position;
+    if (!fresh || !m_standstill.look(module.latestTime, *module.latest->position, module.moving()))
+        return Wait{};
+    if (module.isStepper() && *module.latest->position != m_heading)
+        return fail(ProcedureFailure::StoppedShort);
+    m_moves = false;
+    return std::nullopt;
+}
+
+std::vector<bus::Step> GoalMoves::lastWord(const ModuleState& module) const {
+    // To a servo that is off the stop would be what switches it on.
+    if (!m_mayRun || !module.driveOn())
+        return {};
+    return {smoothStop(module)};
+}
+
+}  // namespace nmc
