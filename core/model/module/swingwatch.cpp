@@ -32,29 +32,50 @@ double reach(const Looks& begin, const Looks& end) {
 }
 
 struct Sine {
+    double hertz = 0.0;
     double amplitude = 0.0;
     double share = 0.0;  ///< of the variance
 };
 
-/// The sine of that rate that fits best, about the mean (least squares; the times are uneven).
-Sine fit(const std::vector<double>& seconds, const std::vector<double>& off, double hertz) {
-    double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0, yy = 0;
+/// The best of the sines about the mean whose rates begin at `from` and lie `step` apart (least squares; the
+/// times are uneven). From one rate to the next each look is turned on by a product: sines and cosines anew
+/// would hold the window up.
+Sine bestSine(const std::vector<double>& seconds, const std::vector<double>& off, double from, double to,
+              double step) {
+    struct Turning {
+        double c, s, byC, byS;
+    };
+    std::vector<Turning> looks;
+    double yy = 0;
     for (std::size_t i = 0; i < seconds.size(); ++i) {
-        const double phase = 2.0 * std::numbers::pi * hertz * seconds[i];
-        const double c = std::cos(phase), s = std::sin(phase), y = off[i];
-        cc += c * c;
-        cs += c * s;
-        ss += s * s;
-        cy += c * y;
-        sy += s * y;
-        yy += y * y;
+        const double first = 2.0 * std::numbers::pi * from * seconds[i];
+        const double by = 2.0 * std::numbers::pi * step * seconds[i];
+        looks.push_back({std::cos(first), std::sin(first), std::cos(by), std::sin(by)});
+        yy += off[i] * off[i];
     }
-    const double det = cc * ss - cs * cs;
-    if (det <= 1e-9 * cc * ss || yy <= 0)
-        return {};
-    const double a = (cy * ss - sy * cs) / det;
-    const double b = (sy * cc - cy * cs) / det;
-    return {std::hypot(a, b), (a * cy + b * sy) / yy};
+    Sine best;
+    for (double hertz = from; hertz < to && yy > 0; hertz += step) {
+        double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0;
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            auto& [c, s, byC, byS] = looks[i];
+            cc += c * c;
+            cs += c * s;
+            ss += s * s;
+            cy += c * off[i];
+            sy += s * off[i];
+            const double on = c * byC - s * byS;
+            s = s * byC + c * byS;
+            c = on;
+        }
+        const double det = cc * ss - cs * cs;
+        if (det <= 1e-9 * cc * ss)
+            continue;
+        const double a = (cy * ss - sy * cs) / det;
+        const double b = (sy * cc - cy * cs) / det;
+        if (const double share = (a * cy + b * sy) / yy; share > best.share)
+            best = {hertz, std::hypot(a, b), share};
+    }
+    return best;
 }
 
 }  // namespace
@@ -105,17 +126,16 @@ std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
         return Swing{now, std::nullopt};
     const double span = seconds.back();
     const double between = span / static_cast<double>(seconds.size() - 1);
-    Sine best;
-    double rate = 0;
-    const double step = 1.0 / (4.0 * span);
-    for (double hertz = 1.5 / span; hertz < 0.45 / between; hertz += step)
-        if (const Sine one = fit(seconds, off, hertz); one.share > best.share) {
-            best = one;
-            rate = hertz;
-        }
+    // Coarsely first, then to a quarter of what the window tells apart.
+    const double fine = 0.25 / span;
+    const double lowest = 1.5 / span;
+    const double highest = 0.45 / between;
+    const Sine near = bestSine(seconds, off, lowest, highest, 2 * fine);
+    const Sine best = bestSine(seconds, off, std::max(lowest, near.hertz - fine),
+                               std::min(highest, near.hertz + 1.5 * fine), fine);
     if (best.share < kOneRate)
         return Swing{now, std::nullopt};
-    return Swing{best.amplitude, rate};
+    return Swing{best.amplitude, best.hertz};
 }
 
 }  // namespace nmc
