@@ -3,6 +3,7 @@
 
 #include <QMetaEnum>
 #include <algorithm>
+#include <optional>
 
 #include "model/intent/rights.h"
 #include "widgets/common/words.h"
@@ -15,24 +16,36 @@ bool Message::offers(MessageAction action) const {
 
 namespace {
 
-/// What changes the machine or the chain is not left to an operator; the rest is as for the controls.
-bool isLeft(MessageAction action, const OperatorRights& rights) {
+/// What an action needs besides that its message is there.
+struct Needs {
+    bool ownChain = false;  ///< the chain that it told of
+    bool telling = false;   ///< a connection that does not only look
+    bool machine = false;   ///< it changes the machine or the chain, which is not left to an operator
+    std::optional<Request> right{};  ///< of an operator, as for the control that does the same
+};
+
+Needs needsOf(MessageAction action) {
     switch (action) {
         case MessageAction::Readdress:
         case MessageAction::RestartNetwork:
+            return {.ownChain = true, .telling = true, .machine = true};
+        case MessageAction::ClearAndStayOff:
+            return {.ownChain = true, .telling = true, .right = Request::ClearStickyBits};
+        case MessageAction::SwitchOff:
+            return {.ownChain = true, .telling = true};
+        case MessageAction::GainsBefore:
+            return {.ownChain = true, .telling = true, .right = Request::ApplyGains};
+        case MessageAction::TakePosition:
+            return {.ownChain = true, .telling = true, .right = Request::SaveAsHome};
+        case MessageAction::ForgetPosition:
+            return {.ownChain = true, .right = Request::SaveAsHome};
         case MessageAction::WorkWith:
+            return {.ownChain = true, .machine = true};
+        case MessageAction::StopAll:
+            return {.ownChain = true};
         case MessageAction::RestoreWork:
         case MessageAction::DiscardWork:
-            return false;
-        case MessageAction::TakePosition:
-        case MessageAction::ForgetPosition:
-            return allows(rights, Request::SaveAsHome);
-        case MessageAction::ClearAndStayOff:
-            return allows(rights, Request::ClearStickyBits);
-        case MessageAction::GainsBefore:
-            return allows(rights, Request::ApplyGains);
-        case MessageAction::SwitchOff:
-        case MessageAction::StopAll:
+            return {.machine = true};
         case MessageAction::Retry:
         case MessageAction::ScanAgain:
         case MessageAction::UseSimulator:
@@ -48,43 +61,20 @@ bool isLeft(MessageAction action, const OperatorRights& rights) {
         case MessageAction::ConnectFully:
             break;
     }
-    return true;
+    return {};
+}
+
+bool isLeft(MessageAction action, const OperatorRights& rights) {
+    const Needs needs = needsOf(action);
+    return !needs.machine && (!needs.right || allows(rights, *needs.right));
 }
 
 }  // namespace
 
 bool mayAct(const Message& message, MessageAction action, const LinkState& link) {
+    const Needs needs = needsOf(action);
     const bool own = link.phase != LinkPhase::Disconnected && message.connection == link.connection;
-    switch (action) {
-        case MessageAction::Readdress:
-        case MessageAction::ClearAndStayOff:
-        case MessageAction::SwitchOff:
-        case MessageAction::GainsBefore:
-        case MessageAction::RestartNetwork:
-        case MessageAction::TakePosition:
-            return own && !link.readOnly;
-        case MessageAction::StopAll:
-        case MessageAction::WorkWith:
-        case MessageAction::ForgetPosition:
-            return own;
-        case MessageAction::Retry:
-        case MessageAction::ScanAgain:
-        case MessageAction::UseSimulator:
-        case MessageAction::ChoosePort:
-        case MessageAction::CopyCommand:
-        case MessageAction::How:
-        case MessageAction::Reconnect:
-        case MessageAction::ConnectOffered:
-        case MessageAction::Understood:
-        case MessageAction::LookedAt:
-        case MessageAction::RestoreWork:
-        case MessageAction::DiscardWork:
-        case MessageAction::ShowRecord:
-        case MessageAction::LookFirst:
-        case MessageAction::ConnectFully:
-            break;
-    }
-    return true;
+    return (!needs.ownChain || own) && (!needs.telling || !link.readOnly);
 }
 
 Message withoutImpossible(Message message, const LinkState& link) {
