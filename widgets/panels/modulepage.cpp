@@ -108,6 +108,9 @@ void ModulePage::reveal(const QWidget& box) {
 
 void ModulePage::lockPages() {
     const std::optional<OperatorRights>& rights = m_context.state().rights;
+    if (m_lockedFor == rights)
+        return;
+    m_lockedFor = rights;
     const auto mayUse = [&rights](const QWidget& page) {
         if (page.findChild<const HomingBox*>() != nullptr)
             return rights->homing;

@@ -56,6 +56,7 @@ private:
     /// In operator mode, pages whose fields are not the operator's.
     void lockPages();
 
+    std::optional<OperatorRights> m_lockedFor;
     QTabWidget* m_pages = nullptr;
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
