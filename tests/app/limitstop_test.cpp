@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 
 #include "tests/app/panel.h"
@@ -100,12 +101,14 @@ TEST_F(ArmedLimits, AnOperatorMovesNothingUnarmed) {
         QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
     panel.click("operatorBeginButton");
     ASSERT_TRUE(panel.window().operatorLock().isLocked());
+    // A window that loses the focus ends what is held: the dialog's is gone before anything is.
+    ASSERT_TRUE(panel.waitFor([&] { return QApplication::activeWindow() == nullptr; }));
     panel.window().activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
     for (int round = 0; round < 2; ++round) {
         ASSERT_TRUE(armed()) << round;
-        auto* forward = panel.window().findChild<QWidget*>(u"holdForwardButton"_s);
-        testing_support::turnTo(*forward);
-        ASSERT_TRUE(panel.waitFor([&] { return forward->isEnabled(); })) << forward->toolTip().toStdString();
+        QAbstractButton* forward = nullptr;
+        ASSERT_NO_FATAL_FAILURE(panel.reach("holdForwardButton", forward));
         QTest::mousePress(forward, Qt::LeftButton);
         ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
         (void)sim.control(u"set 1 limit1 1"_s);

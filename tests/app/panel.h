@@ -57,14 +57,20 @@ public:
             QTest::mouseClick(stop, Qt::LeftButton);
     }
     void click(const char* name) {
-        auto* button = window().findChild<QAbstractButton*>(QLatin1String(name));
-        ASSERT_NE(button, nullptr) << name;
-        turnTo(*button);
-        ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name << button->toolTip().toStdString();
-        // Nobody clicks on what is hidden, and a mouse click there would fall on something else.
-        ASSERT_TRUE(waitFor([&] { return button->visibleRegion().contains(button->rect().center()); }))
-            << name;
+        QAbstractButton* button = nullptr;
+        ASSERT_NO_FATAL_FAILURE(reach(name, button));
         QTest::mouseClick(button, Qt::LeftButton);
+    }
+    /// In sight and enabled: nobody clicks on what is hidden, and a mouse click there would fall on something
+    /// else.
+    void reach(const char* name, QAbstractButton*& button) {
+        button = window().findChild<QAbstractButton*>(QLatin1String(name));
+        ASSERT_NE(button, nullptr) << name;
+        ASSERT_TRUE(waitFor([&] {
+            turnTo(*button);
+            return button->visibleRegion().contains(button->rect().center());
+        })) << name;
+        ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name << button->toolTip().toStdString();
     }
     /// How often a look has found one: the phase in between may be over before it is seen.
     [[nodiscard]] int chainsFound() const { return m_chainsFound; }
