@@ -4,6 +4,8 @@
 #include <QTabBar>
 
 #include "app/translations.h"
+#include "widgets/panels/command.h"
+#include "widgets/panels/modulepage.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -61,6 +63,18 @@ protected:
             if (const auto* control = window->findChild<QWidget*>(name); control && control->isVisible())
                 found.insert(name, {control->mapToGlobal(QPoint(0, 0)), control->size()});
         return found;
+    }
+    void showStepper(std::uint8_t status, std::int32_t position) {
+        ModuleState module;
+        module.info.identity = {ModuleType::Step, 1};
+        module.info.address = BusAddress(1);
+        bus::Sample sample;
+        sample.report.status = status;
+        sample.report.position = position;
+        sample.report.aux = std::uint8_t(0);
+        sample.report.analog = std::uint8_t(200);
+        module.apply(sample);
+        window->showLink(connectedTo({module}));
     }
     /// Those of the motions are in sight on every page; these two pages have some of their own.
     void onEachPage(const QString& pages, const std::function<void()>& check) {
@@ -163,19 +177,7 @@ TEST_P(Places, StayWhateverTheModuleSays) {
 }
 
 TEST_P(Places, OfTheStepperStayToo) {
-    const auto stepper = [this](std::uint8_t status, std::int32_t position) {
-        ModuleState module;
-        module.info.identity = {ModuleType::Step, 1};
-        module.info.address = BusAddress(1);
-        bus::Sample sample;
-        sample.report.status = status;
-        sample.report.position = position;
-        sample.report.aux = std::uint8_t(0);
-        sample.report.analog = std::uint8_t(200);
-        module.apply(sample);
-        window->showLink(connectedTo({module}));
-    };
-    stepper(0x0C, 1'234);  // amplifier enabled, power
+    showStepper(0x0C, 1'234);  // amplifier enabled, power
     settle();
     for (const QString& mode : {u"stepModeTrapezoidal"_s, u"stepModeProfile"_s, u"stepModeTimedRun"_s}) {
         click(mode);
@@ -187,11 +189,26 @@ TEST_P(Places, OfTheStepperStayToo) {
             EXPECT_EQ(places(), before);
         }
         for (const int status : {0x08, 0x2D, 0x4D, 0x04, 0x00, 0x0C}) {
-            stepper(static_cast<std::uint8_t>(status), 1'234);
+            showStepper(static_cast<std::uint8_t>(status), 1'234);
             EXPECT_EQ(places(), before) << mode.toStdString() << ' ' << status;
         }
-        stepper(0x0C, -2'147'483'647);
+        showStepper(0x0C, -2'147'483'647);
         EXPECT_EQ(places(), before);
+    }
+}
+
+TEST_P(Places, OfWhatActsCanBeScrolledIntoSight) {
+    for (const QString& page : {u"servoPanel"_s, u"stepPanel"_s}) {
+        if (page == u"stepPanel"_s)
+            showStepper(0x0C, 1'234);
+        for (const Command* command : find<ModulePage>(page)->commands()) {
+            QAbstractButton* button = command->button();
+            testing_support::turnTo(*button);
+            settle();
+            testing_support::turnTo(*button);
+            EXPECT_TRUE(!button->isVisible() || button->visibleRegion().boundingRect() == button->rect())
+                << button->objectName().toStdString();
+        }
     }
 }
 

@@ -56,4 +56,10 @@ void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
                           visibleText(), foregroundRole());
 }
 
+ElidedLabel* newMutedLine(QWidget* parent) {
+    auto* label = new ElidedLabel(1, parent);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
 }  // namespace nmc

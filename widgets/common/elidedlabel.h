@@ -26,4 +26,7 @@ private:
     int m_lines;
 };
 
+/// One line of quiet secondary text that gives way to its neighbours.
+[[nodiscard]] ElidedLabel* newMutedLine(QWidget* parent);
+
 }  // namespace nmc

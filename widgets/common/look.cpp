@@ -206,6 +206,12 @@ void adoptPlaceholders(QWidget* window) {
     window->setPalette(palette);
 }
 
+void keepRoom(QWidget* widget) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+}
+
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName) {
     widget->setObjectName(objectName);
     widget->setAccessibleName(accessibleName);

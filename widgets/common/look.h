@@ -57,6 +57,9 @@ void setReadout(QLabel* label, const QString& text);
 /// of its palette.
 void adoptPlaceholders(QWidget* window);
 
+/// Nothing around it moves when it comes or goes.
+void keepRoom(QWidget* widget);
+
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
 /// The object name of what there may be one of for each type of module in a window.

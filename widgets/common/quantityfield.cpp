@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 
@@ -31,7 +32,7 @@ QuantityField::QuantityField(Kind kind, QWidget* parent)
     : NumberField(0, parent),
       m_kind(kind),
       m_unit(new QLabel(parent)),
-      m_other(look::newMutedLabel({}, parent)) {
+      m_other(newMutedLine(parent)) {
     m_other->setFont(look::tabular(font()));
     connect(this, &NumberField::edited, this, &QuantityField::takeText);
     refresh();

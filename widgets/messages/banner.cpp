@@ -67,9 +67,8 @@ Banner::Banner(QWidget* parent)
     layout->setSpacing(0);
     layout->addLayout(first, 1);
     layout->addLayout(second, 1);
-    QSizePolicy place(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    place.setRetainSizeWhenHidden(true);
-    setSizePolicy(place);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    look::keepRoom(this);
     hide();
 }
 

@@ -54,8 +54,8 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_motions->setMinimumWidth(left->minimumSizeHint().width() +
-                               m_motions->verticalScrollBar()->sizeHint().width());
+    m_columnWidth = left->minimumSizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
+    m_motions->setMinimumWidth(m_columnWidth);
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
     m_columns->setSpacing(unit);
@@ -78,10 +78,12 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
 
 void ModulePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool narrow = width() < m_motions->minimumWidth() + fontMetrics().height() * kNarrowestPages;
+    const bool narrow = width() < m_columnWidth + fontMetrics().height() * kNarrowestPages;
     if (narrow == m_narrow)
         return;
     m_narrow = narrow;
+    // As a page it scrolls in both directions: a button that is cut off can't be reached.
+    m_motions->setMinimumWidth(narrow ? 0 : m_columnWidth);
     if (narrow) {
         m_pages->insertTab(0, m_motions, tr("Motion"));
         m_pages->setCurrentIndex(0);

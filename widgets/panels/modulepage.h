@@ -60,6 +60,7 @@ private:
     QTabWidget* m_pages = nullptr;
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
+    int m_columnWidth = 0;  ///< pixels, below which the motions don't fit beside the pages
     bool m_narrow = false;
 };
 

@@ -15,6 +15,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
+constexpr int kNarrowest = 36;  ///< lines of text
+
 /// What is built late still comes where it stands, and not behind everything.
 void keepTabOrder(QWidget* before, QWidget* page) {
     QList<QWidget*> controls;
@@ -148,7 +150,9 @@ void ModulePanel::bringUp(QWidget* page) {
 
 void ModulePanel::fill() {
     m_current->setGeometry(rect());
-    const QSize least = m_current->minimumSizeHint();
+    // Never wider because of what a module says: the list beside it would give way, and every button move.
+    const QSize least = m_current->minimumSizeHint().boundedTo(
+        {fontMetrics().height() * kNarrowest, QWIDGETSIZE_MAX});
     if (std::exchange(m_least, least) != least)
         updateGeometry();
 }

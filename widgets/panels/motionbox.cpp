@@ -97,8 +97,7 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
                              &MotionSettings::velocity);
     m_acceleration = addQuantity(grid, line++, tr("Acceleratio&n"), u"accelerationField"_s,
                                  tr("Acceleration"), &MotionSettings::acceleration);
-    m_forecast = new ElidedLabel(1, this);
-    m_forecast->setForegroundRole(QPalette::PlaceholderText);
+    m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
                              .icon = {},
@@ -109,10 +108,7 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
     remark->setSpacing(look::gridUnit(this));
     remark->addWidget(m_forecast, 1);
     remark->addWidget(m_nearest->button());
-    // Nothing that starts a motor moves when it comes or goes.
-    QSizePolicy policy = m_nearest->button()->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_nearest->button()->setSizePolicy(policy);
+    look::keepRoom(m_nearest->button());
     grid->addLayout(remark, line++, 1, 1, quantitygrid::kColumns - 1);
 
     m_zero = new Command({.name = u"zeroHereButton"_s,

@@ -76,16 +76,14 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     addRow(m_speed, tr("Trave&l speed"));
     m_outcome = look::newMutedLabel({}, this);
     m_outcome->setObjectName(u"stepSpeedOutcome"_s);
-    m_ramp = new ElidedLabel(1, this);
-    m_ramp->setForegroundRole(QPalette::PlaceholderText);
+    m_ramp = newMutedLine(this);
     m_ramp->setObjectName(u"stepRampOutcome"_s);
     auto* outcome = new QHBoxLayout;
     outcome->setSpacing(look::gridUnit(this));
     outcome->addWidget(m_outcome);
     outcome->addWidget(m_ramp, 1);
     grid->addLayout(outcome, line++, 1, 1, 4);
-    m_forecast = new ElidedLabel(1, this);
-    m_forecast->setForegroundRole(QPalette::PlaceholderText);
+    m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"stepForecast"_s);
     m_nearest = new Command({.name = u"stepNearestGoalButton"_s,
                              .icon = {},
@@ -96,10 +94,7 @@ void StepMotionBox::buildFields(QGridLayout* grid, int line) {
     remark->setSpacing(look::gridUnit(this));
     remark->addWidget(m_forecast, 1);
     remark->addWidget(m_nearest->button());
-    // Nothing that starts a motor moves when it comes or goes.
-    QSizePolicy policy = m_nearest->button()->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_nearest->button()->setSizePolicy(policy);
+    look::keepRoom(m_nearest->button());
     grid->addLayout(remark, line++, 1, 1, 4);
 }
 

@@ -108,10 +108,7 @@ void StepForm::buildButton(QGridLayout* grid) {
     m_state->setWordWrap(true);
     m_hold = new QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), this);
     look::name(m_hold, u"stepResponseHoldButton"_s, tr("Hold the motor where it is, before a step"));
-    // The button that moves the motor stays where it is.
-    QSizePolicy policy = m_hold->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_hold->setSizePolicy(policy);
+    look::keepRoom(m_hold);
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 1);
     grid->addWidget(m_hold, line, 2, 1, 2);
