@@ -151,8 +151,8 @@ void ModulePanel::bringUp(QWidget* page) {
 void ModulePanel::fill() {
     m_current->setGeometry(rect());
     // Never wider because of what a module says: the list beside it would give way, and every button move.
-    const QSize least = m_current->minimumSizeHint().boundedTo(
-        {fontMetrics().height() * kNarrowest, QWIDGETSIZE_MAX});
+    const QSize least =
+        m_current->minimumSizeHint().boundedTo({fontMetrics().height() * kNarrowest, QWIDGETSIZE_MAX});
     if (std::exchange(m_least, least) != least)
         updateGeometry();
 }
