@@ -54,7 +54,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_columnWidth = left->minimumSizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
+    m_columnWidth = left->sizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
     m_motions->setMinimumWidth(m_columnWidth);
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
