@@ -19,6 +19,10 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+constexpr int kWide = 26;  ///< lines of text, from which on the gains have their names
+}
+
 /// A change of what stands in the fields; it never reaches the motor. Typing in one field is one of them.
 class GainsBox::Edit : public QUndoCommand {
 public:
@@ -88,7 +92,7 @@ void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
     Row& row = rowOf(gain);
     const QString letters = gainLetters(gain);
     row.gain = gain;
-    row.label = new QLabel(u"%1  %2"_s.arg(letters, gainName(gain)), this);
+    row.label = new QLabel(this);
     row.field = new NumberField(0, this);
     look::name(row.field, letters.toLower() + u"Field"_s, u"%1, %2"_s.arg(letters, gainName(gain)));
     const ValueRange range = gainRange(gain);
@@ -166,21 +170,38 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
                               .accessible = tr("Open the step response")},
                              this, [this] { emit stepResponseWanted(); });
     step->setPossible({}, tr("Opens the place where a small step shows how the motor follows (F9)."));
-    const int unit = look::gridUnit(this);
-    const auto addLine = [&](int at, std::initializer_list<Command*> left,
-                             std::initializer_list<Command*> right) {
-        auto* buttons = new QHBoxLayout;
-        buttons->setSpacing(unit);
-        buttons->setContentsMargins(0, unit / 2, 0, 0);
-        for (const Command* command : left)
-            buttons->addWidget(command->button());
-        buttons->addStretch(1);
-        for (const Command* command : right)
-            buttons->addWidget(command->button());
-        grid->addLayout(buttons, at, 0, 1, 4);
+    m_buttons = {start, zero, m_undo, m_redo, step, m_revert, m_apply};
+    m_buttonGrid = new QGridLayout;
+    m_buttonGrid->setSpacing(look::gridUnit(this) / 2);
+    m_buttonGrid->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+    grid->addLayout(m_buttonGrid, line, 0, 1, 4);
+    arrange(false);
+}
+
+void GainsBox::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (const bool narrow = width() < fontMetrics().height() * kWide; narrow != m_narrow) {
+        arrange(narrow);
+        refresh();
+    }
+}
+
+/// Where there is little room, letters stand for names, and the buttons need one more line.
+void GainsBox::arrange(bool narrow) {
+    m_narrow = narrow;
+    for (const Row& row : m_rows)
+        row.label->setText(narrow ? gainLetters(row.gain)
+                                  : u"%1  %2"_s.arg(gainLetters(row.gain), gainName(row.gain)));
+    struct Place {
+        int line, column;
     };
-    addLine(line, {start, zero}, {m_undo, m_redo});
-    addLine(line + 1, {step}, {m_revert, m_apply});
+    constexpr std::array<Place, 7> kWidePlaces{{{0, 0}, {0, 1}, {0, 3}, {0, 4}, {1, 0}, {1, 3}, {1, 4}}};
+    constexpr std::array<Place, 7> kNarrowPlaces{{{0, 0}, {0, 1}, {1, 0}, {1, 1}, {3, 0}, {2, 0}, {2, 1}}};
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        const Place& place = narrow ? kNarrowPlaces[i] : kWidePlaces[i];
+        m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column);
+    }
+    m_buttonGrid->setColumnStretch(2, 1);
 }
 
 // ---- what stands in the fields ----
@@ -326,7 +347,7 @@ void GainsBox::refreshRow(Row& row) {
     const bool visible = used(row.gain);
     for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.field),
                             static_cast<QWidget*>(row.remark), static_cast<QWidget*>(row.state)})
-        widget->setVisible(visible);
+        widget->setVisible(visible && !(m_narrow && widget == row.remark));
     const std::optional<double> value = row.field->value();
     QString remark = value.has_value() ? gainRemark(row.gain, static_cast<int>(*value)) : QString();
     if (row.gain == Gain::Cl && value.value_or(0.0) != 0.0)

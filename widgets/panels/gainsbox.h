@@ -34,6 +34,9 @@ public:
 signals:
     void stepResponseWanted();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     enum class Known : std::uint8_t { Unknown, Sent, Edited };
     /// What stands in the fields, values or not.
@@ -50,6 +53,7 @@ private:
     void addRow(Gain gain, int row, QGridLayout* grid);
     void addSense(int line, QGridLayout* grid);
     void addButtons(int line, QGridLayout* grid);
+    void arrange(bool narrow);
     /// By the user's hand, in one field or in all (`gain` empty).
     void edited(std::optional<Gain> gain);
     void fill(const std::function<std::optional<int>(Gain)>& value);
@@ -82,6 +86,9 @@ private:
     Command* m_revert = nullptr;
     Command* m_undo = nullptr;
     Command* m_redo = nullptr;
+    std::array<Command*, 7> m_buttons{};
+    QGridLayout* m_buttonGrid = nullptr;
+    bool m_narrow = false;
     QUndoStack* m_edits;
     Texts m_before;        ///< what stood there before the edit that is being made
     bool m_typed = false;  ///< since it was sent, or a machine file was opened

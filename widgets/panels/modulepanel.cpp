@@ -15,7 +15,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kNarrowest = 36;  ///< lines of text
+constexpr int kNarrowest = 19;  ///< lines of text
 
 /// What is built late still comes where it stands, and not behind everything.
 void keepTabOrder(QWidget* before, QWidget* page) {
