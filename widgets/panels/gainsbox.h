@@ -28,14 +28,13 @@ public:
     GainsBox(ModuleContext& context, QWidget* parent);
     ~GainsBox() override;
 
+    /// For a column beside plots.
+    void setNarrow(bool narrow);
     /// Fills the fields, as an edit that can be undone; sends nothing.
     void stage(const servo::SetGain& gains);
 
 signals:
     void stepResponseWanted();
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     enum class Known : std::uint8_t { Unknown, Sent, Edited };
@@ -59,6 +58,8 @@ private:
     void fill(const std::function<std::optional<int>(Gain)>& value);
     void revert();
     void apply();
+    void tryThem();
+    [[nodiscard]] bool tries() const;
     void askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps);
     void chooseSense(int sense);
     [[nodiscard]] Texts shown() const;
@@ -70,6 +71,7 @@ private:
     void refresh();
     void refreshRow(Row& row);
     void refreshApply(const QString& problem);
+    void refreshTry(const QString& problem);
     void refreshUndo();
     [[nodiscard]] QString hint() const;
     [[nodiscard]] Row& rowOf(Gain gain) { return m_rows[static_cast<std::size_t>(gain)]; }
@@ -84,9 +86,11 @@ private:
     QLabel* m_hint;
     Command* m_apply = nullptr;
     Command* m_revert = nullptr;
+    Command* m_try = nullptr;
+    Command* m_keep = nullptr;
     Command* m_undo = nullptr;
     Command* m_redo = nullptr;
-    std::array<Command*, 7> m_buttons{};
+    std::array<Command*, 9> m_buttons{};
     QGridLayout* m_buttonGrid = nullptr;
     bool m_narrow = false;
     QUndoStack* m_edits;

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
@@ -87,11 +88,18 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     if (narrow) {
         m_pages->insertTab(0, m_motions, tr("Motion"));
         m_pages->setCurrentIndex(0);
+        if (m_tuning)
+            revealTuning();
     } else {
         m_pages->removeTab(0);
         m_columns->insertWidget(0, m_motions, 1);
         m_motions->show();
     }
+}
+
+void ModulePage::setTuning(bool on) {
+    if (std::exchange(m_tuning, on) != on && on)
+        revealTuning();
 }
 
 int ModulePage::spareHeight() const {

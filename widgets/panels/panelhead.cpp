@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QStyle>
 #include <cmath>
 
 #include "widgets/common/elidedlabel.h"
@@ -118,12 +119,6 @@ QHBoxLayout* PanelHead::row(std::initializer_list<QWidget*> widgets) const {
     return row;
 }
 
-/// The stops of this one motor.
-QHBoxLayout* PanelHead::stops() const {
-    return row({m_stopSmoothly->button(), m_stopAbruptly->button(),
-                m_stopHere != nullptr ? m_stopHere->button() : nullptr});
-}
-
 QHBoxLayout* PanelHead::signs() const {
     auto* signs = new QHBoxLayout;
     signs->setSpacing(look::gridUnit(this) / 2);
@@ -145,6 +140,10 @@ void PanelHead::arrange(bool narrow) {
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(narrow ? unit / 3 : unit / 2);
     m_type->setVisible(!narrow);
+    const int icon = narrow ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);
+    for (const Command* command : {m_enable, m_stopSmoothly, m_stopAbruptly, m_stopHere, m_motorOff})
+        if (command != nullptr)
+            command->button()->setIconSize({icon, icon});
     QHBoxLayout* who = row({m_name, m_type});
     who->addStretch(1);
     who->addWidget(m_procedure);
@@ -170,7 +169,8 @@ void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
         all->addWidget(m_limitStop);
     QHBoxLayout* buttons = row({m_enable->button()});
     buttons->addSpacing(unit);
-    buttons->addLayout(stops());
+    buttons->addLayout(row({m_stopSmoothly->button(), m_stopAbruptly->button(),
+                            m_stopHere != nullptr ? m_stopHere->button() : nullptr}));
     buttons->addSpacing(unit);
     buttons->addWidget(m_motorOff->button());
     buttons->addStretch(1);
@@ -196,18 +196,19 @@ void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
     more->addWidget(m_travel);
     if (m_limitStop != nullptr)
         more->addWidget(m_limitStop);
-    QHBoxLayout* power = row({m_enable->button(), m_motorOff->button()});
-    power->addStretch(1);
-    QHBoxLayout* halts = stops();
-    halts->addStretch(1);
+    QHBoxLayout* first = row({m_enable->button(), m_stopSmoothly->button(), m_motorOff->button()});
+    first->addStretch(1);
+    QHBoxLayout* others =
+        row({m_stopAbruptly->button(), m_stopHere != nullptr ? m_stopHere->button() : nullptr});
+    others->addStretch(1);
     grid.addLayout(what, 1, 0);
     grid.addWidget(m_meaning, 2, 0);
     grid.addLayout(where, 3, 0);
     grid.addWidget(m_velocity, 4, 0, Qt::AlignRight);
     grid.addLayout(all, 5, 0);
     grid.addLayout(more, 6, 0);
-    grid.addLayout(power, 7, 0);
-    grid.addLayout(halts, 8, 0);
+    grid.addLayout(first, 7, 0);
+    grid.addLayout(others, 8, 0);
 }
 
 QString PanelHead::named(const QString& name) const {

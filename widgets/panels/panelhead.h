@@ -45,7 +45,6 @@ private:
     void arrangeWide(QGridLayout& grid, QHBoxLayout* what);
     void arrangeNarrow(QGridLayout& grid, QHBoxLayout* what);
     [[nodiscard]] QHBoxLayout* row(std::initializer_list<QWidget*> widgets) const;
-    [[nodiscard]] QHBoxLayout* stops() const;
     [[nodiscard]] QHBoxLayout* signs() const;
     void refresh();
     void refreshPosition();
