@@ -66,6 +66,8 @@ void StepForm::buildFields(QGridLayout* grid) {
     }
     m_way->setToolTip(texts::stepWayMeaning(StepWay::Profile) + u"\n"_s +
                       texts::stepWayMeaning(StepWay::StopHere));
+    m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_way->setMinimumContentsLength(12);
     m_record = newField(2, u"stepResponseRecordField"_s, tr("The record"), tr("s"));
     m_record->setRange(kShortestRecord, kLongestRecord);
     m_record->setMeaning(tr("How long the motor is watched after the step. Then it is told to hold."));
@@ -113,8 +115,8 @@ void StepForm::buildButton(QGridLayout* grid) {
     look::name(m_hold, u"stepResponseHoldButton"_s, tr("Hold the motor where it is, before a step"));
     look::keepRoom(m_hold);
     const int line = grid->rowCount();
-    grid->addWidget(m_step, line, 1);
-    grid->addWidget(m_hold, line, 2, 1, 2);
+    grid->addWidget(m_step, line, 0);
+    grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
     connect(m_step, &QPushButton::clicked, this, &StepForm::step);
     connect(m_hold, &QPushButton::clicked, this, &StepForm::holdHere);
 }
