@@ -33,6 +33,8 @@ const double kTick = toSeconds(kServoTick);
 
 /// Counts², of a whole number; the same again for the whole numbers that the filter gets.
 constexpr double kWholeCount = 2.0 / 12;
+/// PWM counts, of a whole number of them, cut off.
+constexpr double kPwmSpread = 0.29;
 /// s²: the time of a sample is off by up to half a tick (bus::Sample).
 const double kTimeSpread = kTick * kTick / 12;
 
@@ -164,7 +166,6 @@ public:
         const LoopStart start = this->start(x, run);
         const ControlFilter filter(m_records[run].gains(), Rounding::Mean, start.integral,
                                    start.command - start.position);
-        constexpr double kPwmSpread = 0.5;
         misses[row] = std::max(0.0, std::abs(filter.standing() + x[kLoad]) - x[kFriction]) / kPwmSpread;
     }
 
@@ -417,10 +418,15 @@ namespace {
     const auto doubt = [&covariance](Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
     const MotorConstants motor = Fit::motor(x);
     const double ofGain = covariance(kPush, kPush) + covariance(kTau, kTau) + 2 * covariance(kPush, kTau);
-    found.motor.gain = {motor.gain, motor.gain * std::sqrt(std::max(0.0, ofGain))};
-    found.motor.timeConstant = {motor.timeConstant, motor.timeConstant * doubt(kTau)};
-    found.motor.friction = {motor.friction, doubt(kFriction)};
-    found.motor.load = {motor.load, doubt(kLoad)};
+    // The model is not the motor: what an inductance delays belongs to tau in part; PWM values are whole.
+    const auto withOwn = [](double value, double fitted, double own) {
+        return Measured{value, std::hypot(fitted, own)};
+    };
+    found.motor.gain = withOwn(motor.gain, motor.gain * std::sqrt(std::max(0.0, ofGain)), 0.015 * motor.gain);
+    found.motor.timeConstant = withOwn(motor.timeConstant, motor.timeConstant * doubt(kTau),
+                                       std::hypot(0.015 * motor.timeConstant, motor.delay));
+    found.motor.friction = withOwn(motor.friction, doubt(kFriction), kPwmSpread);
+    found.motor.load = withOwn(motor.load, doubt(kLoad), kPwmSpread);
     found.motor.delay = {motor.delay, doubt(kDelay) * kTick};
     return found;
 }

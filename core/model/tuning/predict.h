@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <cstdint>
 
-#include "model/response/stepmetrics.h"
+#include "model/response/steprun.h"
 #include "model/tuning/loopmodel.h"
 
 namespace nmc {
@@ -20,19 +19,24 @@ struct LoopMargins {
 
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 
-/// What a step would look like, and what it is judged by.
+/// A step of the command from `from` to `goal`, counts, which differ, as if it had been measured: points once
+/// a servo tick from the step on, as the encoder would tell, and what they are judged by; of no module and no
+/// time. The shaft stood, its load carried by the integral, and by an error as far as that cannot. `record`:
+/// s. `bandPercent`: of the step, as in StepRun. Pure.
+[[nodiscard]] StepRun reckonStep(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
+                                 std::int32_t goal, double record, double bandPercent);
+
+/// Counts; between goal and position at any point of the run.
+[[nodiscard]] double largestError(const StepRun& run);
+
 struct Prediction {
-    std::vector<StepPoint> points;  ///< once a servo tick from the step on, as the encoder would tell
-    StepMetrics metrics;            ///< as of a measured run
-    double errorAtRest = 0.0;       ///< counts at the end of the record: command less position
-    double largestError = 0.0;      ///< counts, of any tick; at least the step
-    double largestPwm = 0.0;        ///< PWM counts
+    StepRun run;
+    double errorAtRest = 0.0;  ///< counts, at the end of the record: goal less position
     LoopMargins margins;
 };
 
-/// A step from standstill at `from`, load carried by the integral as far as it can. `record`: s.
-/// `bandPercent`: of the step, as in StepRun. Well under a millisecond for half a second. Pure.
-[[nodiscard]] Prediction predict(const MotorConstants& motor, const servo::SetGain& gains, double from,
-                                 double goal, double record, double bandPercent);
+/// reckonStep() and marginsOf(); about a millisecond.
+[[nodiscard]] Prediction predict(const MotorConstants& motor, const servo::SetGain& gains, std::int32_t from,
+                                 std::int32_t goal, double record, double bandPercent);
 
 }  // namespace nmc

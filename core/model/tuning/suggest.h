@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "model/tuning/identify.h"
@@ -10,36 +11,37 @@ namespace nmc {
 
 /// What a person wants of a loop, each 0..1.
 struct LoopWish {
-    double stiffness = 0.5;  ///< 1: the fastest that noise, output limit and margins permit
-    double damping = 0.5;    ///< of zeta from kLeastDamping to kMostDamping
-    double noise = 0.5;      ///< how loud it may be: of kMostNoise
+    double stiffness = 1.0;  ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
+    double damping = 0.5;    ///< zeta, from kLeastDamping to kMostDamping
+    double noise = 1.0;      ///< how loud it may be, up to kMostNoise
 };
 
-inline constexpr double kLeastDamping = 0.6;
-inline constexpr double kMostDamping = 1.4;
-/// Counts by which one count of the encoder moves the motor in a tick, by way of Kd: K Kd T^2 / (256 tau).
+inline constexpr double kLeastDamping = 0.5;
+inline constexpr double kMostDamping = 1.1;
+/// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
 inline constexpr double kMostNoise = 0.3;
+/// What a suggested loop has at least.
+inline constexpr double kLeastPhaseMargin = 35.0;  ///< degrees
+inline constexpr double kLeastGainMargin = 2.0;
 
-[[nodiscard]] double noiseOf(const MotorConstants& motor, const servo::SetGain& gains);
-
-/// Gains and why they are what they are.
-struct Suggestion {
-    servo::SetGain gains;
-    double stiffness = 0.0;  ///< natural frequency, rad/s
-    double damping = 0.0;    ///< zeta
-    double noise = 0.0;      ///< noiseOf
+struct LoopFigures {
+    double naturalFrequency = 0.0;  ///< rad/s
+    double damping = 0.0;           ///< zeta
+    double noise = 0.0;             ///< K Kd T^2 / (256 tau), see kMostNoise
 };
 
-/// Gains for a motor, for steps of up to `step` counts: with T the servo tick,
+/// With T the servo tick: wn^2 = K Kp / (256 tau), 2 zeta wn = (1 + K Kd T / 256) / tau. Pure.
+[[nodiscard]] LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains);
+
+/// Gains for a motor and steps of up to `step` counts (not 0; either direction), from figuresOf() the other
+/// way round. SR is as low as Kd's range and resolution permit. There is an integral only if friction and
+/// load would leave an error of a count, and then its limit is the least that carries them; EL has a margin
+/// above the error that is predicted. `now`: the gains in force; output limit, current limit and deadband
+/// compensation stay as they are.
 ///
-///     wn^2 = K Kp / (256 tau)        2 zeta wn = (1 + K Kd T / 256) / tau
-///
-/// SR as low as Kd's resolution permits; an integral only if friction and load would leave an error of a
-/// count, and then no larger than carries them; EL above the error that is predicted. `now`: the gains in
-/// force; their output limit, current limit and deadband compensation stay. What is suggested is stable:
-/// every pole within the unit circle, and the step, reckoned tick by tick, calms down. Nothing where no gains
-/// do that. Pure; some milliseconds.
-[[nodiscard]] std::optional<Suggestion> suggest(const MotorModel& motor, const LoopWish& wish,
-                                                const servo::SetGain& now, double step);
+/// What is suggested is stable: by its margins, and as reckoned tick by tick for the step. Nothing where no
+/// gains are. Pure; some tens of milliseconds.
+[[nodiscard]] std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
+                                                    const servo::SetGain& now, std::int32_t step);
 
 }  // namespace nmc
