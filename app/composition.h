@@ -22,6 +22,7 @@
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
 #include "app/sequencecontroller.h"
+#include "app/tuningcontroller.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
@@ -173,6 +174,7 @@ private:
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     DayLog m_log;
+    TuningController m_tuning{m_window.stepResponses()};
     PositionKeeper m_positions;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;

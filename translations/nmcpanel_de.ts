@@ -420,6 +420,85 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>ModelTexts</name>
+    <message>
+        <source>Gain %1</source>
+        <translation>Verstärkung %1</translation>
+    </message>
+    <message>
+        <source>counts/s per PWM count</source>
+        <translation>Ink./s je PWM-Stufe</translation>
+    </message>
+    <message>
+        <source>Time constant %1</source>
+        <translation>Zeitkonstante %1</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Friction %1</source>
+        <translation>Reibung %1</translation>
+    </message>
+    <message>
+        <source>of 255 PWM</source>
+        <translation>von 255 PWM</translation>
+    </message>
+    <message>
+        <source>Load %1</source>
+        <translation>Last %1</translation>
+    </message>
+    <message>
+        <source>Off by %1 counts rms; encoder and times explain %2.</source>
+        <translation>Abweichung %1 Ink. (RMS); Geber und Zeiten erklären %2.</translation>
+    </message>
+    <message>
+        <source>There are too few samples. Record for longer, or raise the baud rate.</source>
+        <translation>Es gibt zu wenige Messwerte. Länger aufzeichnen oder die Baudrate erhöhen.</translation>
+    </message>
+    <message>
+        <source>The shaft did not move. Check motor power and brake, or make a longer step.</source>
+        <translation>Die Welle hat sich nicht bewegt. Motorspannung und Bremse prüfen oder einen größeren Sprung machen.</translation>
+    </message>
+    <message>
+        <source>The shaft starts away from its goal. Check the direction on the page Axis.</source>
+        <translation>Die Welle läuft von ihrem Ziel weg. Auf der Seite Achse die Richtung prüfen.</translation>
+    </message>
+    <message>
+        <source>The motor swings and does not calm down. Lower Kp or raise Kd, then step again.</source>
+        <translation>Der Motor schwingt und beruhigt sich nicht. Kp verringern oder Kd erhöhen, dann noch einmal springen.</translation>
+    </message>
+    <message>
+        <source>This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a current limit.</source>
+        <translation>Dieses Modell erklärt den Sprung nicht. Auf Spiel, einen Riemen, einen Anschlag oder eine Stromgrenze prüfen.</translation>
+    </message>
+    <message>
+        <source>These steps leave the motor&apos;s gain open. Add a longer one, so that it comes near a steady speed.</source>
+        <translation>Diese Sprünge lassen die Verstärkung des Motors offen. Einen größeren hinzufügen, damit er einer festen Geschwindigkeit nahe kommt.</translation>
+    </message>
+    <message>
+        <source>These steps leave the time constant open. Repeat the step, or raise the baud rate.</source>
+        <translation>Diese Sprünge lassen die Zeitkonstante offen. Den Sprung wiederholen oder die Baudrate erhöhen.</translation>
+    </message>
+    <message>
+        <source>Overshoot %1, settling %2</source>
+        <translation>Überschwingen %1, Einschwingen %2</translation>
+    </message>
+    <message>
+        <source>Error at rest %1 counts</source>
+        <translation>Bleibende Abweichung %1 Ink.</translation>
+    </message>
+    <message>
+        <source>Phase margin %1°, gain margin %2</source>
+        <translation>Phasenreserve %1°, Amplitudenreserve %2</translation>
+    </message>
+    <message>
+        <source>Phase margin %1°</source>
+        <translation>Phasenreserve %1°</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -7059,6 +7138,93 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::ModelBox</name>
+    <message>
+        <source>Motor model</source>
+        <translation>Motormodell</translation>
+    </message>
+    <message>
+        <source>Find the motor</source>
+        <translation>Motor bestimmen</translation>
+    </message>
+    <message>
+        <source>Find the motor that explains the steps</source>
+        <translation>Motor bestimmen, der die Sprünge erklärt</translation>
+    </message>
+    <message>
+        <source>The motor that was found</source>
+        <translation>Der bestimmte Motor</translation>
+    </message>
+    <message>
+        <source>Fill in</source>
+        <translation>Eintragen</translation>
+    </message>
+    <message>
+        <source>Fill the suggested gains into the fields</source>
+        <translation>Eintragen der vorgeschlagenen Reglerwerte in die Felder</translation>
+    </message>
+    <message>
+        <source>Suggested gains</source>
+        <translation>Vorgeschlagene Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Steif</translation>
+    </message>
+    <message>
+        <source>How fast it follows: at the right as fast as noise, output limit and stability permit.</source>
+        <translation>Wie schnell er folgt: rechts so schnell, wie Geräusch, Ausgangsgrenze und Stabilität erlauben.</translation>
+    </message>
+    <message>
+        <source>Damped</source>
+        <translation>Gedämpft</translation>
+    </message>
+    <message>
+        <source>At the right it does not overshoot.</source>
+        <translation>Rechts schwingt er nicht über.</translation>
+    </message>
+    <message>
+        <source>Loud</source>
+        <translation>Laut</translation>
+    </message>
+    <message>
+        <source>How much a count of the encoder may shake the motor by way of Kd.</source>
+        <translation>Wie sehr ein Inkrement des Gebers den Motor über Kd rütteln darf.</translation>
+    </message>
+    <message>
+        <source>It is being looked for.</source>
+        <translation>Er wird gerade bestimmt.</translation>
+    </message>
+    <message>
+        <source>Make a step with this module first.</source>
+        <translation>Zuerst einen Sprung mit diesem Modul machen.</translation>
+    </message>
+    <message>
+        <source>Finds the motor that explains the last steps of this module, up to %1 of them. Sends nothing.</source>
+        <translation>Bestimmt den Motor, der die letzten Sprünge dieses Moduls erklärt, bis zu %1 davon. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>No gains are suggested.</source>
+        <translation>Es sind keine Reglerwerte vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Puts the suggested gains into the fields of the Gains page. Sends nothing.</source>
+        <translation>Trägt die vorgeschlagenen Werte in die Felder der Seite Reglerwerte ein. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Looking for the motor…</source>
+        <translation>Motor wird bestimmt …</translation>
+    </message>
+    <message>
+        <source>The run that it was found from is gone. Find it again.</source>
+        <translation>Der Lauf, aus dem er bestimmt wurde, ist fort. Neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>No gains make this motor stable and still.</source>
+        <translation>Mit keinen Reglerwerten ist dieser Motor stabil und ruhig.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ModuleBench</name>
     <message>
         <source>What can be done to the simulated module</source>
@@ -9885,6 +10051,14 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>No run is shown. A step shows how the motor follows when its command jumps.</source>
         <translation>Kein Lauf gezeigt. Ein Sprung zeigt, wie der Motor folgt, wenn seine Sollposition springt.</translation>
     </message>
+    <message>
+        <source>motor model</source>
+        <translation>Motormodell</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepRampBox</name>
@@ -9990,6 +10164,30 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Step</source>
         <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>What the steps tell</source>
+        <translation>Was die Sprünge sagen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>Alle Läufe</translation>
+    </message>
+    <message>
+        <source>All runs of this module in the plot</source>
+        <translation>Alle Läufe dieses Moduls in der Kurve</translation>
+    </message>
+    <message>
+        <source>Draws the other runs of this module as well, the older the paler.</source>
+        <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
     </message>
 </context>
 <context>

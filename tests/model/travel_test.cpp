@@ -24,6 +24,7 @@ intent::GoTo to(std::int32_t position) {
 ModuleState limited(std::int32_t position = 1'000) {
     ModuleState module = holdingServo();
     module.apply(sampleOf(0.3, kMoveDone | kPower, kServoOn, position));
+    module.apply(executedAt(0.3, servo::StopMotor{true, servo::StopManner::Here, Counts(position)}));
     module.home.found(1'000, atSeconds(0.3));
     module.travel.lowest = -200;
     module.travel.highest = 500;

@@ -110,11 +110,31 @@ TEST_F(StepResponse, LeavesNoVelocityLoaded) {
     EXPECT_NEAR(bench.truth().position, 100, 5);
 }
 
+/// And whatever is said to be held is, to the count: also of a shaft that turns at that moment.
+TEST_F(StepResponse, ComesRightAfterEnableWhereTheShaftStood) {
+    ASSERT_TRUE(bench.enable());
+    EXPECT_EQ(bench.module().goal(), 0);
+    EXPECT_TRUE(plan(by(50), bench.module()));
+    int known = 0;
+    for (int load = 0; load < 40; ++load) {
+        ASSERT_TRUE(bench.perform(intent::MotorOff{}));
+        bench.set(sim::Input::Load, 0.0002 * load);  // N·m; friction holds 0.004
+        ASSERT_TRUE(bench.perform(intent::Enable{}));
+        if (const auto held = bench.module().goal()) {
+            ++known;
+            EXPECT_EQ(*held, bench.truth().commandPosition) << load;
+        }
+    }
+    EXPECT_GE(known, 20);
+    EXPECT_LT(known, 40);
+}
+
 TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     ASSERT_TRUE(bench.connect());
     bench.settle();
     EXPECT_EQ(refusal(by(100)), Refusal::ServoOff);
     ASSERT_TRUE(bench.enable(110));
+    ASSERT_TRUE(bench.perform(intent::StopAbruptly{}));
     EXPECT_EQ(refusal(by(50)), Refusal::CommandUnknown);
     ASSERT_TRUE(bench.perform(intent::StopHere{}));
     EXPECT_EQ(refusal(by(0)), Refusal::StepTooShort);

@@ -2,6 +2,7 @@
 // Operator mode in the window: who begins it, who leaves it, and what is in reach meanwhile.
 #include <QAction>
 #include <QCheckBox>
+#include <QDialog>
 #include <QMenu>
 #include <QTabWidget>
 
@@ -45,6 +46,28 @@ protected:
         click(u"operatorBeginButton"_s);
         ASSERT_TRUE(window->operatorLock().isLocked());
         settle();
+    }
+    [[nodiscard]] static ModuleState stepper() {
+        ModuleState module;
+        module.info.identity = {ModuleType::Step, 1};
+        module.info.address = BusAddress(1);
+        bus::Sample sample;
+        sample.report.status = std::uint8_t{0x0C};  // amplifier enabled, power
+        sample.report.position = 0;
+        sample.report.aux = std::uint8_t{0};
+        sample.report.analog = std::uint8_t{200};
+        module.apply(sample);
+        return module;
+    }
+    /// All but those that leave the mode or the connection.
+    [[nodiscard]] QList<QPointer<QAbstractButton>> buttons() {
+        QList<QPointer<QAbstractButton>> all;
+        for (QAbstractButton* button : window->findChildren<QAbstractButton*>())
+            if (const QString name = button->objectName();
+                !name.isEmpty() && !name.startsWith(u"qt_"_s) && name != u"leaveOperatorButton"_s &&
+                name != u"disconnectButton"_s && name != u"connectButton"_s)
+                all << button;
+        return all;
     }
     [[nodiscard]] bool enabled(const char* name) { return button(QString::fromLatin1(name))->isEnabled(); }
 };
@@ -163,6 +186,53 @@ TEST_F(OperatorMode, WhatIsExpectedOfTheChainIsNotForTheOperator) {
     window->findChild<QAction*>(u"chainDoctorAction"_s)->trigger();
     EXPECT_FALSE(enabled("acceptChainButton"));
     EXPECT_TRUE(button(u"acceptChainButton"_s)->toolTip().contains(u"operator mode"_s));
+}
+
+/// Every button of the window that is enabled, pressed as a person would: whatever it asks for is the
+/// operator's, and nothing that is kept of the machine changes.
+TEST_F(OperatorMode, NoButtonThatIsEnabledDoesMoreThanIsLeft) {
+    window->resize(1500, 1100);
+    for (const char* dock : {"stepResponseDockAction", "sequencesDockAction", "axesDockAction"})
+        window->findChild<QAction*>(QLatin1String(dock))->trigger();
+    for (const OperatorRights& rights :
+         {OperatorRights{}, OperatorRights{.moves = true, .homing = true}, OperatorRights{.outputs = true}}) {
+        machine.operatorRights = rights;
+        window->showMachine(machine);
+        if (!window->operatorLock().isLocked())
+            begin();
+        for (const ModuleState& module : {Servo{.held = true}.state(), stepper()}) {
+            show(connectedTo({module}));
+            ModuleState locked = module;
+            locked.rights = window->operatorLock().rights();
+            QSignalSpy intents(window.get(), &MainWindow::intentRequested);
+            QSignalSpy edits(window.get(), &MainWindow::axisEdited);
+            int pressed = 0;
+            for (const QPointer<QAbstractButton>& button : buttons()) {
+                if (!button)
+                    continue;
+                testing_support::turnTo(*button);
+                QCoreApplication::processEvents();
+                if (!button->isEnabled() || button->visibleRegion().isEmpty())
+                    continue;
+                ++pressed;
+                const QString name = button->objectName();
+                testing_support::clickOn(*button);
+                for (const QList<QVariant>& asked : intents) {
+                    const auto intent = asked.at(1).value<Intent>();
+                    const auto steps = plan(intent, locked);
+                    EXPECT_TRUE(isStop(intent) || steps || steps.error() != Refusal::OperatorMode)
+                        << name.toStdString();
+                }
+                EXPECT_TRUE(edits.isEmpty()) << name.toStdString();
+                intents.clear();
+                edits.clear();
+                for (QDialog* dialog : window->findChildren<QDialog*>())
+                    dialog->reject();
+                settle();
+            }
+            EXPECT_GT(pressed, 5);
+        }
+    }
 }
 
 class BellTest : public WindowTest {

@@ -142,6 +142,20 @@ TEST_F(StepResponses, WhatTheShortcutMovesComesInSight) {
         QTest::qWaitFor([this] { return !button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
+TEST_F(StepResponses, AllRunsAreLaidBelowWhenThatIsTicked) {
+    openWith();
+    for (const double there : {100.0, 100.0, 140.0})
+        window->showStepRun(ramp(there));
+    tick(1, 0);
+    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    const QImage two = plot->grab().toImage();
+    QAbstractButton* all = button(u"stepAllRunsBox"_s);
+    QTest::mouseClick(all, Qt::LeftButton, {}, {all->height() / 2, all->height() / 2});
+    EXPECT_NE(plot->grab().toImage(), two);
+    QTest::mouseClick(all, Qt::LeftButton, {}, {all->height() / 2, all->height() / 2});
+    EXPECT_EQ(plot->grab().toImage(), two);
+}
+
 TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {
     openWith();
     machine.axes.resize(1);

@@ -247,8 +247,10 @@ void MainWindow::showLink(const LinkState& state) {
 
 void MainWindow::showPhase(LinkPhase before) {
     const LinkState& link = m_session.link();
-    if (before == LinkPhase::Disconnected && m_session.isOpen())
+    if (before == LinkPhase::Disconnected && m_session.isOpen()) {
         m_panel->forgetModules();
+        m_stepResponse->forgetModules();
+    }
     if (before != link.phase && link.phase == LinkPhase::Connecting) {
         m_panel->resetSpeeds();
         m_axes->forgetModules();

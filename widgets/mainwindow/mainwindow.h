@@ -110,6 +110,7 @@ public:
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// Points and sequences: edited, foreseen, run.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
+    [[nodiscard]] StepResponseDock& stepResponses() { return *m_stepResponse; }
     /// All axes at once.
     [[nodiscard]] AxesDock& axes() { return *m_axes; }
     /// Recording, opening a recording, and what is exported.

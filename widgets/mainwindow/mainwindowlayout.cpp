@@ -249,7 +249,7 @@ void MainWindow::giveRoomToPlots() {
     addDockWidget(Qt::LeftDockWidgetArea, scope);
     splitDockWidget(scope, m_stepResponse, Qt::Vertical);
     resizeDocks({scope}, {width() - fontMetrics().height() * kColumn}, Qt::Horizontal);
-    resizeDocks({scope, m_stepResponse}, {height() / 2, height() / 2}, Qt::Vertical);
+    resizeDocks({scope, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);
 }
 
 /// The window has become wider: the plots have what it has gained.

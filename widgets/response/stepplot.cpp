@@ -16,6 +16,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr double kPenWidth = 1.6;
+const QList<qreal> kDashes{4, 2.5};
+constexpr std::size_t kModel = 3, kPrediction = 2;  ///< trace colours
+constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that are neither A nor B
 constexpr int kBandAlpha = 45;
 constexpr double kGap = 6;            ///< sample intervals, from which on something is missing
 constexpr double kUsualRecord = 0.5;  ///< s, of the axis before there is a run
@@ -54,11 +57,29 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     return curve;
 }
 
-void StepPlot::showRuns(const KeptRun* a, const KeptRun* b) {
+void StepPlot::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others) {
+    m_others.clear();
+    for (const KeptRun* other : others)
+        m_others.push_back(curveOf(*other, a != nullptr ? a->scale : other->scale));
     m_curves[0] = a != nullptr ? std::optional(curveOf(*a, a->scale)) : std::nullopt;
     // The user may have changed the unit between two runs of a module.
     const bool oneModule = a != nullptr && b != nullptr && a->run.module == b->run.module;
     m_curves[1] = b != nullptr ? std::optional(curveOf(*b, oneModule ? a->scale : b->scale)) : std::nullopt;
+    adoptPalette();
+    fit();
+}
+
+QPolygonF StepPlot::lineOf(const KeptRun& about, const std::vector<StepPoint>& points) {
+    QPolygonF line;
+    for (const StepPoint& point : points)
+        line << QPointF(point.seconds, about.scale.position(point.position - about.run.taken.from));
+    return line;
+}
+
+void StepPlot::showModel(const KeptRun* about, const std::vector<StepPoint>& fitted,
+                         const std::vector<StepPoint>& predicted) {
+    m_fitted = about != nullptr ? lineOf(*about, fitted) : QPolygonF();
+    m_predicted = about != nullptr ? lineOf(*about, predicted) : QPolygonF();
     adoptPalette();
     fit();
 }
@@ -70,6 +91,10 @@ void StepPlot::adoptPalette() {
         if (m_curves[i])
             legend.push_back(
                 {(i == 0 ? tr("A: %1") : tr("B: %1")).arg(m_curves[i]->label), colour(i), i == 1});
+    if (!m_fitted.empty())
+        legend.push_back({tr("motor model"), colour(kModel), true});
+    if (!m_predicted.empty())
+        legend.push_back({tr("predicted"), colour(kPrediction), true});
     if (!legend.empty())
         legend.push_back({tr("goal"), look::mutedText(palette()), true});
     m_backdrop.setLegend(legend);
@@ -89,6 +114,16 @@ void StepPlot::fit() {
             high = std::max(high, part.boundingRect().bottom());
         }
     }
+    for (const Curve& curve : m_others)
+        for (const QPolygonF& part : curve.parts) {
+            low = std::min(low, part.boundingRect().top());
+            high = std::max(high, part.boundingRect().bottom());
+        }
+    for (const QPolygonF* line : {&m_fitted, &m_predicted})
+        if (!line->empty()) {
+            low = std::min(low, line->boundingRect().top());
+            high = std::max(high, line->boundingRect().bottom());
+        }
     if (right == 0) {
         high = 1;
         right = kUsualRecord;
@@ -131,8 +166,15 @@ void StepPlot::paintEvent(QPaintEvent* /*event*/) {
         paintGoal(painter, *m_curves[0]);
     if (m_curves[1] && !(m_curves[0] && m_curves[0]->sameGoal(*m_curves[1])))
         paintGoal(painter, *m_curves[1]);
+    paintOthers(painter);
     paintCurve(painter, 1);
     paintCurve(painter, 0);
+    painter.setPen(QPen(colour(kModel), kPenWidth, Qt::DotLine, Qt::FlatCap));
+    paintLine(painter, m_fitted);
+    QPen pen(colour(kPrediction), kPenWidth, Qt::SolidLine, Qt::FlatCap);
+    pen.setDashPattern(kDashes);
+    painter.setPen(pen);
+    paintLine(painter, m_predicted);
 }
 
 void StepPlot::paintGoal(QPainter& painter, const Curve& curve) const {
@@ -150,15 +192,30 @@ void StepPlot::paintCurve(QPainter& painter, std::size_t which) const {
         return;
     QPen pen(colour(which), kPenWidth, Qt::SolidLine, Qt::FlatCap);
     if (which == 1)
-        pen.setDashPattern({4, 2.5});
+        pen.setDashPattern(kDashes);
     painter.setPen(pen);
-    for (const QPolygonF& part : m_curves[which]->parts) {
-        QPolygonF line;
-        line.reserve(part.size());
-        for (const QPointF& point : part)
-            line << pointAt(point.x(), point.y());
-        painter.drawPolyline(line);
+    for (const QPolygonF& part : m_curves[which]->parts)
+        paintLine(painter, part);
+}
+
+void StepPlot::paintOthers(QPainter& painter) const {
+    double strength = 0;
+    for (const Curve& curve : m_others) {
+        strength += 1.0 / static_cast<double>(m_others.size());
+        QColor pale = colour(0);
+        pale.setAlphaF(static_cast<float>(kPalest + (kStrongest - kPalest) * strength));
+        painter.setPen(QPen(pale, 1));
+        for (const QPolygonF& part : curve.parts)
+            paintLine(painter, part);
     }
+}
+
+void StepPlot::paintLine(QPainter& painter, const QPolygonF& line) const {
+    QPolygonF places;
+    places.reserve(line.size());
+    for (const QPointF& point : line)
+        places << pointAt(point.x(), point.y());
+    painter.drawPolyline(places);
 }
 
 void StepPlot::resizeEvent(QResizeEvent* event) {

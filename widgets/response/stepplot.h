@@ -22,8 +22,12 @@ class StepPlot : public QWidget {
 public:
     explicit StepPlot(QWidget* parent = nullptr);
 
-    /// Either may be null.
-    void showRuns(const KeptRun* a, const KeptRun* b);
+    /// Either may be null. `others`, oldest first, are drawn pale behind them, the oldest palest.
+    void showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others = {});
+    /// Over `about`, which may be null: what the motor that was found would have done, and what it would do
+    /// with suggested gains.
+    void showModel(const KeptRun* about, const std::vector<StepPoint>& fitted,
+                   const std::vector<StepPoint>& predicted);
 
     [[nodiscard]] QString legendText(std::size_t entry) const { return m_backdrop.legendText(entry); }
     /// Where that is drawn; value in the unit of the axis.
@@ -52,14 +56,20 @@ private:
     };
 
     [[nodiscard]] static Curve curveOf(const KeptRun& kept, const AxisScale& scale);
+    [[nodiscard]] static QPolygonF lineOf(const KeptRun& about, const std::vector<StepPoint>& points);
+    void paintLine(QPainter& painter, const QPolygonF& line) const;
     void adoptPalette();
     void fit();
     void paintGoal(QPainter& painter, const Curve& curve) const;
     void paintCurve(QPainter& painter, std::size_t which) const;
+    void paintOthers(QPainter& painter) const;
     [[nodiscard]] QColor colour(std::size_t which) const;
 
     ChartBackdrop m_backdrop;
     std::array<std::optional<Curve>, 2> m_curves;
+    std::vector<Curve> m_others;
+    QPolygonF m_fitted;
+    QPolygonF m_predicted;
     PlotGeometry m_geometry;
 };
 

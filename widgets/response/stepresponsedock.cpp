@@ -17,6 +17,8 @@ StepResponsePage& StepResponseDock::page() {
         m_page = new StepResponsePage(this);
         connect(m_page, &StepResponsePage::asked, this, &StepResponseDock::asked);
         connect(m_page, &StepResponsePage::gainsWanted, this, &StepResponseDock::gainsWanted);
+        connect(m_page, &StepResponsePage::suggestionWanted, this, &StepResponseDock::suggestionWanted);
+        connect(m_page, &StepResponsePage::identifyWanted, this, &StepResponseDock::identifyWanted);
         connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
         setWidget(scrolled(m_page));
     }
@@ -26,6 +28,11 @@ StepResponsePage& StepResponseDock::page() {
 void StepResponseDock::showModule(const PanelView& view) {
     if (inUse())
         page().showModule(view);
+}
+
+void StepResponseDock::forgetModules() {
+    if (m_page != nullptr)
+        m_page->forgetModules();
 }
 
 void StepResponseDock::takeFormBack() {

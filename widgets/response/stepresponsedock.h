@@ -17,6 +17,9 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
     void showRun(KeptRun run) { page().showRun(std::move(run)); }
+    void showMotor(ModuleIndex module, const FoundMotor& found) { page().showMotor(module, found); }
+    void showSuggestion(const Suggestion& suggestion) { page().showSuggestion(suggestion); }
+    void forgetModules();
 
     /// As in StepResponsePage; nothing while it was not built.
     void takeFormBack();
@@ -26,6 +29,8 @@ public:
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void gainsWanted(const nmc::servo::SetGain& gains);
+    void suggestionWanted(const nmc::SuggestionTask& task);
+    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/stepresponsepage.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QTabWidget>
 #include <algorithm>
 #include <utility>
 
+#include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/stepform.h"
@@ -27,10 +30,20 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     : QWidget(parent),
       m_form(new StepForm(this)),
       m_results(new StepResults(this)),
+      m_model(new ModelBox(this)),
       m_plot(new StepPlot(this)),
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
+    m_findings = new QTabWidget(this);
+    look::name(m_findings, u"stepFindings"_s, tr("What the steps tell"));
+    m_findings->addTab(m_results, tr("Results"));
+    m_findings->addTab(m_model, tr("Model"));
+    keepFocusOnTabs(*m_findings);
+    connect(m_model, &ModelBox::identifyWanted, this, &StepResponsePage::identifyWanted);
+    connect(m_model, &ModelBox::suggestionWanted, this, &StepResponsePage::suggestionWanted);
+    connect(m_model, &ModelBox::gainsWanted, this, &StepResponsePage::gainsWanted);
+    connect(m_model, &ModelBox::curvesChanged, this, &StepResponsePage::showModelCurves);
     lay();
     connect(m_form, &StepForm::asked, this, &StepResponsePage::asked);
     connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
@@ -54,12 +67,17 @@ QWidget* StepResponsePage::newRunsPart() {
     m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
     m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
     m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+    m_all = new QCheckBox(tr("All runs"), this);
+    look::name(m_all, u"stepAllRunsBox"_s, tr("All runs of this module in the plot"));
+    m_all->setToolTip(tr("Draws the other runs of this module as well, the older the paler."));
+    connect(m_all, &QCheckBox::toggled, this, &StepResponsePage::refreshRuns);
     auto* part = new QWidget(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
     buttons->addWidget(m_use);
     buttons->addWidget(m_remove);
     buttons->addStretch(1);
+    buttons->addWidget(m_all);
     buttons->addWidget(m_save);
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -105,12 +123,12 @@ void StepResponsePage::lay() {
     auto* right = new QVBoxLayout;
     right->setSpacing(unit / 2);
     if (m_lent != nullptr) {
-        left->addWidget(m_results);
+        left->addWidget(m_findings);
         left->addWidget(m_runs, 1);
         right->addWidget(m_plot);
     } else {
         left->addWidget(m_form);
-        left->addWidget(m_results);
+        left->addWidget(m_findings);
         left->addStretch(1);
         // A line is always left to it, so that the plot does not jump with every step.
         m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
@@ -126,14 +144,26 @@ void StepResponsePage::lay() {
 
 void StepResponsePage::showModule(const PanelView& view) {
     m_form->showModule(view);
+    m_model->showModule(view);
     m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
     refreshButtons();
 }
 
 void StepResponsePage::showNothing() {
     m_form->showNothing();
+    m_model->showNothing();
     m_servo.reset();
     refreshButtons();
+}
+
+std::vector<const KeptRun*> StepResponsePage::others() const {
+    std::vector<const KeptRun*> others;
+    const KeptRun* a = find(m_shown[0]);
+    if (m_all->isChecked() && a != nullptr)
+        for (const KeptRun& kept : m_kept)
+            if (kept.run.module == a->run.module && m_shown[0] != kept.number && m_shown[1] != kept.number)
+                others.push_back(&kept);
+    return others;
 }
 
 void StepResponsePage::step() {
@@ -176,8 +206,29 @@ void StepResponsePage::refreshRuns() {
     const KeptRun* b = find(m_shown[1]);
     m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
-    m_plot->showRuns(a, b);
+    m_plot->showRuns(a, b, others());
+    m_model->showRuns(m_kept);
     refreshButtons();
+}
+
+void StepResponsePage::showMotor(ModuleIndex module, const FoundMotor& found) {
+    m_model->showMotor(module, found);
+}
+
+void StepResponsePage::showSuggestion(const Suggestion& suggestion) {
+    m_model->showSuggestion(suggestion);
+}
+
+void StepResponsePage::forgetModules() {
+    m_model->forget();
+    m_model->showRuns(m_kept);
+}
+
+/// Over the run that they are about, where that is drawn.
+void StepResponsePage::showModelCurves() {
+    const std::optional<int> about = m_model->about();
+    const bool drawn = about && (about == m_shown[0] || about == m_shown[1]);
+    m_plot->showModel(drawn ? find(about) : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
 }
 
 QString StepResponsePage::whyNotUsable(const KeptRun* run) const {

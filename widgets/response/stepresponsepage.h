@@ -9,9 +9,12 @@
 #include "model/response/steprunfile.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/panels/panelview.h"
+#include "widgets/response/modelbox.h"
 #include "widgets/response/stepruntable.h"
 
+class QCheckBox;
 class QPushButton;
+class QTabWidget;
 
 namespace nmc {
 
@@ -35,6 +38,12 @@ public:
     /// A new one: it becomes A, and where there is no B to compare it with, what was A becomes B. Its number
     /// is given here, and it is judged by the band that the user has chosen.
     void showRun(KeptRun run);
+    /// The answer to identifyWanted().
+    void showMotor(ModuleIndex module, const FoundMotor& found);
+    /// The answer to suggestionWanted().
+    void showSuggestion(const Suggestion& suggestion);
+    /// What is known of a module is of the last connection; the runs stay.
+    void forgetModules();
 
     /// The form and its sentence, to be laid out elsewhere, until it is taken back.
     [[nodiscard]] QWidget* lendForm();
@@ -49,6 +58,8 @@ signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// Into the fields of the gains of the selected module, which is that of the run; not to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
+    void suggestionWanted(const nmc::SuggestionTask& task);
+    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
     /// All runs.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
@@ -58,16 +69,20 @@ private:
     QPushButton* newButton(const QString& objectName, const QString& text, const QKeySequence& shortcut);
     void showAs(int which, int run, bool shown);
     void judgeAll(double bandPercent);
+    void showModelCurves();
     void useGains();
     void removeChosen();
     void chooseFile();
     void refreshRuns();
     void refreshButtons();
+    [[nodiscard]] std::vector<const KeptRun*> others() const;
     [[nodiscard]] const KeptRun* find(std::optional<int> number) const;
     [[nodiscard]] QString whyNotUsable(const KeptRun* run) const;
 
     StepForm* m_form;
     StepResults* m_results;
+    ModelBox* m_model;
+    QTabWidget* m_findings = nullptr;
     StepPlot* m_plot;
     StepRunTable* m_table;
     QWidget* m_runs = nullptr;  ///< the table and its buttons
@@ -75,6 +90,7 @@ private:
     QPushButton* m_use = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_save = nullptr;
+    QCheckBox* m_all = nullptr;
     std::vector<KeptRun> m_kept;  ///< oldest first
     ShownRuns m_shown;
     int m_lastNumber = 0;

@@ -70,6 +70,11 @@ void ModuleState::apply(const bus::Sample& sample) {
     watchLimits(wasMoving, watchBefore, endedBefore);
     if (!isServo() || !sample.report.aux)
         return;
+    if (sample.report.position && m_enabledAt) {
+        if (servoOn() && sample.report.position == m_enabledAt)
+            m_goal = m_enabledAt;
+        m_enabledAt.reset();
+    }
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
     watchDrift(sample, wasOn);
     if (servoOn()) {
@@ -199,6 +204,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         io = *control;
     } else if (std::holds_alternative<ResetPosition>(*command)) {
         m_goal.reset();
+        m_enabledAt.reset();
         m_restedAt.reset();
         m_drifts = false;
         m_trip.forget();
@@ -216,6 +222,7 @@ void ModuleState::restarted() {
     limits = {};
     home = {};
     m_loaded = {};
+    m_enabledAt.reset();
     m_goal.reset();
     m_looksWhileOff = 0;
     loadWaiting = false;
@@ -276,8 +283,11 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     goalVelocity = m_loadedVelocity = 0.0;
     m_goal.reset();
     m_goalReverse.reset();
+    m_enabledAt.reset();
     if (stop.manner == servo::StopManner::Here)
         m_goal = stop.here.value();
+    else if (stop.manner != servo::StopManner::MotorOff && latest && !servoOn())
+        m_enabledAt = latest->position;
     loadWaiting = m_motionUnknown = false;
     if (stop.manner == servo::StopManner::MotorOff) {
         motion = MotionMode::None;

@@ -101,7 +101,8 @@ struct ModuleState {
     [[nodiscard]] bool servoOn() const;
     /// PIC-SERVO: it has limited the motor's current since that was cleared last.
     [[nodiscard]] bool currentWasLimited() const;
-    /// The position that the motor holds or will, to the count: the goal of its last move, or of a Stop Here.
+    /// The position that the motor holds or will, to the count: the goal of its last move or of a Stop Here,
+    /// or where it stood when it was switched on.
     [[nodiscard]] std::optional<std::int32_t> goal() const;
     /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
@@ -133,8 +134,11 @@ private:
     servo::LoadTrajectory m_loaded;
     std::optional<std::int32_t> m_goal;  ///< as goal() says
     std::optional<bool> m_goalReverse;   ///< likewise
-    unsigned m_looksWhileOn = 0;         ///< in a row
-    unsigned m_looksWhileOff = 0;        ///< off, and whether home did it is not known yet
+    /// Where it stood when it was switched on, until a status shows whether it stands there still: then that
+    /// is what it holds (DS-V 5.2, Stop Motor).
+    std::optional<std::int32_t> m_enabledAt;
+    unsigned m_looksWhileOn = 0;   ///< in a row
+    unsigned m_looksWhileOff = 0;  ///< off, and whether home did it is not known yet
     bool m_motionUnknown = false;
     bool m_drifts = false;  ///< its position has changed lately; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;

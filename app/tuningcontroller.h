@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "link/files/backgroundjob.h"
+#include "widgets/response/modelbox.h"
+
+namespace nmc {
+
+class StepResponseDock;
+
+/// Finds motors and suggests gains beside the GUI thread: the one takes some tenths of a second, the other
+/// some hundredths with every move of a slider. GUI thread.
+class TuningController : public QObject {
+    Q_OBJECT
+
+public:
+    explicit TuningController(StepResponseDock& dock, QObject* parent = nullptr);
+
+private:
+    struct Search {
+        ModuleIndex module;
+        std::vector<StepRun> runs;
+        FoundMotor found = tl::unexpected(IdentifyFailure::TooFewSamples);
+    };
+    struct Advice {
+        SuggestionTask task;
+        Suggestion suggestion;
+    };
+
+    void identify(ModuleIndex module, const std::vector<StepRun>& runs);
+    void suggest(const SuggestionTask& task);
+    void suggested();
+
+    StepResponseDock& m_dock;
+    BackgroundJob m_searching;
+    BackgroundJob m_advising;
+    std::shared_ptr<Search> m_search;
+    std::shared_ptr<Advice> m_advice;
+    std::optional<SuggestionTask> m_next;  ///< came while another was being worked on
+};
+
+}  // namespace nmc

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From all gains zero to a settled loop, in the whole program: by its buttons, against nmcsim.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QTableWidget>
+#include <cmath>
+#include <numbers>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class Tuning : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.window().resize(1500, 1100);
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        panel.window().findChild<QAction*>(u"tuneLayoutAction"_s)->trigger();
+    }
+    void TearDown() override { texts::setModuleNames({}); }
+    [[nodiscard]] QString text(const char* name) {
+        return panel.window().findChild<QLabel*>(QLatin1String(name))->text();
+    }
+    [[nodiscard]] int runs() {
+        return panel.window().findChild<QTableWidget*>(u"stepRunTable"_s)->rowCount();
+    }
+    void step() {
+        const int before = runs();
+        ASSERT_NO_FATAL_FAILURE(panel.click("stepResponseButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return runs() > before; })) << text("stepResponseState").toStdString();
+    }
+    /// The number behind a word of the model.
+    [[nodiscard]] double found(const QString& word) {
+        static const QRegularExpression number(u"[\u22120-9.,]+"_s);
+        const QString model = text("motorModel");
+        return QLocale().toDouble(number.match(model, model.indexOf(word)).captured());
+    }
+    NmcsimProcess sim{u"servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
+    int clicks = 0;
+    const auto click = [&](const char* name) {
+        ++clicks;
+        panel.click(name);
+    };
+    ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    ASSERT_NO_FATAL_FAILURE(click("enableButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    ++clicks;
+    ASSERT_NO_FATAL_FAILURE(step());
+    ASSERT_NO_FATAL_FAILURE(click("identifyButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return text("motorModel").contains(u"Time constant"_s); }))
+        << text("motorModel").toStdString();
+    // The simulator's motor by its constants: K = U / 255 / k, in counts; tau = J R / k^2; c = M R / k.
+    const double volts = 24.0 / 255, k = 0.038, resistance = 1.1, inertia = 1.7e-5, coulomb = 0.004;
+    const double countsPerRad = 2'000 / (2 * std::numbers::pi);
+    EXPECT_NEAR(found(u"Gain"_s), volts / k * countsPerRad, 0.1 * volts / k * countsPerRad);
+    EXPECT_NEAR(found(u"Time constant"_s), 1e3 * inertia * resistance / (k * k), 1.3);  // ms
+    EXPECT_NEAR(found(u"Friction"_s), coulomb * resistance / k / volts, 0.25 * 1.23);
+    ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }));
+    ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
+    EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
+    ++clicks;
+    const int before = runs();
+    ASSERT_NO_FATAL_FAILURE(panel.click("stepResponseButton"));
+    ASSERT_NO_FATAL_FAILURE(click("applyAndStepButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return runs() > before; })) << text("stepResponseState").toStdString();
+    EXPECT_LE(clicks, 8);
+    const auto* table = panel.window().findChild<QTableWidget*>(u"stepResults"_s);
+    EXPECT_TRUE(table->item(3, 0)->text().contains(u"ms"_s)) << table->item(3, 0)->text().toStdString();
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Tuning, WithoutAStepItSaysWhatIsMissing) {
+    auto* button = panel.window().findChild<QAbstractButton*>(u"identifyButton"_s);
+    EXPECT_FALSE(button->isEnabled());
+    EXPECT_TRUE(button->toolTip().contains(u"step"_s));
+}
+
+TEST_F(Tuning, AShaftThatIsHeldGivesNoModel) {
+    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    (void)sim.control(u"set 1 friction 5"_s);  // N*m: no motor of its size turns that
+    ASSERT_NO_FATAL_FAILURE(step());
+    ASSERT_NO_FATAL_FAILURE(panel.click("identifyButton"));
+    EXPECT_TRUE(panel.waitFor([&] { return text("motorModel").startsWith(u"The shaft did not move."_s); }))
+        << text("motorModel").toStdString();
+    EXPECT_TRUE(text("suggestedGains").isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc

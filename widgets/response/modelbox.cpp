@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/response/modelbox.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/response/steprunfile.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/response/modelwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kSliderSteps = 100;
+constexpr int kMotorLines = 5;
+constexpr int kSuggestionLines = 5;
+
+/// As many lines as it may need are always its own, so that no button moves.
+QLabel* newParagraph(const QString& objectName, const QString& what, int lines, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    look::nameText(label, objectName, what);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
+    return label;
+}
+}  // namespace
+
+ModelBox::ModelBox(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"modelBox"_s, tr("Motor model"));
+    m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
+    look::name(m_identify, u"identifyButton"_s, tr("Find the motor that explains the steps"));
+    m_motor = newParagraph(u"motorModel"_s, tr("The motor that was found"), kMotorLines, this);
+    m_fill = new QPushButton(tr("Fill in"), this);
+    look::name(m_fill, u"fillSuggestedButton"_s, tr("Fill the suggested gains into the fields"));
+    m_suggested = newParagraph(u"suggestedGains"_s, tr("Suggested gains"), kSuggestionLines, this);
+    auto* grid = new QGridLayout(this);
+    const int unit = look::gridUnit(this);
+    grid->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    grid->setVerticalSpacing(unit / 3);
+    grid->addWidget(m_identify, 0, 0, 1, 2, Qt::AlignLeft);
+    grid->addWidget(m_motor, 1, 0, 1, 2);
+    m_stiffness = newSlider(u"stiffnessSlider"_s, tr("Stiff"),
+                            tr("How fast it follows: at the right as fast as noise, output limit and "
+                               "stability permit."),
+                            LoopWish{}.stiffness);
+    m_damping = newSlider(u"dampingSlider"_s, tr("Damped"), tr("At the right it does not overshoot."),
+                          LoopWish{}.damping);
+    m_noise =
+        newSlider(u"noiseSlider"_s, tr("Loud"),
+                  tr("How much a count of the encoder may shake the motor by way of Kd."), LoopWish{}.noise);
+    int line = 2;
+    for (QSlider* slider : {m_stiffness, m_damping, m_noise}) {
+        auto* label = new QLabel(slider->property("text").toString(), this);
+        label->setBuddy(slider);
+        label->setToolTip(slider->toolTip());
+        grid->addWidget(label, line, 0);
+        grid->addWidget(slider, line++, 1);
+    }
+    grid->addWidget(m_suggested, line++, 0, 1, 2);
+    grid->addWidget(m_fill, line++, 0, 1, 2, Qt::AlignLeft);
+    grid->setRowStretch(line, 1);
+    grid->setColumnStretch(1, 1);
+    connect(m_identify, &QPushButton::clicked, this, &ModelBox::identify);
+    connect(m_fill, &QPushButton::clicked, this, [this] {
+        if (m_suggestion.gains)
+            emit gainsWanted(*m_suggestion.gains);
+    });
+    refresh();
+}
+
+QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, const QString& meaning,
+                             double first) {
+    auto* slider = new QSlider(Qt::Horizontal, this);
+    look::name(slider, objectName, text);
+    slider->setProperty("text", text);
+    slider->setToolTip(meaning);
+    slider->setRange(0, kSliderSteps);
+    slider->setValue(qRound(first * kSliderSteps));
+    slider->setPageStep(kSliderSteps / 10);
+    connect(slider, &QSlider::valueChanged, this, &ModelBox::suggest);
+    return slider;
+}
+
+std::vector<const KeptRun*> ModelBox::ofThisModule() const {
+    std::vector<const KeptRun*> mine;
+    for (const KeptRun& kept : m_runs)
+        if (m_servo == kept.run.module)
+            mine.push_back(&kept);
+    if (mine.size() > kMostRuns)
+        mine.erase(mine.begin(), mine.end() - kMostRuns);
+    return mine;
+}
+
+const FoundMotor* ModelBox::found() const {
+    const auto entry = m_servo ? m_found.find(*m_servo) : m_found.end();
+    return entry != m_found.end() ? &entry->second : nullptr;
+}
+
+void ModelBox::identify() {
+    std::vector<StepRun> runs;
+    for (const KeptRun* kept : ofThisModule())
+        runs.push_back(kept->run);
+    if (runs.empty() || m_looking)
+        return;
+    m_looking = m_servo;
+    m_foundFrom[*m_servo] = ofThisModule().back()->number;
+    m_found.erase(*m_servo);
+    suggest();
+    emit identifyWanted(*m_servo, runs);
+}
+
+void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
+    m_looking.reset();
+    m_found.insert_or_assign(module, found);
+    suggest();
+}
+
+void ModelBox::forget() {
+    m_found.clear();
+    m_foundFrom.clear();
+    m_runs.clear();
+    suggest();
+}
+
+void ModelBox::showModule(const PanelView& view) {
+    const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
+    const bool news = servo != m_servo || view.module.gains != m_gains;
+    m_servo = servo;
+    m_gains = view.module.gains;
+    if (news)
+        suggest();
+}
+
+void ModelBox::showNothing() {
+    if (!m_servo)
+        return;
+    m_servo.reset();
+    m_gains.reset();
+    suggest();
+}
+
+void ModelBox::showRuns(const std::vector<KeptRun>& runs) {
+    m_runs = runs;
+    suggest();
+}
+
+void ModelBox::suggest() {
+    m_suggestion = {};
+    m_fitted.clear();
+    m_about.reset();
+    const int id = ++m_asked;
+    if (const FoundMotor* motor = found(); motor != nullptr && *motor) {
+        const int number = m_foundFrom.at(*m_servo);
+        const auto last = std::find_if(m_runs.begin(), m_runs.end(),
+                                       [number](const KeptRun& kept) { return kept.number == number; });
+        if (last != m_runs.end()) {
+            const auto part = [](const QSlider* slider) {
+                return static_cast<double>(slider->value()) / kSliderSteps;
+            };
+            m_about = number;
+            m_fitted = (*motor)->runs.back().points;
+            emit suggestionWanted({id,
+                                   (*motor)->motor,
+                                   {part(m_stiffness), part(m_damping), part(m_noise)},
+                                   m_gains.value_or(last->run.taken.gains),
+                                   last->run.taken,
+                                   last->run.bandPercent});
+        }
+    }
+    refresh();
+    emit curvesChanged();
+}
+
+void ModelBox::showSuggestion(const Suggestion& suggestion) {
+    if (suggestion.id != m_asked)
+        return;
+    m_suggestion = suggestion;
+    refresh();
+    emit curvesChanged();
+}
+
+const std::vector<StepPoint>& ModelBox::predictedPoints() const {
+    static const std::vector<StepPoint> kNone;
+    return m_suggestion.prediction ? m_suggestion.prediction->run.points : kNone;
+}
+
+void ModelBox::refresh() {
+    look::setPossible(m_identify,
+                      m_looking                ? tr("It is being looked for.")
+                      : ofThisModule().empty() ? tr("Make a step with this module first.")
+                                               : QString(),
+                      tr("Finds the motor that explains the last steps of this module, up to %1 of them. "
+                         "Sends nothing.")
+                          .arg(kMostRuns));
+    look::setPossible(m_fill, m_suggestion.gains ? QString() : tr("No gains are suggested."),
+                      tr("Puts the suggested gains into the fields of the Gains page. Sends nothing."));
+    for (QSlider* slider : {m_stiffness, m_damping, m_noise})
+        slider->setEnabled(found() != nullptr && found()->has_value());
+    showWords();
+}
+
+void ModelBox::showWords() {
+    const FoundMotor* motor = found();
+    look::setText(m_motor, m_looking && m_looking == m_servo ? tr("Looking for the motor…")
+                           : motor == nullptr                ? QString()
+                           : *motor                          ? texts::motorFound(**motor).join(u'\n')
+                                                             : texts::motorNotFound(motor->error()));
+    QString words;
+    if (m_suggestion.gains && m_suggestion.prediction)
+        words = texts::gainsInShort(*m_suggestion.gains) + u'\n' +
+                texts::predicted(*m_suggestion.prediction).join(u'\n');
+    else if (motor != nullptr && *motor)
+        words = !m_about                     ? tr("The run that it was found from is gone. Find it again.")
+                : m_suggestion.id == m_asked ? tr("No gains make this motor stable and still.")
+                                             : QString();
+    look::setText(m_suggested, words);
+}
+
+}  // namespace nmc

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "model/response/steprunfile.h"
+#include "model/tuning/identify.h"
+#include "model/tuning/predict.h"
+#include "model/tuning/suggest.h"
+#include "widgets/panels/panelview.h"
+
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace nmc {
+
+using FoundMotor = tl::expected<Identified, IdentifyFailure>;
+
+/// What a suggestion is asked for with.
+struct SuggestionTask {
+    int id = 0;  ///< only the answer to the latest counts
+    MotorModel motor;
+    LoopWish wish;
+    servo::SetGain now;
+    StepTaken taken;  ///< the step that is predicted once more
+    double bandPercent = 0.0;
+};
+struct Suggestion {
+    int id = 0;
+    std::optional<servo::SetGain> gains;  ///< empty: none are stable
+    std::optional<Prediction> prediction;
+};
+
+/// The motor that explains the step responses of the selected servo, gains suggested for it by three sliders,
+/// and what a step with them would do. Sends nothing.
+class ModelBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ModelBox(QWidget* parent = nullptr);
+
+    // Emit nothing but curvesChanged().
+    void showModule(const PanelView& view);
+    void showNothing();
+    /// Those of the list, newest last.
+    void showRuns(const std::vector<KeptRun>& runs);
+    void showMotor(ModuleIndex module, const FoundMotor& found);
+    /// The answer to suggestionWanted().
+    void showSuggestion(const Suggestion& suggestion);
+    /// The modules are others.
+    void forget();
+
+    /// What a step like the last of this module would do with the suggested gains; empty: nothing is
+    /// suggested.
+    [[nodiscard]] const std::vector<StepPoint>& predictedPoints() const;
+    /// How the motor that was found explains that last one.
+    [[nodiscard]] const std::vector<StepPoint>& fittedPoints() const { return m_fitted; }
+    /// The number of that last one.
+    [[nodiscard]] std::optional<int> about() const { return m_about; }
+
+signals:
+    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
+    /// With every move of a slider: some tens of milliseconds of work.
+    void suggestionWanted(const nmc::SuggestionTask& task);
+    void gainsWanted(const nmc::servo::SetGain& gains);
+    void curvesChanged();
+
+private:
+    QSlider* newSlider(const QString& objectName, const QString& text, const QString& meaning, double first);
+    void identify();
+    void refresh();
+    void suggest();
+    void showWords();
+    [[nodiscard]] std::vector<const KeptRun*> ofThisModule() const;
+    [[nodiscard]] const FoundMotor* found() const;
+
+    QPushButton* m_identify = nullptr;
+    QPushButton* m_fill = nullptr;
+    QLabel* m_motor = nullptr;
+    QLabel* m_suggested = nullptr;
+    QSlider* m_stiffness = nullptr;
+    QSlider* m_damping = nullptr;
+    QSlider* m_noise = nullptr;
+    std::vector<KeptRun> m_runs;
+    std::map<ModuleIndex, FoundMotor> m_found;
+    std::map<ModuleIndex, int> m_foundFrom;  ///< the number of the last run that was looked at
+    std::optional<ModuleIndex> m_looking;
+    std::optional<ModuleIndex> m_servo;
+    std::optional<servo::SetGain> m_gains;  ///< that it has
+    int m_asked = 0;                        ///< suggestions, so far
+    Suggestion m_suggestion;
+    std::vector<StepPoint> m_fitted;
+    std::optional<int> m_about;
+};
+
+}  // namespace nmc

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/response/modelwords.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "widgets/common/words.h"
+#include "widgets/panels/gainsmeaning.h"
+#include "widgets/response/stepresponsewords.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+class ModelTexts {
+    Q_DECLARE_TR_FUNCTIONS(ModelTexts)
+};
+
+Measured inMilliseconds(const Measured& seconds) {
+    return {seconds.value * 1e3, seconds.doubt * 1e3};
+}
+}  // namespace
+
+QStringList motorFound(const Identified& found) {
+    const MotorModel& motor = found.motor;
+    return {ModelTexts::tr("Gain %1").arg(plusMinus(motor.gain, ModelTexts::tr("counts/s per PWM count"))),
+            ModelTexts::tr("Time constant %1")
+                .arg(plusMinus(inMilliseconds(motor.timeConstant), ModelTexts::tr("ms"))),
+            ModelTexts::tr("Friction %1").arg(plusMinus(motor.friction, ModelTexts::tr("of 255 PWM"))),
+            ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
+            ModelTexts::tr("Off by %1 counts rms; encoder and times explain %2.")
+                .arg(readout(found.missed, 2), readout(found.expected, 2))};
+}
+
+QString motorNotFound(IdentifyFailure failure) {
+    switch (failure) {
+        case IdentifyFailure::TooFewSamples:
+            return ModelTexts::tr("There are too few samples. Record for longer, or raise the baud rate.");
+        case IdentifyFailure::DoesNotMove:
+            return ModelTexts::tr(
+                "The shaft did not move. Check motor power and brake, or make a longer step.");
+        case IdentifyFailure::WrongWay:
+            return ModelTexts::tr(
+                "The shaft starts away from its goal. Check the direction on the page Axis.");
+        case IdentifyFailure::Oscillates:
+            return ModelTexts::tr(
+                "The motor swings and does not calm down. Lower Kp or raise Kd, then step again.");
+        case IdentifyFailure::NotExplained:
+            return ModelTexts::tr(
+                "This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a "
+                "current limit.");
+        case IdentifyFailure::GainUnclear:
+            return ModelTexts::tr(
+                "These steps leave the motor's gain open. Add a longer one, so that it comes near a steady "
+                "speed.");
+        case IdentifyFailure::TimeConstantUnclear:
+            return ModelTexts::tr(
+                "These steps leave the time constant open. Repeat the step, or raise the baud rate.");
+    }
+    return {};
+}
+
+QString gainsInShort(const servo::SetGain& gains) {
+    QStringList parts;
+    for (const Gain gain : kAllGains)
+        if (const auto value = gainOf(gains, gain))
+            parts << u"%1 %2"_s.arg(gainLetters(gain)).arg(*value);
+    return parts.join(u", "_s);
+}
+
+QStringList predicted(const Prediction& prediction) {
+    const LoopMargins& margins = prediction.margins;
+    return {
+        ModelTexts::tr("Overshoot %1, settling %2")
+            .arg(stepOvershoot(prediction.run.metrics.overshoot), stepTime(prediction.run.metrics.settling)),
+        ModelTexts::tr("Error at rest %1 counts").arg(readout(prediction.errorAtRest, 2)),
+        std::isfinite(margins.gain)
+            ? ModelTexts::tr("Phase margin %1°, gain margin %2")
+                  .arg(readout(margins.phaseDegrees, 2), readout(margins.gain, 2))
+            : ModelTexts::tr("Phase margin %1°").arg(readout(margins.phaseDegrees, 2))};
+}
+
+}  // namespace nmc::texts
