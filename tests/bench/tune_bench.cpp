@@ -122,6 +122,15 @@ int main(int argc, char** argv) {
         gainSure.count(isNear(model.gain, truth.gain, 0.1));
         tauSure.count(isNear(model.timeConstant, truth.timeConstant, 0.1));
         frictionSure.count(isNear(model.friction, truth.friction, 0.25));
+        if (!isNear(model.gain, truth.gain, 0.1) || !isNear(model.timeConstant, truth.timeConstant, 0.1) ||
+            !isNear(model.friction, truth.friction, 0.25))
+            std::printf(
+                "tune: motor %d: K %.0f is %.0f +- %.0f, tau %.1f ms is %.1f +- %.1f, c %.2f is %.2f +- "
+                "%.2f; "
+                "missed %.2f expected %.2f\n",
+                i, truth.gain, model.gain.value, model.gain.doubt, truth.timeConstant * 1e3,
+                model.timeConstant.value * 1e3, model.timeConstant.doubt * 1e3, truth.friction,
+                model.friction.value, model.friction.doubt, found->missed, found->expected);
         gainOff.push_back(100 * std::abs(model.gain.value / truth.gain - 1));
         tauOff.push_back(100 * std::abs(model.timeConstant.value / truth.timeConstant - 1));
 

@@ -54,7 +54,7 @@ struct Terms {
 
 /// Ki, IL; or not with this natural frequency.
 [[nodiscard]] bool setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
-    constexpr double kFewestSteps = 16;
+    constexpr double kFewestSteps = 5;
     gains.ki = 0;
     gains.il = 0;
     if (terms.carried * 256 < gains.kp)
@@ -62,7 +62,7 @@ struct Terms {
     // A slow one disturbs least, but must not be what gets the motor out of where friction holds it.
     constexpr double kBandOfStep = 0.02;
     constexpr double kSlow = 30;
-    const double held = (terms.motor.friction + kCutOff) * 256 / gains.kp;
+    const double held = (terms.motor.friction + terms.carried) * 256 / gains.kp;
     if (terms.periods > kSlow && held > kBandOfStep * std::abs(terms.step))
         return false;
     const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
