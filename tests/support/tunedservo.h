@@ -40,6 +40,8 @@ public:
         m_untilServo = 1;
     }
     void setPower(bool on) { m_power = on; }
+    /// Counts by which the motor turns before the encoder does.
+    void setBacklash(std::int64_t counts) { m_backlash = counts; }
     void reverseEncoder() { m_encoder.setReversed(true); }
     [[nodiscard]] std::int32_t position() const { return m_encoder.position(); }
     [[nodiscard]] std::int32_t command() const { return m_command; }
@@ -87,7 +89,8 @@ private:
 
     void tick() {
         m_plant.advanceTick(m_pwm, m_power);
-        m_encoder.read(m_plant.shaft());
+        m_driven = std::clamp(m_driven, m_plant.shaft() - m_backlash, m_plant.shaft());
+        m_encoder.read(m_driven);
         if (--m_untilServo > 0)
             return;
         m_untilServo = m_gains.sr;
@@ -104,6 +107,8 @@ private:
     sim::Gains m_gains;
     servo::SetGain m_set;
     sim::Random m_random;
+    std::int64_t m_backlash = 0;
+    std::int64_t m_driven = 0;  ///< counts, what the encoder sits on
     std::int32_t m_command = 0;
     int m_pwm = 0;
     int m_untilServo = 1;

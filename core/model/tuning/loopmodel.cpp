@@ -14,6 +14,11 @@ namespace {
     return x < 0 ? -1.0 : 1.0;
 }
 
+/// What is left on average of a number whose part behind the point is cut off.
+[[nodiscard]] double meanOfWhole(double x) {
+    return std::copysign(std::max(0.0, std::abs(x) - 0.5), x);
+}
+
 }  // namespace
 
 MotorMotion moved(const MotorConstants& motor, const MotorMotion& from, double pwm, double seconds) {
@@ -47,7 +52,8 @@ ControlFilter::ControlFilter(const servo::SetGain& gains, Rounding rounding, dou
     : m_gains(gains), m_rounding(rounding), m_sum(integral * 256), m_errorBefore(error) {}
 
 double ControlFilter::integral() const {
-    return m_rounding == Rounding::Chip ? std::trunc(m_sum / 256) : m_sum / 256;
+    const double exact = m_sum / 256;
+    return m_rounding == Rounding::Chip ? std::trunc(exact) : meanOfWhole(exact);
 }
 
 double ControlFilter::output(double error) {
@@ -69,8 +75,7 @@ double ControlFilter::standing() const {
 
 double ControlFilter::toAmplifier(double sum) const {
     const double wanted = std::abs(sum) / 256;
-    // What is cut off is half a PWM count on average.
-    const double whole = m_rounding == Rounding::Chip ? std::trunc(wanted) : std::max(0.0, wanted - 0.5);
+    const double whole = m_rounding == Rounding::Chip ? std::trunc(wanted) : meanOfWhole(wanted);
     const double limited = std::min<double>(whole, m_gains.ol);
     const double added = m_gains.db.value_or(0) * std::min(1.0, whole);
     const double magnitude = std::min(limited + added, 255.0);

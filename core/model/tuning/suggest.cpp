@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMostGain = 32'767;  // DS-V 5.2 Set Gain
 constexpr double kMostErrorLimit = 16'383;
+constexpr double kCutOff = 0.5;           ///< PWM counts that the filter cuts off on average
 constexpr double kSlowestSettling = 5.0;  ///< s
 constexpr double kSlowest = 0.1;          ///< of the fastest natural frequency, for a stiffness of 0
 
@@ -51,17 +52,24 @@ struct Terms {
     return found;
 }
 
-/// Ki, IL.
-void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
-    constexpr double kFewestSteps = 16;
+/// Ki, IL; or not with this natural frequency.
+[[nodiscard]] bool setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
+    constexpr double kFewestSteps = 5;
     gains.ki = 0;
     gains.il = 0;
     if (terms.carried * 256 < gains.kp)
-        return;
+        return true;
+    // A slow one disturbs least, but must not be what gets the motor out of where friction holds it.
+    constexpr double kBandOfStep = 0.02;
+    constexpr double kSlow = 30;
+    const double held = (terms.motor.friction + terms.carried) * 256 / gains.kp;
+    if (terms.periods > kSlow && held > kBandOfStep * std::abs(terms.step))
+        return false;
     const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
     const double ki = std::clamp(std::min(fast, terms.carried * 256 / kFewestSteps), 1.0, kMostGain);
     gains.ki = static_cast<std::uint16_t>(std::lround(ki));
     gains.il = static_cast<std::uint16_t>(std::min(kMostGain, std::ceil(terms.carried * 256 / gains.ki)));
+    return true;
 }
 
 [[nodiscard]] std::optional<servo::SetGain> gainsAt(const Terms& terms, double omega) {
@@ -70,9 +78,8 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     if (kp > kMostGain || kp < 0.5)
         return std::nullopt;
     gains.kp = static_cast<std::uint16_t>(std::lround(kp));
-    if (!setDamping(terms, omega, gains))
+    if (!setDamping(terms, omega, gains) || !setIntegral(terms, omega, gains))
         return std::nullopt;
-    setIntegral(terms, omega, gains);
     const LoopMargins margins = marginsOf(terms.motor, gains);
     if (!margins.stable || margins.phaseDegrees < kLeastPhaseMargin || margins.gain < kLeastGainMargin)
         return std::nullopt;
@@ -92,8 +99,8 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     return high - low <= 2;
 }
 
-/// s, until it stays where it belongs: the longer of two, for a motor that is a little stronger than was
-/// found, and one that is a little weaker. Nothing if one does not calm down; where friction keeps it
+/// s, until it stays where it belongs: the longest, for a motor that is a little stronger than was found, and
+/// for one that is a little weaker. Nothing if one does not calm down; where friction keeps it
 /// elsewhere, all of the record. Sets EL.
 [[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, servo::SetGain& gains) {
     constexpr double kBand = 1.4;  // %, so that what is a little otherwise is within the usual 2
@@ -105,9 +112,10 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
     const double record = std::clamp(kPeriods / omega + 5 * accelerating, 0.1, kSlowestSettling);
     double longest = 0.0;
     double error = 0.0;
-    for (const double strength : {0.97, 1.03}) {
+    for (const double stronger : {-1.0, 0.0, 1.0}) {
         MotorConstants motor = terms.motor;
-        motor.gain *= strength;
+        motor.gain *= 1 + 0.03 * stronger;
+        motor.friction *= 1 - 0.15 * stronger;
         const StepRun run = reckonStep(motor, gains, 0, terms.step, record, kBand);
         if (!isCalm(run))
             return std::nullopt;
@@ -132,14 +140,16 @@ LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains) 
 
 std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
                                       const servo::SetGain& now, std::int32_t step) {
-    constexpr double kReserve = 1.2;
-    constexpr double kCutOff = 0.5;  // PWM counts that the filter cuts off on average
+    constexpr double kReserve = 1.1;
+    constexpr double kMostUnsure = 0.1;
     constexpr double kLadder = 0.94;
     Terms terms;
     terms.motor = motor.constants();
     terms.zeta = kLeastDamping + std::clamp(wish.damping, 0.0, 1.0) * (kMostDamping - kLeastDamping);
     terms.noise = kMostNoise * std::clamp(wish.noise, 0.01, 1.0);
-    terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + kCutOff);
+    const double unsure = std::hypot(motor.load.doubt, motor.friction.doubt);
+    terms.carried = kReserve * (std::abs(motor.load.value) + motor.friction.value + kCutOff +
+                                std::min(unsure, kMostUnsure * now.ol));
     terms.now = now;
     terms.step = step;
 

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unknown motors: found from three steps each, given gains, and these tried on the motor (issue 16, C).
+//   tune_bench [MOTORS]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <optional>
+#include <vector>
+
+#include "model/tuning/suggest.h"
+#include "tests/support/unknownmotor.h"
+
+namespace {
+
+using namespace nmc;
+using namespace nmc::testing_support;
+
+constexpr double kRecord = 0.6;
+
+struct Tally {
+    int of = 0;
+    int good = 0;
+
+    void count(bool is) {
+        ++of;
+        good += is ? 1 : 0;
+    }
+    void print(const char* what) const {
+        std::printf("tune: %-68s %d of %d (%.1f %%)\n", what, good, of, of == 0 ? 0.0 : 100.0 * good / of);
+    }
+};
+
+[[nodiscard]] double processorSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void printShares(const char* what, std::vector<double> values, const char* unit) {
+    if (values.empty())
+        return;
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    std::printf("tune: %-68s p50 %.3f p90 %.3f p95 %.3f p99 %.3f max %.3f %s\n", what, at(0.5), at(0.9),
+                at(0.95), at(0.99), values.back(), unit);
+}
+
+[[nodiscard]] std::optional<double> settlingOf(const sim::MotorParameters& motor, const servo::SetGain& gains,
+                                               std::int32_t step, std::uint64_t seed) {
+    TunedServo servo(motor, gains, seed);
+    servo.wait(0.3);
+    const StepRun run = servo.step(step, kRecord);
+    if (!run.metrics.settling)
+        return std::nullopt;
+    return run.metrics.settling->value;
+}
+
+/// The fastest of all Kp, Kd and SR on a grid whose noise is no more than was allowed; integral as suggested.
+[[nodiscard]] double bestSettling(const sim::MotorParameters& motor, const servo::SetGain& suggested,
+                                  std::int32_t step, std::uint64_t seed) {
+    double best = kRecord;
+    for (const std::uint8_t sr : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{4}, std::uint8_t{8}})
+        for (double noise = kMostNoise; noise > 0.03 * kMostNoise; noise /= 1.3) {
+            servo::SetGain gains = suggested;
+            gains.sr = sr;
+            gains.kd = 1;
+            const double kd = noise / figuresOf(physics(motor), gains).noise;
+            if (kd < 1 || kd > 32'767)
+                continue;
+            gains.kd = static_cast<std::uint16_t>(kd);
+            for (double kp = 20; kp < 32'767; kp *= 1.25) {
+                gains.kp = static_cast<std::uint16_t>(kp);
+                best = std::min(best, settlingOf(motor, gains, step, seed).value_or(kRecord));
+            }
+        }
+    return best;
+}
+
+/// It calms down from where it is switched on, and again after a step.
+[[nodiscard]] bool isStable(const sim::MotorParameters& motor, const servo::SetGain& gains, std::int32_t step,
+                            std::uint64_t seed) {
+    TunedServo servo(motor, gains, seed);
+    if (!comesToRest(servo))
+        return false;
+    (void)servo.step(step, kRecord);
+    return comesToRest(servo);
+}
+
+/// Within `part` of the truth, or within two of the stated standard deviations.
+[[nodiscard]] bool isNear(const Measured& found, double truth, double part) {
+    const double off = std::abs(found.value - truth);
+    return off <= part * std::abs(truth) || off <= 2 * found.doubt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int motors = argc > 1 ? std::atoi(argv[1]) : 300;
+    sim::Random random(16);
+    Tally identified, gain, tau, friction, gainSure, tauSure, frictionSure, suggested, stable, fast,
+        overshoot;
+    std::vector<double> identifySeconds, suggestSeconds, ratios, gainOff, tauOff, overshootOff;
+    for (int i = 0; i < motors; ++i) {
+        const sim::MotorParameters motor = unknownMotor(random);
+        const std::uint64_t seed = random.next();
+        const MotorConstants truth = physics(motor);
+        const std::vector<StepRun> runs = stepsOf(motor, seed);
+        double began = processorSeconds();
+        const auto found = identify(runs);
+        identifySeconds.push_back(processorSeconds() - began);
+        identified.count(found.has_value());
+        if (!found) {
+            std::printf("tune: motor %d not found: failure %d\n", i, static_cast<int>(found.error()));
+            continue;
+        }
+        const MotorModel& model = found->motor;
+        gain.count(std::abs(model.gain.value / truth.gain - 1) <= 0.1);
+        tau.count(std::abs(model.timeConstant.value / truth.timeConstant - 1) <= 0.1);
+        friction.count(std::abs(model.friction.value / truth.friction - 1) <= 0.25);
+        gainSure.count(isNear(model.gain, truth.gain, 0.1));
+        tauSure.count(isNear(model.timeConstant, truth.timeConstant, 0.1));
+        frictionSure.count(isNear(model.friction, truth.friction, 0.25));
+        if (!isNear(model.gain, truth.gain, 0.1) || !isNear(model.timeConstant, truth.timeConstant, 0.1) ||
+            !isNear(model.friction, truth.friction, 0.25))
+            std::printf(
+                "tune: motor %d: K %.0f is %.0f +- %.0f, tau %.1f ms is %.1f +- %.1f, c %.2f is %.2f +- "
+                "%.2f; "
+                "missed %.2f expected %.2f\n",
+                i, truth.gain, model.gain.value, model.gain.doubt, truth.timeConstant * 1e3,
+                model.timeConstant.value * 1e3, model.timeConstant.doubt * 1e3, truth.friction,
+                model.friction.value, model.friction.doubt, found->missed, found->expected);
+        gainOff.push_back(100 * std::abs(model.gain.value / truth.gain - 1));
+        tauOff.push_back(100 * std::abs(model.timeConstant.value / truth.timeConstant - 1));
+
+        const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
+        servo::SetGain now = gainsToTry().front();
+        now.ol = 255;
+        began = processorSeconds();
+        const auto gains = suggest(model, {}, now, step);
+        suggestSeconds.push_back(processorSeconds() - began);
+        suggested.count(gains.has_value());
+        if (!gains) {
+            std::printf("tune: motor %d: no gains\n", i);
+            continue;
+        }
+        const bool calm = isStable(motor, *gains, step, seed);
+        stable.count(calm);
+        TunedServo servo(motor, *gains, seed);
+        servo.wait(0.3);
+        const StepRun run = servo.step(step, kRecord);
+        const Prediction predicted = predict(model.constants(), *gains, 0, step, kRecord, kFirstBand);
+        const double off = run.metrics.overshoot->value - predicted.run.metrics.overshoot->value;
+        overshoot.count(std::abs(off) <= 5);
+        overshootOff.push_back(std::abs(off));
+        const double settled = run.metrics.settling ? run.metrics.settling->value : kRecord;
+        const double best = bestSettling(motor, *gains, step, seed);
+        ratios.push_back(settled / best);
+        fast.count(settled <= 1.5 * best);
+        if (!calm || settled > 1.5 * best || std::abs(off) > 5)
+            std::printf(
+                "tune: motor %d (K %.0f tau %.1f ms c %.2f load %.2f): %s, settles in %.1f ms, best %.1f, "
+                "overshoot %.1f %%, predicted %.1f; Kp %d Kd %d Ki %d IL %d SR %d\n",
+                i, truth.gain, truth.timeConstant * 1e3, truth.friction, truth.load,
+                calm ? "stable" : "NOT STABLE", settled * 1e3, best * 1e3, run.metrics.overshoot->value,
+                predicted.run.metrics.overshoot->value, gains->kp, gains->kd, gains->ki, gains->il,
+                gains->sr);
+        std::fflush(stdout);
+    }
+    identified.print("motors found");
+    gain.print("K within 10 %");
+    tau.print("tau within 10 %");
+    friction.print("c within 25 %");
+    gainSure.print("K within 10 % or two stated standard deviations");
+    tauSure.print("tau within 10 % or two stated standard deviations");
+    frictionSure.print("c within 25 % or two stated standard deviations");
+    printShares("K off by", gainOff, "%");
+    printShares("tau off by", tauOff, "%");
+    suggested.print("gains suggested");
+    stable.print("suggested gains stable");
+    fast.print("settling at most 1.5 times the best found");
+    printShares("settling over the best found", ratios, "");
+    overshoot.print("overshoot within 5 points of the predicted");
+    printShares("overshoot off by", overshootOff, "points");
+    printShares("identify: processor time", identifySeconds, "s");
+    printShares("suggest: processor time", suggestSeconds, "s");
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "tests/support/tunedservo.h"
+
+namespace nmc::testing_support {
+
+/// Inertia from the rotor of the simulator's small motor alone to a hundred times that, dry friction from 0.4
+/// to 40 mN m, 400 to 8000 counts a turn, every other one with a load of up to 30 mN m either way.
+[[nodiscard]] inline sim::MotorParameters unknownMotor(sim::Random& random) {
+    sim::MotorParameters motor;
+    motor.inertiaKgM2 = 1e-5 * std::pow(100, random.unit());
+    motor.coulombNm = 4e-4 * std::pow(100, random.unit());
+    motor.countsPerTurn = std::round(400 * std::pow(20, random.unit()));
+    const double load = 0.03 * (2 * random.unit() - 1);
+    motor.loadNm = random.below(2) == 0 ? 0.0 : load;
+    return motor;
+}
+
+/// Those that a motor is begun with, then, as a person would if it swings or stays far off, more damping.
+[[nodiscard]] inline std::array<servo::SetGain, 4> gainsToTry() {
+    const auto gains = [](std::uint16_t kp, std::uint16_t kd, std::uint16_t ki, std::uint16_t il) {
+        return servo::SetGain{kp, kd, ki, il, 64, 0, 4'000, 1, std::uint8_t{0}};
+    };
+    return {gains(100, 1'000, 80, 50), gains(100, 5'000, 80, 50), gains(100, 5'000, 0, 0),
+            gains(300, 15'000, 0, 0)};
+}
+
+/// Within 2 counts for 0.1 s, within 2 s.
+[[nodiscard]] inline bool comesToRest(TunedServo& servo) {
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        std::int32_t low = servo.position();
+        std::int32_t high = low;
+        for (int i = 0; i < 10; ++i) {
+            servo.wait(0.01);
+            low = std::min(low, servo.position());
+            high = std::max(high, servo.position());
+        }
+        if (high - low <= 2)
+            return true;
+    }
+    return false;
+}
+
+/// A tenth of a turn there and back, then two tenths; half a second each.
+[[nodiscard]] inline std::vector<StepRun> stepsOf(const sim::MotorParameters& motor, std::uint64_t seed) {
+    const auto tenth = static_cast<std::int32_t>(motor.countsPerTurn / 10);
+    std::vector<StepRun> runs;
+    for (const servo::SetGain& gains : gainsToTry()) {
+        TunedServo servo(motor, gains, seed);
+        runs.clear();
+        bool good = comesToRest(servo);
+        for (const std::int32_t counts : {tenth, -tenth, 2 * tenth}) {
+            if (!good)
+                break;
+            runs.push_back(servo.step(counts, 0.5));
+            const auto& points = runs.back().points;
+            const double moved = std::abs(points.back().position - points.front().position);
+            good = moved > std::abs(counts) / 2.0 && comesToRest(servo);
+        }
+        if (good)
+            break;
+    }
+    return runs;
+}
+
+}  // namespace nmc::testing_support

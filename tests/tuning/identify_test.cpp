@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motors found from steps of the simulator's motor; what is true comes from its physical constants.
+#include "model/tuning/identify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/unknownmotor.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+/// Within `part` of the truth, or within two of the stated standard deviations.
+[[nodiscard]] bool isNear(const Measured& found, double truth, double part) {
+    const double off = std::abs(found.value - truth);
+    return off <= part * std::abs(truth) || off <= 2 * found.doubt;
+}
+
+/// R 1.1 ohm, k 0.038 N m/A, 24 V, J 1.7e-5 kg m^2, friction 4 mN m, 2000 counts: K = 24 / 255 / 0.038 x 2000
+/// / 2 pi = 788.4 counts/s; tau = 1.7e-5 x 1.1 / 0.038^2 = 12.95 ms; a PWM count is 24 / 255 / 1.1 x 0.038
+/// = 3.251 mN m, so c = 1.230 and a load of 10 mN m that pulls back is -3.076.
+TEST(Identify, FindsTheSimulatorsMotor) {
+    sim::MotorParameters motor;
+    motor.loadNm = 0.010;
+    const auto found = identify(stepsOf(motor, 7));
+    ASSERT_TRUE(found);
+    const MotorModel& model = found->motor;
+    EXPECT_NEAR(model.gain.value, 788.4, 78.8);
+    EXPECT_NEAR(model.timeConstant.value, 0.01295, 0.0013);
+    EXPECT_NEAR(model.friction.value, 1.230, std::max(0.31, 2 * model.friction.doubt));
+    EXPECT_NEAR(model.load.value, -3.076, std::max(0.77, 2 * model.load.doubt));
+    EXPECT_NEAR(model.delay.value, 0.6e-3 / 1.1, 0.4e-3) << "L / R";
+    EXPECT_LT(model.gain.doubt, 0.2 * model.gain.value);
+    EXPECT_GT(model.gain.doubt, 0);
+}
+
+TEST(Identify, SaysWhatTheMotorFoundWouldHaveDone) {
+    const auto runs = stepsOf({}, 8);
+    const auto found = identify(runs);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->runs.size(), runs.size());
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        ASSERT_EQ(found->runs[run].points.size(), runs[run].points.size());
+        for (std::size_t i = 0; i < runs[run].points.size(); ++i) {
+            EXPECT_EQ(found->runs[run].points[i].seconds, runs[run].points[i].seconds);
+            EXPECT_NEAR(found->runs[run].points[i].position, runs[run].points[i].position, 12)
+                << "a tick at 20 000 counts/s";
+        }
+    }
+    EXPECT_LT(found->missed, 2 * found->expected);
+}
+
+TEST(Identify, IsContentWithOneStep) {
+    const auto runs = stepsOf({}, 9);
+    const auto found = identify(std::span(runs).subspan(2, 1));
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(isNear(found->motor.gain, 788.4, 0.1)) << found->motor.gain.value;
+    EXPECT_TRUE(isNear(found->motor.timeConstant, 0.01295, 0.1)) << found->motor.timeConstant.value;
+}
+
+TEST(Identify, TakesTheServoRateAndTheDeadbandIntoAccount) {
+    const servo::SetGain gains{150, 700, 0, 0, 100, 0, 4'000, 2, std::uint8_t{3}};
+    TunedServo servo({}, gains, 10);
+    servo.wait(0.5);
+    std::vector<StepRun> runs;
+    for (const int counts : {200, -200, 400}) {
+        runs.push_back(servo.step(counts, 0.5));
+        servo.wait(0.5);
+    }
+    const auto found = identify(runs);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(isNear(found->motor.gain, 788.4, 0.1)) << found->motor.gain.value;
+    EXPECT_TRUE(isNear(found->motor.timeConstant, 0.01295, 0.1)) << found->motor.timeConstant.value;
+    EXPECT_TRUE(isNear(found->motor.friction, 1.230, 0.25)) << found->motor.friction.value;
+}
+
+class UnknownMotors : public testing::TestWithParam<std::uint64_t> {};
+
+/// Ten motors each; the figures of three hundred are scripts/bench tune's.
+TEST_P(UnknownMotors, AreFound) {
+    sim::Random random(GetParam());
+    for (int i = 0; i < 10; ++i) {
+        const sim::MotorParameters motor = unknownMotor(random);
+        const MotorConstants truth = physics(motor);
+        SCOPED_TRACE(testing::Message()
+                     << "motor " << i << ": K " << truth.gain << " tau " << truth.timeConstant << " c "
+                     << truth.friction << " load " << truth.load);
+        const auto found = identify(stepsOf(motor, random.next()));
+        ASSERT_TRUE(found) << static_cast<int>(found.error());
+        EXPECT_TRUE(isNear(found->motor.gain, truth.gain, 0.1))
+            << found->motor.gain.value << " +- " << found->motor.gain.doubt;
+        EXPECT_TRUE(isNear(found->motor.timeConstant, truth.timeConstant, 0.1))
+            << found->motor.timeConstant.value << " +- " << found->motor.timeConstant.doubt;
+        EXPECT_TRUE(isNear(found->motor.friction, truth.friction, 0.25))
+            << found->motor.friction.value << " +- " << found->motor.friction.doubt;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Thirty, UnknownMotors, testing::Values(1'001, 1'002, 1'003));
+
+}  // namespace
+}  // namespace nmc

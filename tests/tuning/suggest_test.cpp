@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Suggested gains against their formulas, and on the simulator's motor.
+#include "model/tuning/suggest.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/unknownmotor.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+constexpr servo::SetGain kNow{100, 1'000, 80, 50, 200, 33, 4'000, 1, std::uint8_t{5}};
+
+[[nodiscard]] MotorModel modelOf(const MotorConstants& motor) {
+    return {{motor.gain, 0}, {motor.timeConstant, 0}, {motor.friction, 0}, {motor.load, 0}, {motor.delay, 0}};
+}
+
+const MotorConstants kSmallMotor{788, 0.013, 1.2, 0, 0.55e-3};
+
+TEST(LoopFigures, AreTheFormulas) {
+    // K / (256 tau) = 788 / 3.328 = 236.8: wn = sqrt(236.8 x 200) = 217.6; 2 zeta wn = 1 / 0.013 + 236.8 x
+    // 2000 x 0.512 ms = 76.9 + 242.5 = 319.4; noise = 236.8 x 2000 x (0.512 ms)^2 = 0.1241.
+    servo::SetGain gains{200, 2'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
+    const LoopFigures figures = figuresOf(kSmallMotor, gains);
+    EXPECT_NEAR(figures.naturalFrequency, 217.6, 0.1);
+    EXPECT_NEAR(figures.damping, 319.4 / (2 * 217.6), 0.001);
+    EXPECT_NEAR(figures.noise, 0.1241, 0.0002);
+    gains.sr = 2;  // twice the tick: 76.9 + 485.0; four times the noise
+    EXPECT_NEAR(figuresOf(kSmallMotor, gains).damping, 561.9 / (2 * 217.6), 0.001);
+    EXPECT_NEAR(figuresOf(kSmallMotor, gains).noise, 0.4966, 0.0005);
+}
+
+TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
+    const auto gains = suggest(modelOf(kSmallMotor), {}, kNow, 200);
+    ASSERT_TRUE(gains);
+    EXPECT_EQ(gains->ol, kNow.ol);
+    EXPECT_EQ(gains->cl, kNow.cl);
+    EXPECT_EQ(gains->db, kNow.db);
+    EXPECT_GT(gains->el, 200) << "a step must not trip";
+    EXPECT_LE(gains->el, 800);
+    const LoopMargins margins = marginsOf(kSmallMotor, *gains);
+    EXPECT_TRUE(margins.stable);
+    EXPECT_GE(margins.phaseDegrees, kLeastPhaseMargin);
+    EXPECT_GE(margins.gain, kLeastGainMargin);
+}
+
+TEST(Suggest, IsNoLouderThanWished) {
+    for (const double noise : {0.1, 0.4, 1.0}) {
+        LoopWish wish;
+        wish.noise = noise;
+        const auto gains = suggest(modelOf(kSmallMotor), wish, kNow, 200);
+        ASSERT_TRUE(gains);
+        EXPECT_LE(figuresOf(kSmallMotor, *gains).noise, noise * kMostNoise * 1.01);
+    }
+}
+
+TEST(Suggest, IsStifferTheMoreItIsWished) {
+    double before = 0;
+    for (const double stiffness : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const auto gains = suggest(modelOf(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
+        ASSERT_TRUE(gains);
+        const double now = figuresOf(kSmallMotor, *gains).naturalFrequency;
+        EXPECT_GT(now, before * 1.3) << stiffness;
+        before = now;
+    }
+}
+
+TEST(Suggest, HasAnIntegralOnlyForAnErrorThatItRemovesAndNoMoreThanCarriesIt) {
+    // Kp is some hundreds: half a PWM count and no friction leave less than a count.
+    MotorConstants motor = kSmallMotor;
+    motor.friction = 0;
+    auto gains = suggest(modelOf(motor), {}, kNow, 200);
+    ASSERT_TRUE(gains);
+    EXPECT_EQ(gains->ki, 0);
+    EXPECT_EQ(gains->il, 0);
+    // Friction 6 and load 8 are 14 PWM counts: more than ten counts of error.
+    motor.friction = 6;
+    motor.load = -8;
+    gains = suggest(modelOf(motor), {}, kNow, 200);
+    ASSERT_TRUE(gains);
+    const double carries = gains->ki * gains->il / 256.0;
+    EXPECT_GE(carries, 14);
+    EXPECT_LE(carries, 14 * 1.4);
+    EXPECT_LE(std::abs(predict(motor, *gains, 0, 200, 3, 2).errorAtRest), 1);
+}
+
+TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
+    EXPECT_EQ(suggest(modelOf(kSmallMotor), {}, kNow, 200)->sr, 1);
+    // Kd would not fit at SR 1: 2 zeta wn = 150 /s needs (150 x 0.5 - 1) x 256 / (160 x 0.512 ms) = 231 000.
+    const MotorConstants heavy{160, 0.5, 1.2, 0, 0.55e-3};
+    const auto gains = suggest(modelOf(heavy), {}, kNow, 40);
+    ASSERT_TRUE(gains);
+    EXPECT_GT(gains->sr, 1);
+    EXPECT_LE(figuresOf(heavy, *gains).noise, kMostNoise * 1.01);
+}
+
+TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
+    // Even Kp 1 is 1e9 / 256 / 0.01 = 3.9e8: wn = 20 000 rad/s, ten times the servo rate.
+    EXPECT_FALSE(suggest(modelOf({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
+}
+
+class SuggestedGains : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {
+    sim::Random random(GetParam());
+    for (int i = 0; i < 5; ++i) {
+        const sim::MotorParameters motor = unknownMotor(random);
+        const MotorConstants truth = physics(motor);
+        SCOPED_TRACE(testing::Message()
+                     << "motor " << i << ": K " << truth.gain << " tau " << truth.timeConstant << " c "
+                     << truth.friction << " load " << truth.load);
+        const std::uint64_t seed = random.next();
+        const auto found = identify(stepsOf(motor, seed));
+        ASSERT_TRUE(found);
+        servo::SetGain now = kNow;
+        now.db = std::uint8_t{0};
+        const auto step = static_cast<std::int32_t>(motor.countsPerTurn / 10);
+        const auto gains = suggest(found->motor, {}, now, step);
+        ASSERT_TRUE(gains);
+        TunedServo servo(motor, *gains, seed);
+        ASSERT_TRUE(comesToRest(servo));
+        const StepRun run = servo.step(step, 1.0);
+        ASSERT_TRUE(run.metrics.settling) << "Kp " << gains->kp << " Kd " << gains->kd;
+        EXPECT_LT(run.metrics.settling->value, 0.4);
+        const Prediction prediction = predict(found->motor.constants(), *gains, 0, step, 1.0, kFirstBand);
+        EXPECT_NEAR(run.metrics.overshoot->value, prediction.run.metrics.overshoot->value,
+                    5 + run.metrics.overshoot->doubt);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fifteen, SuggestedGains, testing::Values(2'001, 2'002, 2'003));
+
+}  // namespace
+}  // namespace nmc
