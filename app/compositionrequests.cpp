@@ -43,6 +43,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
         return;
+    if (std::holds_alternative<intent::KeepGains>(intent))
+        return m_procedures.keep(index);
     const bool stops = isStop(intent);
     if (!std::holds_alternative<intent::AskAnew>(intent))
         m_sequences.takeOver(index, stops);
@@ -143,13 +145,16 @@ bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
     return id;
 }
 
-void Composition::followStepResponse(const ProcedureReport& report) {
-    // While another motor moves it is watched as closely as ever, and the step has fewer samples.
+/// While another motor moves it is watched as closely as ever, and this one has fewer samples.
+void Composition::focusOn(const ProcedureReport& report) {
     const std::vector<ModuleState>& modules = m_store.link().modules;
     const bool othersMove = std::any_of(modules.begin(), modules.end(), [&report](const ModuleState& other) {
         return other.info.index != report.module && other.moving();
     });
     m_worker.focus(report.over() || othersMove ? std::nullopt : std::optional(report.module));
+}
+
+void Composition::followStepResponse(const ProcedureReport& report) {
     // One that does not come to rest afterwards has a whole record all the same.
     const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
     const ModuleState* module = m_store.module(report.module);
@@ -177,6 +182,8 @@ void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
 
 void Composition::showProcedure(const ProcedureReport& report) {
     m_window.showProcedure(report);
+    if (report.kind == ProcedureKind::StepResponse || report.kind == ProcedureKind::TryGains)
+        focusOn(report);
     if (report.kind == ProcedureKind::StepResponse)
         followStepResponse(report);
     const ModuleState* module = m_store.module(report.module);

@@ -22,6 +22,7 @@ void keepWhatIsHarmless(std::vector<bus::Step>& steps) {
         const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
         return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
                (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
+               (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
                (stepper != nullptr && std::holds_alternative<step::SetHoming>(*stepper));
     };
     steps.erase(std::remove_if(steps.begin(), steps.end(), std::not_fn(harmless)), steps.end());
@@ -59,6 +60,14 @@ void ProcedureController::cancel(ModuleIndex module) {
 void ProcedureController::cancelAll() {
     for (auto& [module, run] : m_runs)
         run.procedure->cancel();
+    advance();
+}
+
+void ProcedureController::keep(ModuleIndex module) {
+    const auto found = m_runs.find(module);
+    if (found == m_runs.end())
+        return;
+    found->second.procedure->keep();
     advance();
 }
 

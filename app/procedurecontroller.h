@@ -35,6 +35,8 @@ public:
     /// The user wants something else of the module, or nothing: its procedure stops the motor, and ends.
     void cancel(ModuleIndex module);
     void cancelAll();
+    /// What is being tried with it stays.
+    void keep(ModuleIndex module);
     /// The motor has been stopped or switched off by somebody else.
     void overtake(ModuleIndex module);
     /// A stop of all motors begins; until stopFinished() nothing is sent.

@@ -3841,6 +3841,66 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Back to the gains before</source>
         <translation>Zurück zu den Reglerwerten davor</translation>
     </message>
+    <message>
+        <source>%1 has the gains from before again: it began to swing.</source>
+        <translation>%1 hat wieder die Reglerwerte von vorher: Es begann zu schwingen.</translation>
+    </message>
+    <message>
+        <source>Lower Kp and Ki, or raise Kd, then try again.</source>
+        <translation>Kp und Ki verringern oder Kd erhöhen, dann noch einmal probieren.</translation>
+    </message>
+    <message>
+        <source>%1 has the gains from before again: it left the place where it stood.</source>
+        <translation>%1 hat wieder die Reglerwerte von vorher: Es hat seinen Platz verlassen.</translation>
+    </message>
+    <message>
+        <source>These gains do not hold its load, or something else turned it.</source>
+        <translation>Diese Reglerwerte halten seine Last nicht, oder etwas anderes hat es gedreht.</translation>
+    </message>
+    <message>
+        <source>%1 went off by itself while gains were tried, and is free to turn.</source>
+        <translation>%1 ist beim Probieren von Reglerwerten von selbst ausgegangen und ist frei drehbar.</translation>
+    </message>
+    <message>
+        <source>The gains from before were sent again. Check for a jam, then enable it.</source>
+        <translation>Die Reglerwerte von vorher wurden wieder gesendet. Auf Klemmen prüfen, dann einschalten.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer while gains are tried. Motor state unknown.</source>
+        <translation>%1 antwortet beim Probieren von Reglerwerten nicht. Zustand des Motors unbekannt.</translation>
+    </message>
+    <message>
+        <source>The gains from before were sent. Use the hardware stop if it moves.</source>
+        <translation>Die Reglerwerte von vorher wurden gesendet. Hardware-Not-Halt benutzen, wenn es sich bewegt.</translation>
+    </message>
+    <message>
+        <source>%1 was sent the gains from before: the link was in doubt meanwhile.</source>
+        <translation>%1 wurden die Reglerwerte von vorher gesendet: Die Verbindung war inzwischen zweifelhaft.</translation>
+    </message>
+    <message>
+        <source>See to the link, then try again.</source>
+        <translation>Die Verbindung prüfen, dann noch einmal probieren.</translation>
+    </message>
+    <message>
+        <source>%1 was sent the gains from before: a command was not carried out, or its answer was lost.</source>
+        <translation>%1 wurden die Reglerwerte von vorher gesendet: Ein Befehl wurde nicht ausgeführt, oder seine Antwort ging verloren.</translation>
+    </message>
+    <message>
+        <source>Usually noise on the cable. Try again.</source>
+        <translation>Meist Störungen auf dem Kabel. Noch einmal probieren.</translation>
+    </message>
+    <message>
+        <source>Trying gains</source>
+        <translation>Probiert Reglerwerte</translation>
+    </message>
+    <message>
+        <source>%1 has the gains from before again: the try is over.</source>
+        <translation>%1 hat wieder die Reglerwerte von vorher: Die Probe ist vorbei.</translation>
+    </message>
+    <message>
+        <source>The motor began to swing. The gains from before are back.</source>
+        <translation>Der Motor begann zu schwingen. Die Reglerwerte von vorher gelten wieder.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5625,6 +5685,42 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Nothing was edited.</source>
         <translation>Es wurde nichts geändert.</translation>
     </message>
+    <message>
+        <source>Try for %1 s</source>
+        <translation>%1 s probieren</translation>
+    </message>
+    <message>
+        <source>Try these gains for %1 seconds</source>
+        <translation>Diese Reglerwerte %1 Sekunden lang probieren</translation>
+    </message>
+    <message>
+        <source>Keep them</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep the gains that are being tried</source>
+        <translation>Die Reglerwerte behalten, die probiert werden</translation>
+    </message>
+    <message>
+        <source>They are being tried already.</source>
+        <translation>Sie werden schon probiert.</translation>
+    </message>
+    <message>
+        <source>The module has these gains already.</source>
+        <translation>Das Modul hat diese Reglerwerte schon.</translation>
+    </message>
+    <message>
+        <source>Sends these gains and takes them back after %1 s, unless you keep them; at once when the motor begins to swing.</source>
+        <translation>Sendet diese Reglerwerte und nimmt sie nach %1 s zurück, wenn sie nicht behalten werden; sofort, wenn der Motor zu schwingen beginnt.</translation>
+    </message>
+    <message>
+        <source>No gains are being tried.</source>
+        <translation>Es werden keine Reglerwerte probiert.</translation>
+    </message>
+    <message>
+        <source>The gains that are being tried stay.</source>
+        <translation>Die Reglerwerte, die probiert werden, bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GenericPanel</name>
@@ -6297,6 +6393,33 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::Layouts</name>
+    <message>
+        <source>&amp;Operate</source>
+        <translation>&amp;Bedienen</translation>
+    </message>
+    <message>
+        <source>Motions in the middle, everything else around them.</source>
+        <translation>Bewegungen in der Mitte, alles andere darum herum.</translation>
+    </message>
+    <message>
+        <source>&amp;Tune</source>
+        <translation>&amp;Einstellen</translation>
+    </message>
+    <message>
+        <source>Plots take most of the window, gains and step beside them.</source>
+        <translation>Die Kurven nehmen den größten Teil des Fensters ein, Reglerwerte und Sprung daneben.</translation>
+    </message>
+    <message>
+        <source>&amp;Chain</source>
+        <translation>&amp;Kette</translation>
+    </message>
+    <message>
+        <source>Modules, packets and messages.</source>
+        <translation>Module, Pakete und Meldungen.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>limit 1</source>
@@ -6816,6 +6939,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Shift with ◂ or ▸ moves it while both are held; so does a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends this.</source>
         <translation>Umschalt mit ◂ oder ▸ bewegt ihn, solange beide gehalten werden; ebenso eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
     </message>
 </context>
 <context>
@@ -9185,6 +9312,30 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Takes the position it has at this moment as the one to hold (Stop here).</source>
         <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
     </message>
+    <message>
+        <source>%1 %2 instead of %3</source>
+        <translation>%1 %2 statt %3</translation>
+    </message>
+    <message>
+        <source>Some gains in the fields were not sent: %1. With which is the step to be made?</source>
+        <translation>Einige Reglerwerte in den Feldern wurden nicht gesendet: %1. Mit welchen soll der Sprung gemacht werden?</translation>
+    </message>
+    <message>
+        <source>Gains that were not sent</source>
+        <translation>Nicht gesendete Reglerwerte</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply them and step</source>
+        <translation>&amp;Anwenden und springen</translation>
+    </message>
+    <message>
+        <source>Step with those that it &amp;has</source>
+        <translation>&amp;Mit denen des Moduls springen</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepHoldBox</name>
@@ -9835,6 +9986,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
     </message>
 </context>
 <context>

@@ -129,18 +129,17 @@ TEST_F(StepResponses, TheStepIsWhatStandsInTheFields) {
     EXPECT_EQ(second.record, 1.25);
 }
 
-TEST_F(StepResponses, TheShortcutMovesNothingThatIsNotInSight) {
+TEST_F(StepResponses, WhatTheShortcutMovesComesInSight) {
     openWith();
-    QSignalSpy clicks(button(u"stepResponseButton"_s), &QAbstractButton::clicked);
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 1; }));
     EXPECT_EQ(intents.size(), 1);
     find<QDockWidget>(u"scopeDock"_s)->raise();
     ASSERT_TRUE(
         QTest::qWaitFor([this] { return button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return clicks.size() == 2; })) << "it is heard";
-    EXPECT_EQ(intents.size(), 1);
+    EXPECT_EQ(intents.size(), 2);
+    EXPECT_TRUE(
+        QTest::qWaitFor([this] { return !button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
 TEST_F(StepResponses, TheDistanceIsInTheUnitOfTheAxis) {

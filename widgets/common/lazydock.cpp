@@ -10,7 +10,8 @@ namespace nmc {
 LazyDock::LazyDock(const QString& objectName, const QString& title, const QKeySequence& key, QWidget* parent)
     : QDockWidget(title, parent) {
     look::name(this, objectName, title);
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                QDockWidget::DockWidgetFloatable);
     toggleViewAction()->setShortcut(key);
     connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
         // One behind another's tab counts as shown, and was hidden by this.

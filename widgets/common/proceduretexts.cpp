@@ -66,6 +66,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                     Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::NotStill:
         case ProcedureFailure::Unstable:
+        case ProcedureFailure::Swings:
         case ProcedureFailure::StoppedShort:
             return {};  // of others
         case ProcedureFailure::NotAtHome:
@@ -123,6 +124,47 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::SoftLimit:
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::Swings:
+        case ProcedureFailure::StoppedShort:
+            return {};  // of others
+    }
+    return {};
+}
+
+Words tryFailed(ProcedureFailure failure, const QString& who) {
+    const QString back = Texts::tr("%1 has the gains from before again: it began to swing.").arg(who);
+    const QString advice = Texts::tr("Lower Kp and Ki, or raise Kd, then try again.");
+    switch (failure) {
+        case ProcedureFailure::Swings:
+            return {back, advice};
+        case ProcedureFailure::TravelLimit:
+            return {
+                Texts::tr("%1 has the gains from before again: it left the place where it stood.").arg(who),
+                Texts::tr("These gains do not hold its load, or something else turned it.")};
+        case ProcedureFailure::WentOff:
+            return {Texts::tr("%1 went off by itself while gains were tried, and is free to turn.").arg(who),
+                    Texts::tr("The gains from before were sent again. Check for a jam, then enable it."),
+                    Severity::Fault};
+        case ProcedureFailure::ModuleSilent:
+            return {Texts::tr("%1 does not answer while gains are tried. Motor state unknown.").arg(who),
+                    Texts::tr("The gains from before were sent. Use the hardware stop if it moves."),
+                    Severity::Fault};
+        case ProcedureFailure::LinkSuspect:
+            return {Texts::tr("%1 was sent the gains from before: the link was in doubt meanwhile.").arg(who),
+                    Texts::tr("See to the link, then try again.")};
+        case ProcedureFailure::Refused:
+            return {Texts::tr("%1 was sent the gains from before: a command was not carried out, or its "
+                              "answer was lost.")
+                        .arg(who),
+                    Texts::tr("Usually noise on the cable. Try again.")};
+        case ProcedureFailure::SwitchActive:
+        case ProcedureFailure::NotFound:
+        case ProcedureFailure::TimeLimit:
+        case ProcedureFailure::SoftLimit:
+        case ProcedureFailure::ReadingsDiffer:
+        case ProcedureFailure::NotStill:
+        case ProcedureFailure::Unstable:
+        case ProcedureFailure::NotAtHome:
         case ProcedureFailure::StoppedShort:
             return {};  // of others
     }
@@ -159,6 +201,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::Unstable:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::Swings:
         case ProcedureFailure::StoppedShort:
             return {};  // of other kinds
     }
@@ -208,6 +251,8 @@ QString homingStage(ProcedureStage stage) {
             return Texts::tr("Moving");
         case ProcedureStage::Pausing:
             return Texts::tr("Pausing");
+        case ProcedureStage::Trying:
+            return Texts::tr("Trying gains");
         case ProcedureStage::Done:
             return Texts::tr("Done");
         case ProcedureStage::Failed:
@@ -229,6 +274,8 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::TryGains)
+            words = tryFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::DirectionCheck)
             words = directionFailed(*report.failure, who);
         else
@@ -244,6 +291,10 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         message.body = directionFound(*report.direction);
         message.severity =
             report.direction->verdict == DirectionVerdict::Right ? Severity::Normal : Severity::Attention;
+        return message;
+    }
+    if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::TryGains && !report.kept) {
+        message.headline = Texts::tr("%1 has the gains from before again: the try is over.").arg(who);
         return message;
     }
     if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
@@ -296,6 +347,8 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::StoppedShort:
             return Texts::tr(
                 "A limit switch, heat or the E-stop input ended the move. The motor stands still.");
+        case ProcedureFailure::Swings:
+            return Texts::tr("The motor began to swing. The gains from before are back.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
     }

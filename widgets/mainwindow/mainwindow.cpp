@@ -181,7 +181,7 @@ void MainWindow::connectParts() {
     connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
-            [this](bool wanted) { m_settings.setValue(kSimulatorOpen, wanted); });
+            [this](bool wanted) { m_settings.setValue(simulatorOpen(m_layouts->kind()), wanted); });
     connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
     connect(m_scope, &ScopePanel::setupChanged, this,
             [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });

@@ -19,6 +19,7 @@
 #include "widgets/common/filedialog.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
+#include "widgets/mainwindow/layouts.h"
 #include "widgets/mainwindow/session.h"
 #include "widgets/panels/panelview.h"
 #include "widgets/scope/scoperecord.h"
@@ -122,6 +123,8 @@ public:
     /// Closes for good: after closeConfirmed(), when the motors are known to be stopped or there is no more
     /// hope.
     void finishClose();
+    [[nodiscard]] Layouts& layouts() { return *m_layouts; }
+    /// As it stands at first.
     void resetLayout();
     /// Restarts the network if the user confirms it.
     void askBeforeRestart();
@@ -176,6 +179,12 @@ private:
     void buildTop();
     void buildRibbons(QWidget* top);
     void buildDocks();
+    void arrangeDocks(Layouts::Kind kind);
+    void giveRoomToPlots();
+    void keepColumn(int wider);
+    void showLayout(Layouts::Kind kind);
+    [[nodiscard]] static QString simulatorOpen(Layouts::Kind kind);
+    void stepNow();
     void connectParts();
     QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
@@ -238,6 +247,8 @@ private:
     CommandPalette* m_palette = nullptr;
     QList<QDockWidget*> m_docks;
     QByteArray m_firstState;
+    Layouts* m_layouts = nullptr;
+    QAction* m_stepNow = nullptr;
     QTimer m_preparing;
     int m_scopeGave = 0;  ///< pixels of height, to the motions
     bool m_mayClose = false;

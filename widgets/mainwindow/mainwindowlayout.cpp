@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's docks: where they stand at first, and where the user left them.
+#include <QAction>
 #include <QDockWidget>
+#include <QResizeEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -33,6 +35,7 @@ constexpr int kStepResponseWidth = 58;
 constexpr int kSequencesWidth = 62;
 constexpr int kSequencesHeight = 24;
 constexpr int kLowestScope = 12;
+constexpr int kColumn = 22;  ///< beside the plots
 }  // namespace
 
 QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title, QWidget* content,
@@ -40,7 +43,8 @@ QDockWidget* MainWindow::addDock(const QString& objectName, const QString& title
     auto* dock = new QDockWidget(title, this);
     look::name(dock, objectName, title);
     dock->setWidget(content);
-    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                      QDockWidget::DockWidgetFloatable);
     addDockWidget(area, dock);
     m_docks.append(dock);
     return dock;
@@ -71,6 +75,13 @@ void MainWindow::buildDocks() {
     addStepResponseDock(*scope, *messages);
     m_docks.append(m_stepResponse);
     addMotionDocks(*scope, *messages);
+    m_layouts = new Layouts(*this, m_settings, [this](Layouts::Kind kind) { arrangeDocks(kind); });
+    connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);
+    m_stepNow = new QAction(tr("Step"), this);
+    m_stepNow->setObjectName(u"stepNowAction"_s);
+    m_stepNow->setShortcut(Qt::SHIFT | Qt::Key_F9);
+    addAction(m_stepNow);
+    connect(m_stepNow, &QAction::triggered, this, &MainWindow::stepNow);
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
@@ -135,7 +146,6 @@ void MainWindow::makeRoomForSequences(QDockWidget& messages) {
 void MainWindow::addSimulatorDock() {
     // Below the list of modules, whose lower half is empty with most chains: nothing else gives way to it.
     m_simulator = new SimulatorDock(this);
-    m_simulator->setWanted(m_settings.value(kSimulatorOpen, true).toBool());
     addDockWidget(Qt::LeftDockWidgetArea, m_simulator);
     m_docks.append(m_simulator);
     // Queued: until then the layout does not know that it is there again.
@@ -173,6 +183,9 @@ void MainWindow::makeRoomForMotions() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     // Queued: what is in the window has its new size only then.
+    if (const int before = event->oldSize().width(); before > 0 && before != width())
+        QMetaObject::invokeMethod(
+            this, [this, wider = width() - before] { keepColumn(wider); }, Qt::QueuedConnection);
     QMetaObject::invokeMethod(this, &MainWindow::makeRoomForMotions, Qt::QueuedConnection);
 }
 
@@ -182,7 +195,7 @@ void MainWindow::restoreLayout() {
     const int em = fontMetrics().height();
     resize(qMin(em * 104, room.width()), qMin(em * 68, room.height()));
     restoreGeometry(m_settings.value(kGeometry).toByteArray());
-    restoreState(m_settings.value(kState).toByteArray());
+    m_layouts->restore();
     m_simulator->showLink(m_session.link());
     const QString port = m_settings.value(kLastPort).toString();
     if (!port.isEmpty())
@@ -191,15 +204,81 @@ void MainWindow::restoreLayout() {
 
 void MainWindow::saveLayout() {
     m_settings.setValue(kGeometry, saveGeometry());
-    m_settings.setValue(kState, saveState());
+    m_layouts->save();
+}
+
+QString MainWindow::simulatorOpen(Layouts::Kind kind) {
+    return kind == Layouts::Kind::Tune ? kSimulatorOpen + u"/tune"_s : kSimulatorOpen;
+}
+
+/// As they stand at first.
+void MainWindow::arrangeDocks(Layouts::Kind kind) {
+    restoreState(m_firstState);
+    const bool tune = kind == Layouts::Kind::Tune;
+    const bool chain = kind == Layouts::Kind::Chain;
+    const QDockWidget* scope = findChild<QDockWidget*>(u"scopeDock"_s);
+    const QDockWidget* messages = findChild<QDockWidget*>(u"messagesDock"_s);
+    for (QDockWidget* dock : m_docks)
+        dock->setVisible(dock == m_simulator       ? dock->isVisible()
+                         : dock == m_stepResponse  ? tune
+                         : dock == m_monitor       ? chain
+                         : dock == scope           ? !chain
+                         : dock == messages        ? !tune
+                         : dock == m_docks.front() ? !tune
+                                                   : false);
+    if (tune)
+        giveRoomToPlots();
+    if (chain)
+        resizeDocks({m_monitor}, {height() / 2}, Qt::Vertical);
 }
 
 void MainWindow::resetLayout() {
-    restoreState(m_firstState);
-    for (QDockWidget* dock : m_docks)  // the last ones are closed at first
-        dock->setVisible(dock != m_monitor && dock != m_stepResponse && dock != m_sequences &&
-                         dock != m_axes);
-    m_simulator->setWanted(true);
+    m_settings.remove(simulatorOpen(m_layouts->kind()));
+    m_layouts->reset();
+}
+
+/// At the left, above one another; what is opened besides comes to the right of the gains.
+void MainWindow::giveRoomToPlots() {
+    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
+    for (QDockWidget* dock : m_docks)
+        if (dock != scope && dock != m_stepResponse) {
+            const bool shown = !dock->isHidden();
+            addDockWidget(Qt::RightDockWidgetArea, dock);
+            dock->setVisible(shown);
+        }
+    addDockWidget(Qt::LeftDockWidgetArea, scope);
+    splitDockWidget(scope, m_stepResponse, Qt::Vertical);
+    resizeDocks({scope}, {width() - fontMetrics().height() * kColumn}, Qt::Horizontal);
+    resizeDocks({scope, m_stepResponse}, {height() / 2, height() / 2}, Qt::Vertical);
+}
+
+/// The window has become wider: the plots have what it has gained.
+void MainWindow::keepColumn(int wider) {
+    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
+    if (m_layouts->kind() == Layouts::Kind::Tune && dockWidgetArea(scope) == Qt::LeftDockWidgetArea &&
+        scope->isVisible())
+        resizeDocks({scope}, {scope->width() + wider}, Qt::Horizontal);
+}
+
+void MainWindow::showLayout(Layouts::Kind kind) {
+    const bool tune = kind == Layouts::Kind::Tune;
+    m_simulator->setWanted(m_settings.value(simulatorOpen(kind), !tune).toBool());
+    if (tune) {
+        m_panel->setFoot(m_stepResponse->page().lendForm());
+    } else {
+        m_panel->setFoot(nullptr);
+        m_stepResponse->takeFormBack();
+    }
+    showSelected();
+}
+
+/// From anywhere in the window: it moves the motor, so it is seen.
+void MainWindow::stepNow() {
+    if (!m_stepResponse->page().lends())
+        m_stepResponse->open();
+    if (const ModuleState* module = selectedState())
+        m_stepResponse->page().showModule(m_session.viewOf(*module));
+    m_stepResponse->page().step();
 }
 
 }  // namespace nmc

@@ -92,7 +92,10 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
 
     QMenu* view = bar.addMenu(Menus::tr("&View"));
     look::name(view, u"viewMenu"_s, Menus::tr("View"));
-    int number = 1;
+    view->setToolTipsVisible(true);
+    view->addActions(window.layouts().actions());
+    view->addSeparator();
+    int number = 1 + static_cast<int>(window.layouts().actions().size());
     for (QDockWidget* dock : docks) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setObjectName(dock->objectName() + u"Action"_s);

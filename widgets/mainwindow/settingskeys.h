@@ -8,6 +8,7 @@ namespace nmc::settingskeys {
 
 inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kState = QStringLiteral("window/state");
+inline const QString kLayout = QStringLiteral("window/layout");
 inline const QString kScope = QStringLiteral("scope");
 inline const QString kLastPort = QStringLiteral("connection/port");
 inline const QString kLastBaud = QStringLiteral("connection/baud");

@@ -14,7 +14,8 @@ using namespace Qt::StringLiterals;
 
 MonitorDock::MonitorDock(QWidget* parent) : QDockWidget(PacketMonitor::tr("Packet monitor"), parent) {
     look::name(this, u"monitorDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                QDockWidget::DockWidgetFloatable);
     // Not showEvent: a dock behind another's tab is shown, but not seen.
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
         if (seen || m_page != nullptr)

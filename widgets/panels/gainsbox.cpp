@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QUndoStack>
 
+#include "model/intent/gainsplan.h"
 #include "model/settings/startinggains.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
@@ -18,6 +19,10 @@
 namespace nmc {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kTrySeconds = 10;
+}  // namespace
 
 /// A change of what stands in the fields; it never reaches the motor. Typing in one field is one of them.
 class GainsBox::Edit : public QUndoCommand {
@@ -88,7 +93,7 @@ void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
     Row& row = rowOf(gain);
     const QString letters = gainLetters(gain);
     row.gain = gain;
-    row.label = new QLabel(u"%1  %2"_s.arg(letters, gainName(gain)), this);
+    row.label = new QLabel(this);
     row.field = new NumberField(0, this);
     look::name(row.field, letters.toLower() + u"Field"_s, u"%1, %2"_s.arg(letters, gainName(gain)));
     const ValueRange range = gainRange(gain);
@@ -108,6 +113,10 @@ void GainsBox::addRow(Gain gain, int line, QGridLayout* grid) {
     grid->addWidget(row.remark, line, 2);
     grid->addWidget(row.state, line, 3);
     connect(row.field, &NumberField::edited, this, [this, gain] { edited(gain); });
+    connect(row.field, &NumberField::returnPressed, this, [this] {
+        if (m_apply->isEnabled())
+            apply();
+    });
 }
 
 void GainsBox::addSense(int line, QGridLayout* grid) {
@@ -160,27 +169,58 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
                            .text = tr("&Apply gains"),
                            .accessible = tr("Apply all gains")},
                           this, [this] { apply(); });
+    m_try = new Command({.name = u"tryGainsButton"_s,
+                         .icon = u"wand"_s,
+                         .text = tr("Try for %1 s").arg(kTrySeconds),
+                         .accessible = tr("Try these gains for %1 seconds").arg(kTrySeconds)},
+                        this, [this] { tryThem(); });
+    m_keep = new Command({.name = u"keepGainsButton"_s,
+                          .icon = {},
+                          .text = tr("Keep them"),
+                          .accessible = tr("Keep the gains that are being tried")},
+                         this, [this] { m_context.ask(intent::KeepGains{}); });
     auto* step = new Command({.name = u"openStepResponseButton"_s,
                               .icon = u"player-play"_s,
                               .text = tr("Step response…"),
                               .accessible = tr("Open the step response")},
                              this, [this] { emit stepResponseWanted(); });
     step->setPossible({}, tr("Opens the place where a small step shows how the motor follows (F9)."));
-    const int unit = look::gridUnit(this);
-    const auto addLine = [&](int at, std::initializer_list<Command*> left,
-                             std::initializer_list<Command*> right) {
-        auto* buttons = new QHBoxLayout;
-        buttons->setSpacing(unit);
-        buttons->setContentsMargins(0, unit / 2, 0, 0);
-        for (const Command* command : left)
-            buttons->addWidget(command->button());
-        buttons->addStretch(1);
-        for (const Command* command : right)
-            buttons->addWidget(command->button());
-        grid->addLayout(buttons, at, 0, 1, 4);
+    m_buttons = {start, zero, m_undo, m_redo, step, m_revert, m_apply, m_try, m_keep};
+    m_buttonGrid = new QGridLayout;
+    m_buttonGrid->setSpacing(look::gridUnit(this) / 2);
+    m_buttonGrid->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+    grid->addLayout(m_buttonGrid, line, 0, 1, 4);
+    arrange(false);
+}
+
+void GainsBox::setNarrow(bool narrow) {
+    if (narrow == m_narrow)
+        return;
+    arrange(narrow);
+    refresh();
+}
+
+/// In a narrow column letters stand for names, and the buttons need more lines.
+void GainsBox::arrange(bool narrow) {
+    m_narrow = narrow;
+    for (const Row& row : m_rows)
+        row.label->setText(narrow ? gainLetters(row.gain)
+                                  : u"%1  %2"_s.arg(gainLetters(row.gain), gainName(row.gain)));
+    struct Place {
+        int line, column;
     };
-    addLine(line, {start, zero}, {m_undo, m_redo});
-    addLine(line + 1, {step}, {m_revert, m_apply});
+    constexpr std::array<Place, 9> kWidePlaces{
+        {{0, 0}, {0, 1}, {0, 3}, {0, 4}, {1, 0}, {1, 3}, {1, 4}, {2, 3}, {2, 4}}};
+    constexpr std::array<Place, 9> kNarrowPlaces{
+        {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {4, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}}};
+    m_buttonGrid->setSpacing(look::gridUnit(this) / (narrow ? 3 : 2));
+    layout()->setContentsMargins(look::gridUnit(this), look::gridUnit(this) / (narrow ? 3 : 1),
+                                 look::gridUnit(this), 0);
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        const Place& place = narrow ? kNarrowPlaces[i] : kWidePlaces[i];
+        m_buttonGrid->addWidget(m_buttons[i]->button(), place.line, place.column);
+    }
+    m_buttonGrid->setColumnStretch(2, 1);
 }
 
 // ---- what stands in the fields ----
@@ -326,7 +366,7 @@ void GainsBox::refreshRow(Row& row) {
     const bool visible = used(row.gain);
     for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.field),
                             static_cast<QWidget*>(row.remark), static_cast<QWidget*>(row.state)})
-        widget->setVisible(visible);
+        widget->setVisible(visible && !(m_narrow && widget == row.remark));
     const std::optional<double> value = row.field->value();
     QString remark = value.has_value() ? gainRemark(row.gain, static_cast<int>(*value)) : QString();
     if (row.gain == Gain::Cl && value.value_or(0.0) != 0.0)
@@ -351,7 +391,9 @@ void GainsBox::refreshRow(Row& row) {
             state = tr("● edited, not sent");
             break;
     }
-    look::setText(row.state, state);
+    look::setText(row.state, m_narrow ? state.section(u' ', 0, 0) : state);
+    if (row.state->toolTip() != state)
+        row.state->setToolTip(state);
     QFont font = this->font();
     font.setBold(known == Known::Edited);
     if (row.state->font().bold() != font.bold())
@@ -385,6 +427,35 @@ void GainsBox::refreshApply(const QString& problem) {
     m_apply->setText(live ? tr("&Apply gains, live") : tr("&Apply gains"));
 }
 
+bool GainsBox::tries() const {
+    const auto running = m_context.runningProcedure();
+    return running && running->kind == ProcedureKind::TryGains;
+}
+
+void GainsBox::tryThem() {
+    if (const auto gains = entered())
+        m_context.ask(intent::TryGains{*gains, kTrySeconds});
+}
+
+void GainsBox::refreshTry(const QString& problem) {
+    const std::optional<servo::SetGain> gains = entered();
+    const auto refused =
+        gains ? whyNot(intent::TryGains{*gains, kTrySeconds}, m_context.state()) : std::nullopt;
+    QString reason = m_context.reasonNow(Request::ApplyGains);
+    if (reason.isEmpty())
+        reason = !problem.isEmpty() ? problem
+                 : tries()          ? tr("They are being tried already.")
+                 : refused          ? texts::refusal(*refused)
+                 : gains == m_sent  ? tr("The module has these gains already.")
+                                    : QString();
+    m_try->setPossible(reason,
+                       tr("Sends these gains and takes them back after %1 s, unless you keep them; at "
+                          "once when the motor begins to swing.")
+                           .arg(kTrySeconds));
+    m_keep->setPossible(tries() ? QString() : tr("No gains are being tried."),
+                        tr("The gains that are being tried stay."));
+}
+
 void GainsBox::refreshUndo() {
     m_undo->setPossible(m_edits->canUndo() ? QString() : tr("There is nothing to undo."),
                         tr("Takes back the last edit in these fields. Sends nothing."));
@@ -406,6 +477,7 @@ void GainsBox::refresh() {
     look::setText(m_hint, hint);
     m_hint->setVisible(!hint.isEmpty());
     refreshApply(trouble());
+    refreshTry(trouble());
     refreshUndo();
 }
 

@@ -28,6 +28,8 @@ public:
     GainsBox(ModuleContext& context, QWidget* parent);
     ~GainsBox() override;
 
+    /// For a column beside plots.
+    void setNarrow(bool narrow);
     /// Fills the fields, as an edit that can be undone; sends nothing.
     void stage(const servo::SetGain& gains);
 
@@ -50,11 +52,14 @@ private:
     void addRow(Gain gain, int row, QGridLayout* grid);
     void addSense(int line, QGridLayout* grid);
     void addButtons(int line, QGridLayout* grid);
+    void arrange(bool narrow);
     /// By the user's hand, in one field or in all (`gain` empty).
     void edited(std::optional<Gain> gain);
     void fill(const std::function<std::optional<int>(Gain)>& value);
     void revert();
     void apply();
+    void tryThem();
+    [[nodiscard]] bool tries() const;
     void askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps);
     void chooseSense(int sense);
     [[nodiscard]] Texts shown() const;
@@ -66,6 +71,7 @@ private:
     void refresh();
     void refreshRow(Row& row);
     void refreshApply(const QString& problem);
+    void refreshTry(const QString& problem);
     void refreshUndo();
     [[nodiscard]] QString hint() const;
     [[nodiscard]] Row& rowOf(Gain gain) { return m_rows[static_cast<std::size_t>(gain)]; }
@@ -80,8 +86,13 @@ private:
     QLabel* m_hint;
     Command* m_apply = nullptr;
     Command* m_revert = nullptr;
+    Command* m_try = nullptr;
+    Command* m_keep = nullptr;
     Command* m_undo = nullptr;
     Command* m_redo = nullptr;
+    std::array<Command*, 9> m_buttons{};
+    QGridLayout* m_buttonGrid = nullptr;
+    bool m_narrow = false;
     QUndoStack* m_edits;
     Texts m_before;        ///< what stood there before the edit that is being made
     bool m_typed = false;  ///< since it was sent, or a machine file was opened

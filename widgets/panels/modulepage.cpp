@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
@@ -54,7 +55,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     motions->setContentsMargins(0, 0, 0, unit);
     left->setLayout(motions);
     m_motions = scrolled(left, u"panelScroll"_s, tr("Motions of the selected module"));
-    m_columnWidth = left->minimumSizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
+    m_columnWidth = left->sizeHint().width() + m_motions->verticalScrollBar()->sizeHint().width();
     m_motions->setMinimumWidth(m_columnWidth);
     m_columns = new QHBoxLayout;
     m_columns->setContentsMargins(unit, 0, unit, 0);
@@ -87,11 +88,18 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     if (narrow) {
         m_pages->insertTab(0, m_motions, tr("Motion"));
         m_pages->setCurrentIndex(0);
+        if (m_tuning)
+            revealTuning();
     } else {
         m_pages->removeTab(0);
         m_columns->insertWidget(0, m_motions, 1);
         m_motions->show();
     }
+}
+
+void ModulePage::setTuning(bool on) {
+    if (std::exchange(m_tuning, on) != on && on)
+        revealTuning();
 }
 
 int ModulePage::spareHeight() const {

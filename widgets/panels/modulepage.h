@@ -35,6 +35,9 @@ public:
     /// The one that moves it that way while it is held, which comes in sight; none: it has none.
     [[nodiscard]] HoldButton* holdButton(bool reverse);
 
+    /// The page for tuning comes to the front, now and where little room brings the motions there.
+    void setTuning(bool on);
+
     /// How much higher their room is than the motions need; below 0: not all of them are in view.
     [[nodiscard]] int spareHeight() const;
 
@@ -51,6 +54,8 @@ protected:
 
     /// Brings the tab to the front that the box stands on.
     void reveal(const QWidget& box);
+    /// What is for tuning; nothing where there is none.
+    virtual void revealTuning() {}
 
 private:
     /// In operator mode, pages whose fields are not the operator's.
@@ -62,6 +67,7 @@ private:
     QHBoxLayout* m_columns = nullptr;
     int m_columnWidth = 0;  ///< pixels, below which the motions don't fit beside the pages
     bool m_narrow = false;
+    bool m_tuning = false;
 };
 
 }  // namespace nmc

@@ -3,9 +3,11 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QScrollArea>
 #include <utility>
 
 #include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/panels/genericpanel.h"
 #include "widgets/panels/servopanel.h"
 #include "widgets/panels/steppanel.h"
@@ -15,7 +17,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kNarrowest = 36;  ///< lines of text
+constexpr int kNarrowest = 19;  ///< lines of text
 
 /// What is built late still comes where it stands, and not behind everything.
 void keepTabOrder(QWidget* before, QWidget* page) {
@@ -65,6 +67,7 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     connect(page.get(), &ModulePage::stepResponseWanted, this, &ModulePanel::stepResponseWanted);
     if (m_holdInterval)
         context.setHoldInterval(*m_holdInterval);
+    page->setTuning(m_foot != nullptr);
     return page;
 }
 
@@ -148,8 +151,33 @@ void ModulePanel::bringUp(QWidget* page) {
     emit pageChanged();
 }
 
+void ModulePanel::setFoot(QWidget* foot) {
+    if (m_foot == foot)
+        return;
+    if (m_footPlace != nullptr) {
+        (void)m_footPlace->takeWidget();
+        m_footPlace->deleteLater();
+        m_footPlace = nullptr;
+    }
+    m_foot = foot;
+    if (foot != nullptr) {
+        m_footPlace = scrolled(foot);
+        m_footPlace->setParent(this);
+        m_footPlace->show();
+    }
+    fill();
+    for (const auto& [module, page] : m_pages)
+        page.widget->setTuning(foot != nullptr);
+}
+
 void ModulePanel::fill() {
-    m_current->setGeometry(rect());
+    QRect place = rect();
+    if (m_footPlace != nullptr && m_foot) {
+        const int foot = qMin(m_foot->sizeHint().height(), height() / 2);
+        m_footPlace->setGeometry(0, height() - foot, width(), foot);
+        place.setHeight(height() - foot);
+    }
+    m_current->setGeometry(place);
     // Never wider because of what a module says: the list beside it would give way, and every button move.
     const QSize least =
         m_current->minimumSizeHint().boundedTo({fontMetrics().height() * kNarrowest, QWIDGETSIZE_MAX});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "widgets/panels/panelview.h"
 
 class QLabel;
+class QScrollArea;
 
 namespace nmc {
 
@@ -38,6 +40,9 @@ public:
     void setHoldInterval(int milliseconds);
     /// Into the fields of the PIC-SERVO that is shown; sends nothing.
     void stageGains(const servo::SetGain& gains);
+    /// Below whichever page is shown, and scrolled where there is little room; null: nothing, and what was
+    /// there is the caller's again.
+    void setFoot(QWidget* foot);
     /// Of the module that is shown; none: it has no page.
     [[nodiscard]] ModulePage* page() const;
     /// One that has what this module's page has; none: it has no page.
@@ -80,6 +85,8 @@ private:
     GenericPanel* m_generic;
     QWidget* m_current;
     QSize m_least;
+    QPointer<QWidget> m_foot;
+    QScrollArea* m_footPlace = nullptr;
     /// Those that are not shown are windows of their own, never seen: in this one there is one control of a
     /// name, and its focus chain stays short.
     std::map<ModuleIndex, Page> m_pages;

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QStyle>
 #include <cmath>
 
 #include "widgets/common/elidedlabel.h"
@@ -18,6 +19,10 @@
 namespace nmc {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kWide = 34;  ///< lines of text, from which on the position stands beside the state
+}
 
 PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     : QFrame(parent),
@@ -62,11 +67,11 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
                                 Qt::CTRL | Qt::Key_U);
     m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Switch this motor off"),
                             intent::MotorOff{});
-    layOut();
+    build();
     m_context.whenSeen(this, [this] { refresh(); });
 }
 
-void PanelHead::layOut() {
+void PanelHead::build() {
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
     m_state->setFont(large);
@@ -82,65 +87,128 @@ void PanelHead::layOut() {
     for (QLabel* label : {m_position, m_velocity, m_otherPosition})
         label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
-    const int unit = look::gridUnit(this);
-    auto* who = new QHBoxLayout;
-    who->addWidget(m_name);
-    who->addSpacing(unit / 2);
-    who->addWidget(m_type);
-    who->addStretch(1);
-    who->addWidget(m_procedure);
-    auto* what = new QHBoxLayout;
-    what->addWidget(m_glyph);
-    what->addSpacing(unit / 2);
-    what->addWidget(m_state);
-    what->addSpacing(unit);
-    what->addWidget(m_meaning, 1, Qt::AlignVCenter);
-    auto* signs = new QHBoxLayout;
-    signs->setSpacing(unit / 2);
-    const bool servo = isServo();
-    m_limits[0] = addSign(signs, u"headLimit1"_s,
-                          servo ? tr("Limit input 1.") : tr("Limit input 1: high blocks forward."));
-    m_limits[1] = addSign(signs, u"headLimit2"_s,
-                          servo ? tr("Limit input 2.") : tr("Limit input 2: high blocks reverse."));
-    m_power = addSign(signs, u"headPower"_s, tr("Motor power, as the module senses it."));
-    signs->addWidget(m_current);
-    signs->addSpacing(unit);
-    signs->addWidget(m_home, 1);
     m_travel = new QLabel(this);
     look::nameText(m_travel, named(u"headTravel"_s), tr("Limits of travel"));
-    signs->addWidget(m_travel);
     // In little room these give way, and their tool tips say the rest: the window stays as wide as it is.
     for (QLabel* words : {m_home, m_travel})
         words->setMinimumWidth(1);
-    if (servo) {
+    if (isServo()) {
         m_limitStop = new QLabel(this);
         look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
-        signs->addWidget(m_limitStop);
     }
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit / 2);
-    buttons->addWidget(m_enable->button());
+    m_limits[0] = newSign(u"headLimit1"_s,
+                          isServo() ? tr("Limit input 1.") : tr("Limit input 1: high blocks forward."));
+    m_limits[1] = newSign(u"headLimit2"_s,
+                          isServo() ? tr("Limit input 2.") : tr("Limit input 2: high blocks reverse."));
+    m_power = newSign(u"headPower"_s, tr("Motor power, as the module senses it."));
+    arrange(false);
+}
+
+void PanelHead::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (const bool narrow = width() < fontMetrics().height() * kWide; narrow != m_narrow)
+        arrange(narrow);
+}
+
+QHBoxLayout* PanelHead::row(std::initializer_list<QWidget*> widgets) const {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(look::gridUnit(this) / 2);
+    for (QWidget* widget : widgets)
+        if (widget != nullptr)
+            row->addWidget(widget);
+    return row;
+}
+
+QHBoxLayout* PanelHead::signs() const {
+    auto* signs = new QHBoxLayout;
+    signs->setSpacing(look::gridUnit(this) / 2);
+    for (const Sign& sign : {m_limits[0], m_limits[1], m_power}) {
+        signs->addWidget(sign.glyph);
+        signs->addWidget(sign.word);
+        signs->addSpacing(look::gridUnit(this) / 2);
+    }
+    return signs;
+}
+
+/// Side by side, or below one another where there is little room.
+void PanelHead::arrange(bool narrow) {
+    m_narrow = narrow;
+    delete layout();
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(narrow ? unit / 3 : unit / 2);
+    m_type->setVisible(!narrow);
+    const int icon = narrow ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);
+    for (const Command* command : {m_enable, m_stopSmoothly, m_stopAbruptly, m_stopHere, m_motorOff})
+        if (command != nullptr)
+            command->button()->setIconSize({icon, icon});
+    QHBoxLayout* who = row({m_name, m_type});
+    who->addStretch(1);
+    who->addWidget(m_procedure);
+    grid->addLayout(who, 0, 0);
+    QHBoxLayout* what = row({m_glyph, m_state});
+    if (narrow)
+        arrangeNarrow(*grid, what);
+    else
+        arrangeWide(*grid, what);
+    grid->setColumnStretch(0, 1);
+}
+
+void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
+    const int unit = look::gridUnit(this);
+    what->addSpacing(unit / 2);
+    what->addWidget(m_meaning, 1, Qt::AlignVCenter);
+    QHBoxLayout* all = signs();
+    all->addWidget(m_current);
+    all->addSpacing(unit);
+    all->addWidget(m_home, 1);
+    all->addWidget(m_travel);
+    if (m_limitStop != nullptr)
+        all->addWidget(m_limitStop);
+    QHBoxLayout* buttons = row({m_enable->button()});
     buttons->addSpacing(unit);
-    for (const Command* stop : {m_stopSmoothly, m_stopAbruptly, m_stopHere})
-        if (stop != nullptr)
-            buttons->addWidget(stop->button());
+    buttons->addLayout(row({m_stopSmoothly->button(), m_stopAbruptly->button(),
+                            m_stopHere != nullptr ? m_stopHere->button() : nullptr}));
     buttons->addSpacing(unit);
     buttons->addWidget(m_motorOff->button());
     buttons->addStretch(1);
     buttons->addWidget(m_otherPosition);
+    grid.addLayout(what, 1, 0);
+    grid.addLayout(all, 2, 0);
+    grid.addLayout(buttons, 3, 0, 1, 3);
+    grid.addWidget(m_position, 0, 1, 2, 1, Qt::AlignRight | Qt::AlignVCenter);
+    grid.addWidget(m_positionUnit, 0, 2, 2, 1, Qt::AlignVCenter);
+    grid.addWidget(m_velocity, 2, 1, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+}
 
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
-    grid->addLayout(who, 0, 0);
-    grid->addLayout(what, 1, 0);
-    grid->addLayout(signs, 2, 0);
-    grid->addLayout(buttons, 3, 0, 1, 3);
-    grid->addWidget(m_position, 0, 1, 2, 1, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(m_positionUnit, 0, 2, 2, 1, Qt::AlignVCenter);
-    grid->addWidget(m_velocity, 2, 1, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
-    grid->setColumnStretch(0, 1);
+void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
+    what->addStretch(1);
+    QHBoxLayout* where = row({m_otherPosition});
+    where->addStretch(1);
+    where->addWidget(m_position);
+    where->addWidget(m_positionUnit);
+    QHBoxLayout* all = signs();
+    all->addStretch(1);
+    QHBoxLayout* more = row({m_current});
+    more->addWidget(m_home, 1);
+    more->addWidget(m_travel);
+    if (m_limitStop != nullptr)
+        more->addWidget(m_limitStop);
+    QHBoxLayout* first = row({m_enable->button(), m_stopSmoothly->button(), m_motorOff->button()});
+    first->addStretch(1);
+    QHBoxLayout* others =
+        row({m_stopAbruptly->button(), m_stopHere != nullptr ? m_stopHere->button() : nullptr});
+    others->addStretch(1);
+    grid.addLayout(what, 1, 0);
+    grid.addWidget(m_meaning, 2, 0);
+    grid.addLayout(where, 3, 0);
+    grid.addWidget(m_velocity, 4, 0, Qt::AlignRight);
+    grid.addLayout(all, 5, 0);
+    grid.addLayout(more, 6, 0);
+    grid.addLayout(first, 7, 0);
+    grid.addLayout(others, 8, 0);
 }
 
 QString PanelHead::named(const QString& name) const {
@@ -153,14 +221,11 @@ Command* PanelHead::addCommand(const QString& icon, const QString& text, const Q
                        [this, intent] { m_context.ask(intent); });
 }
 
-PanelHead::Sign PanelHead::addSign(QHBoxLayout* signs, const QString& objectName, const QString& meaning) {
+PanelHead::Sign PanelHead::newSign(const QString& objectName, const QString& meaning) {
     Sign sign{new GlyphLabel(this), new QLabel(this)};
     look::nameText(sign.word, named(objectName), meaning);
-    for (QWidget* widget : {static_cast<QWidget*>(sign.glyph), static_cast<QWidget*>(sign.word)}) {
-        widget->setToolTip(meaning);
-        signs->addWidget(widget);
-    }
-    signs->addSpacing(look::gridUnit(this) / 2);
+    sign.glyph->setToolTip(meaning);
+    sign.word->setToolTip(meaning);
     return sign;
 }
 

@@ -6,6 +6,7 @@
 
 #include "widgets/panels/modulecontext.h"
 
+class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 
@@ -24,6 +25,9 @@ public:
     /// The names of a stepper's controls begin with "step": stepEnableButton.
     PanelHead(ModuleContext& context, QWidget* parent);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     /// A mark and a word.
     struct Sign {
@@ -35,8 +39,13 @@ private:
     [[nodiscard]] QString named(const QString& name) const;
     Command* addCommand(const QString& icon, const QString& text, const QString& objectName,
                         const QString& accessibleName, const Intent& intent, const QKeySequence& key = {});
-    Sign addSign(QHBoxLayout* signs, const QString& objectName, const QString& meaning);
-    void layOut();
+    Sign newSign(const QString& objectName, const QString& meaning);
+    void build();
+    void arrange(bool narrow);
+    void arrangeWide(QGridLayout& grid, QHBoxLayout* what);
+    void arrangeNarrow(QGridLayout& grid, QHBoxLayout* what);
+    [[nodiscard]] QHBoxLayout* row(std::initializer_list<QWidget*> widgets) const;
+    [[nodiscard]] QHBoxLayout* signs() const;
     void refresh();
     void refreshPosition();
     void refreshSigns();
@@ -64,6 +73,7 @@ private:
     Command* m_stopAbruptly;
     Command* m_stopHere = nullptr;
     Command* m_motorOff;
+    bool m_narrow = false;
 };
 
 }  // namespace nmc

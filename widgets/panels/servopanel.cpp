@@ -23,6 +23,10 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+constexpr int kColumn = 34;  ///< lines of text, from which on the gains have their names
+}
+
 ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
     auto* head = new PanelHead(m_context, this);
@@ -49,6 +53,15 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     m_pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, left, m_pages);
     connect(m_gains, &GainsBox::stepResponseWanted, this, &ServoPanel::stepResponseWanted);
+}
+
+void ServoPanel::resizeEvent(QResizeEvent* event) {
+    ModulePage::resizeEvent(event);
+    m_gains->setNarrow(width() < fontMetrics().height() * kColumn);
+}
+
+void ServoPanel::revealTuning() {
+    reveal(*m_gains);
 }
 
 void ServoPanel::stageGains(const servo::SetGain& gains) {

@@ -20,7 +20,12 @@ public:
     /// Into the fields, in sight; sends nothing.
     void stageGains(const servo::SetGain& gains);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void revealTuning() override;
+
     QTabWidget* m_pages;
     GainsBox* m_gains;
 };

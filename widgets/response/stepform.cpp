@@ -4,14 +4,18 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 
+#include "model/intent/gainsplan.h"
 #include "model/intent/stepresponseplan.h"
 #include "model/response/steprun.h"
+#include "widgets/common/askdialog.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
+#include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
@@ -62,6 +66,8 @@ void StepForm::buildFields(QGridLayout* grid) {
     }
     m_way->setToolTip(texts::stepWayMeaning(StepWay::Profile) + u"\n"_s +
                       texts::stepWayMeaning(StepWay::StopHere));
+    m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_way->setMinimumContentsLength(12);
     m_record = newField(2, u"stepResponseRecordField"_s, tr("The record"), tr("s"));
     m_record->setRange(kShortestRecord, kLongestRecord);
     m_record->setMeaning(tr("How long the motor is watched after the step. Then it is told to hold."));
@@ -102,7 +108,6 @@ void StepForm::buildFields(QGridLayout* grid) {
 void StepForm::buildButton(QGridLayout* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
     look::name(m_step, u"stepResponseButton"_s, tr("Make a step and record it"));
-    m_step->setShortcut(Qt::SHIFT | Qt::Key_F9);
     m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"stepResponseState"_s);
     m_state->setWordWrap(true);
@@ -110,9 +115,9 @@ void StepForm::buildButton(QGridLayout* grid) {
     look::name(m_hold, u"stepResponseHoldButton"_s, tr("Hold the motor where it is, before a step"));
     look::keepRoom(m_hold);
     const int line = grid->rowCount();
-    grid->addWidget(m_step, line, 1);
-    grid->addWidget(m_hold, line, 2, 1, 2);
-    connect(m_step, &QPushButton::clicked, this, &StepForm::request);
+    grid->addWidget(m_step, line, 0);
+    grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
+    connect(m_step, &QPushButton::clicked, this, &StepForm::step);
     connect(m_hold, &QPushButton::clicked, this, &StepForm::holdHere);
 }
 
@@ -122,6 +127,7 @@ void StepForm::showModule(const PanelView& view) {
     m_report.reset();
     if (view.procedure != nullptr && view.procedure->kind == ProcedureKind::StepResponse)
         m_report = *view.procedure;
+    m_staged = view.settings.gains;
     m_distance->setScale(view.scale());
     refresh();
 }
@@ -177,12 +183,55 @@ void StepForm::refresh() {
                                     : reason);
 }
 
-void StepForm::request() {
+void StepForm::step() {
     const auto step = entered();
-    // Behind another dock's tab the shortcut is still heard.
-    const bool seen = !m_step->visibleRegion().isEmpty();
-    if (m_step->isEnabled() && seen && step)
+    if (!m_step->isEnabled() || !step)
+        return;
+    if (const QString unsent = unsentGains(); unsent.isEmpty())
         emit asked(m_module->info.index, *step);
+    else
+        askWhichGains(*step);
+}
+
+/// Which of those in the fields the module does not have; empty: it has them all.
+QString StepForm::unsentGains() const {
+    if (!m_module || !m_module->gains || !m_staged)
+        return {};
+    const servo::SetGain staged = gainsFor(*m_module, *m_staged);
+    QStringList differ;
+    for (const Gain gain : kAllGains) {
+        const auto wanted = gainOf(staged, gain);
+        const auto has = gainOf(*m_module->gains, gain);
+        if (wanted && has && wanted != has)
+            differ << tr("%1 %2 instead of %3").arg(gainLetters(gain)).arg(*wanted).arg(*has);
+    }
+    return differ.join(u", "_s);
+}
+
+void StepForm::askWhichGains(const intent::StepResponse& step) {
+    const auto ask = [self = QPointer(this), index = m_module->info.index](intent::StepResponse wanted) {
+        return [self, index, wanted] {
+            if (self)
+                emit self->asked(index, wanted);
+        };
+    };
+    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains()] {
+        const bool stands = self && self->m_module && self->m_module->info.index == index &&
+                            self->unsentGains() == before && self->whyNotNow().isEmpty();
+        return stands ? tr("Some gains in the fields were not sent: %1. With which is the step to be made?")
+                            .arg(before)
+                      : QString();
+    };
+    intent::StepResponse applied = step;
+    applied.gains = m_staged;
+    AskDialog::ask({.name = u"stepGainsDialog"_s,
+                    .title = tr("Gains that were not sent"),
+                    .text = text,
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelStepButton"_s},
+                   {{tr("&Apply them and step"), u"applyAndStepButton"_s, ask(applied)},
+                    {tr("Step with those that it &has"), u"stepWithoutButton"_s, ask(step)}},
+                   window());
 }
 
 void StepForm::holdHere() {

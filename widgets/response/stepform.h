@@ -27,6 +27,9 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
+    /// As by its button.
+    void step();
+
     /// Percent of the step; the last one that was a number.
     [[nodiscard]] double band() const { return m_lastBand; }
 
@@ -43,11 +46,12 @@ private:
     void buildButton(QGridLayout* grid);
     NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
     void refresh();
-    void request();
+    void askWhichGains(const intent::StepResponse& step);
     void holdHere();
     [[nodiscard]] std::optional<Refusal> refusal() const;
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] QString unsentGains() const;
 
     QuantityField* m_distance = nullptr;
     QComboBox* m_way = nullptr;
@@ -57,6 +61,7 @@ private:
     QPushButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
+    std::optional<servo::SetGain> m_staged;  ///< in the fields of the gains
     std::optional<ProcedureReport> m_report;
     double m_lastBand;
     bool m_connected = false;

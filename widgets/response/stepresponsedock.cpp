@@ -24,12 +24,17 @@ StepResponsePage& StepResponseDock::page() {
 }
 
 void StepResponseDock::showModule(const PanelView& view) {
-    if (seen())
+    if (inUse())
         page().showModule(view);
 }
 
+void StepResponseDock::takeFormBack() {
+    if (m_page != nullptr)
+        m_page->takeFormBack();
+}
+
 void StepResponseDock::showNothing() {
-    if (seen())
+    if (inUse())
         page().showNothing();
 }
 

@@ -18,6 +18,8 @@ public:
     void showNothing();
     void showRun(KeptRun run) { page().showRun(std::move(run)); }
 
+    /// As in StepResponsePage; nothing while it was not built.
+    void takeFormBack();
     /// The content; built if need be.
     StepResponsePage& page();
 
@@ -28,6 +30,8 @@ signals:
 
 private:
     void build() override { page(); }
+    [[nodiscard]] bool inUse() const { return seen() || (m_page != nullptr && m_page->lends()); }
+
     StepResponsePage* m_page = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -29,6 +30,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
       m_plot(new StepPlot(this)),
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
+    m_runs = newRunsPart();
     lay();
     connect(m_form, &StepForm::asked, this, &StepResponsePage::asked);
     connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
@@ -67,23 +69,57 @@ QWidget* StepResponsePage::newRunsPart() {
     return part;
 }
 
+QWidget* StepResponsePage::lendForm() {
+    if (m_lent == nullptr) {
+        m_lent = new QWidget(this);
+        look::name(m_lent, u"stepFormPlace"_s, tr("Step"));
+        auto* place = new QVBoxLayout(m_lent);
+        const int unit = look::gridUnit(this);
+        place->setContentsMargins(unit, 0, unit, 0);
+        place->setSpacing(unit / 3);
+        place->addWidget(m_form);
+        place->addWidget(m_form->stateLabel());
+        m_form->stateLabel()->setMinimumHeight(2 * fontMetrics().height());
+        lay();
+    }
+    return m_lent;
+}
+
+void StepResponsePage::takeFormBack() {
+    if (m_lent == nullptr)
+        return;
+    QWidget* place = std::exchange(m_lent, nullptr);
+    lay();
+    place->deleteLater();
+}
+
+/// Without its form the plot has most of the room, and what was found stands beside it.
 void StepResponsePage::lay() {
     const int unit = look::gridUnit(this);
-    auto* left = new QVBoxLayout;
-    left->setSpacing(unit / 2);
-    left->addWidget(m_form);
-    left->addWidget(m_results);
-    left->addStretch(1);
-    auto* right = new QVBoxLayout;
-    right->setSpacing(unit / 2);
-    // A line is always left to it, so that the plot does not jump with every step.
-    m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
-    right->addWidget(m_form->stateLabel());
-    right->addWidget(m_plot, 3);
-    right->addWidget(newRunsPart(), 2);
+    delete layout();
     auto* page = new QHBoxLayout(this);
     page->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
     page->setSpacing(unit);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit / 2);
+    auto* right = new QVBoxLayout;
+    right->setSpacing(unit / 2);
+    if (m_lent != nullptr) {
+        left->addWidget(m_results);
+        left->addWidget(m_runs, 1);
+        right->addWidget(m_plot);
+    } else {
+        left->addWidget(m_form);
+        left->addWidget(m_results);
+        left->addStretch(1);
+        // A line is always left to it, so that the plot does not jump with every step.
+        m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
+        right->addWidget(m_form->stateLabel());
+        right->addWidget(m_plot, 3);
+        right->addWidget(m_runs, 2);
+    }
+    m_form->show();
+    m_form->stateLabel()->show();
     page->addLayout(left);
     page->addLayout(right, 1);
 }
@@ -100,10 +136,14 @@ void StepResponsePage::showNothing() {
     refreshButtons();
 }
 
+void StepResponsePage::step() {
+    m_form->step();
+}
+
 const KeptRun* StepResponsePage::find(std::optional<int> number) const {
-    const auto found = std::find_if(m_runs.begin(), m_runs.end(),
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
                                     [number](const KeptRun& kept) { return kept.number == number; });
-    return found != m_runs.end() ? &*found : nullptr;
+    return found != m_kept.end() ? &*found : nullptr;
 }
 
 void StepResponsePage::showRun(KeptRun run) {
@@ -112,16 +152,16 @@ void StepResponsePage::showRun(KeptRun run) {
     if (!m_shown[1])
         m_shown[1] = m_shown[0];
     m_shown[0] = run.number;
-    m_runs.push_back(std::move(run));
-    if (m_runs.size() > kMostRuns)
-        m_runs.erase(std::find_if(m_runs.begin(), m_runs.end(), [this](const KeptRun& kept) {
+    m_kept.push_back(std::move(run));
+    if (m_kept.size() > kMostRuns)
+        m_kept.erase(std::find_if(m_kept.begin(), m_kept.end(), [this](const KeptRun& kept) {
             return kept.number != m_shown[0] && kept.number != m_shown[1];
         }));
     refreshRuns();
 }
 
 void StepResponsePage::judgeAll(double bandPercent) {
-    for (KeptRun& kept : m_runs)
+    for (KeptRun& kept : m_kept)
         setBand(kept.run, bandPercent);
     refreshRuns();
 }
@@ -134,7 +174,7 @@ void StepResponsePage::showAs(int which, int run, bool shown) {
 void StepResponsePage::refreshRuns() {
     const KeptRun* a = find(m_shown[0]);
     const KeptRun* b = find(m_shown[1]);
-    m_table->showRuns(m_runs, m_shown);
+    m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
     m_plot->showRuns(a, b);
     refreshButtons();
@@ -155,7 +195,7 @@ void StepResponsePage::refreshButtons() {
                          "(Ctrl+Shift+U)."));
     look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
                       tr("Takes this run off the list (Ctrl+Del)."));
-    look::setPossible(m_save, m_runs.empty() ? tr("There is no run yet.") : QString(),
+    look::setPossible(m_save, m_kept.empty() ? tr("There is no run yet.") : QString(),
                       tr("Saves all runs of the list, with their gains and results (Ctrl+Shift+X)."));
 }
 
@@ -167,9 +207,9 @@ void StepResponsePage::useGains() {
 
 void StepResponsePage::removeChosen() {
     const std::optional<int> chosen = m_table->chosen();
-    m_runs.erase(std::remove_if(m_runs.begin(), m_runs.end(),
+    m_kept.erase(std::remove_if(m_kept.begin(), m_kept.end(),
                                 [chosen](const KeptRun& kept) { return kept.number == chosen; }),
-                 m_runs.end());
+                 m_kept.end());
     for (std::optional<int>& shown : m_shown)
         if (shown == chosen)
             shown.reset();
@@ -187,7 +227,7 @@ void StepResponsePage::chooseFile() {
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
         emit saveRequested(
-            path, [program = program.toStdString(), runs = m_runs] { return stepRunsCsv(program, runs); });
+            path, [program = program.toStdString(), runs = m_kept] { return stepRunsCsv(program, runs); });
     });
     dialog->show();
 }

@@ -36,7 +36,14 @@ public:
     /// is given here, and it is judged by the band that the user has chosen.
     void showRun(KeptRun run);
 
-    [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_runs; }
+    /// The form and its sentence, to be laid out elsewhere, until it is taken back.
+    [[nodiscard]] QWidget* lendForm();
+    void takeFormBack();
+    [[nodiscard]] bool lends() const { return m_lent != nullptr; }
+    /// As by the form's button.
+    void step();
+
+    [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_kept; }
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
@@ -63,10 +70,12 @@ private:
     StepResults* m_results;
     StepPlot* m_plot;
     StepRunTable* m_table;
+    QWidget* m_runs = nullptr;  ///< the table and its buttons
+    QWidget* m_lent = nullptr;  ///< the form, elsewhere
     QPushButton* m_use = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_save = nullptr;
-    std::vector<KeptRun> m_runs;  ///< oldest first
+    std::vector<KeptRun> m_kept;  ///< oldest first
     ShownRuns m_shown;
     int m_lastNumber = 0;
     std::optional<ModuleIndex> m_servo;  ///< what is selected, if it is a PIC-SERVO

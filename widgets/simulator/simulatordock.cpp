@@ -52,7 +52,8 @@ SimulatorDock::SimulatorDock(QWidget* parent)
       m_truth(new BenchTruth(this)),
       m_line(new ControlLineBox(this)) {
     look::name(this, u"simulatorDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                QDockWidget::DockWidgetFloatable);
     buildContent();
     m_timer.setInterval(kPollMs);
     connect(&m_timer, &QTimer::timeout, this, &SimulatorDock::tick);

@@ -3,6 +3,7 @@
 
 #include "base/overloaded.h"
 #include "model/intent/directplan.h"
+#include "model/intent/gainsplan.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
@@ -104,10 +105,8 @@ struct Planner {
     }
 
     Plan operator()(const intent::ApplyGains& apply) const {
-        servo::SetGain gains = apply.gains;
-        if (module.info.identity.version < servo::kDeadbandVersion)
-            gains.db.reset();
-        return allowed(Request::ApplyGains, module, [&] { return stepsFor(module, gains); });
+        return allowed(Request::ApplyGains, module,
+                       [&] { return stepsFor(module, gainsFor(module, apply.gains)); });
     }
 
     Plan operator()(const intent::ClearStickyBits&) const {
@@ -177,6 +176,11 @@ struct Planner {
         const auto refusal = whyNot(response, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
     }
+    Plan operator()(const intent::TryGains& wanted) const {
+        const auto refusal = whyNot(wanted, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
+    Plan operator()(const intent::KeepGains&) const { return Steps{}; }
     Plan operator()(const intent::CheckDirection&) const {
         return allowed(Request::CheckDirection, module, [] { return Steps{}; });
     }
@@ -225,17 +229,15 @@ bool isStop(const Intent& intent) {
         Overloaded{
             [](const AnyOf<intent::StopSmoothly, intent::StopAbruptly, intent::StopHere,
                            intent::MotorOff> auto&) { return true; },
-            [](const AnyOf<intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome,
-                           intent::RunAtVelocity, intent::ApplyGains, intent::ClearStickyBits,
-                           intent::ResetPosition, intent::SaveAsHome, intent::LoadMove, intent::StartLoaded,
-                           intent::DrivePwm, intent::SetAmplifier, intent::ControlIo, intent::Home,
-                           intent::StepBy, intent::StepResponse, intent::CheckDirection,
-                           intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition,
-                           intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                           stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                           stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) {
-                return false;
-            },
+            [](const AnyOf<
+                intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
+                intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
+                intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
+                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::TryGains,
+                intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
+                stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
         },
         intent);
 }

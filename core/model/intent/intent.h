@@ -86,8 +86,17 @@ struct StepBy {
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed
     StepWay way = StepWay::Profile;
-    double record = 0.0;  ///< s, from the step on
+    double record = 0.0;                    ///< s, from the step on
+    std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: it has those that are wanted
 };
+/// Gains for a while, after which those from before are back, unless they are kept (gainsplan.h). A
+/// procedure.
+struct TryGains {
+    servo::SetGain gains;
+    double seconds = 10.0;
+};
+/// What is being tried stays.
+struct KeepGains {};
 /// Short, weak pushes in PWM mode that tell whether motor and encoder agree, before the servo is on for the
 /// first time. A procedure (model/procedure/directioncheck.h).
 struct CheckDirection {
@@ -119,8 +128,8 @@ using Intent =
                  intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
-                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse,
-                 intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::TryGains,
+                 intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
                  intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
                  stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
                  stepintent::StepBy, stepintent::GoHome>;

@@ -20,8 +20,11 @@ namespace {
 std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module) {
     if (const auto refusal = whyNot(Request::Move, module))
         return refusal;
-    if (!module.gains)
+    const auto& gains = wanted.gains ? wanted.gains : module.gains;
+    if (!gains)
         return Refusal::GainsUnknown;
+    if (const auto refusal = wanted.gains ? whyNot(Request::ApplyGains, module) : std::nullopt)
+        return refusal;
     if (!module.latest->position)
         return Refusal::PositionUnknown;
     if (!module.goal())
@@ -33,7 +36,7 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
     const std::int64_t step = std::abs(std::int64_t{wanted.counts});
     if (step > kLongestStep)
         return Refusal::StepTooLong;
-    if (wouldTrip(step, module.gains->el))
+    if (wouldTrip(step, gains->el))
         return Refusal::StepWouldTrip;
     const std::int64_t goal = std::int64_t{*module.goal()} + wanted.counts;
     if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)

@@ -94,9 +94,9 @@ struct CourseOf {
         const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
-                    intent::ControlIo, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                    intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                    stepintent::SetOutputs> auto&) const {
+                    intent::ControlIo, intent::TryGains, intent::KeepGains, intent::CheckDirection,
+                    intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                    intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
 

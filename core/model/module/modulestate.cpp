@@ -87,9 +87,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     }
     if (latest->position)
         m_trip.apply(tripLook());
-    // What a motion leaves behind has calmed down by then, or does not.
-    constexpr Duration kCalm = std::chrono::milliseconds(500);
-    if (!servoOn() || moving() || sample.time - motionCommandedAt < kCalm)
+    if (!servoOn() || moving() || sample.time - motionCommandedAt < SwingWatch::kCalm)
         swing.forget();
     else if (sample.report.position)
         swing.look(sample.time, *sample.report.position);

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
+
+#include "base/strong.h"
 
 namespace nmc {
 
@@ -14,7 +15,7 @@ constexpr Duration kWindow = std::chrono::milliseconds(1'000);
 constexpr Duration kLeastSpan = std::chrono::milliseconds(800);
 constexpr Duration kBetween = std::chrono::milliseconds(200);
 /// Where it is looked at rarely, they go farther back than the window.
-constexpr std::size_t kFewestLooks = 12;
+constexpr std::ptrdiff_t kFewestLooks = 12;
 constexpr std::size_t kFewestForRate = 16;
 /// Counts to either side: friction and Ki make a good servo creep by a few.
 constexpr double kLeastAmplitude = 8.0;
@@ -29,6 +30,17 @@ double reach(const Looks& begin, const Looks& end) {
     const auto [low, high] =
         std::minmax_element(begin, end, [](const auto& a, const auto& b) { return a.position < b.position; });
     return (static_cast<double>(high->position) - static_cast<double>(low->position)) / 2.0;
+}
+
+/// From one side to the other, by at least `gate` to either.
+int turns(const std::vector<double>& off, double gate) {
+    int count = 0, side = 0;
+    for (const double one : off) {
+        const int here = one > gate ? 1 : one < -gate ? -1 : side;
+        count += here != side && side != 0 ? 1 : 0;
+        side = here;
+    }
+    return count;
 }
 
 struct Sine {
@@ -90,16 +102,25 @@ void SwingWatch::look(TimePoint time, std::int32_t position) {
     if (!m_looks.empty() && time <= m_looks.back().time)
         return;
     m_looks.push_back({time, position});
-    while (time - m_looks.front().time > kWindow && m_looks.size() > kFewestLooks)
-        m_looks.pop_front();
+    auto kept = m_looks.begin();
+    while (time - kept->time > kWindow && m_looks.end() - kept > kFewestLooks)
+        ++kept;
+    m_looks.erase(m_looks.begin(), kept);
     if (time - m_lookedInto < kBetween || time - m_looks.front().time < kLeastSpan)
         return;
     m_lookedInto = time;
     m_swing = lookInto();
 }
 
+int SwingWatch::turnsAbout(std::int32_t centre, double gate) const {
+    std::vector<double> off;
+    for (const Look& one : m_looks)
+        off.push_back(static_cast<double>(countsBetween(centre, one.position)));
+    return turns(off, gate);
+}
+
 std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
-    if (m_looks.size() < kFewestLooks)
+    if (std::ssize(m_looks) < kFewestLooks)
         return std::nullopt;
     const auto middle = m_looks.begin() + static_cast<std::ptrdiff_t>(m_looks.size() / 2);
     const double now = reach(middle, m_looks.end());
@@ -111,16 +132,12 @@ std::optional<SwingWatch::Swing> SwingWatch::lookInto() const {
         mean += one.position;
     mean /= static_cast<double>(m_looks.size());
     // A creep to one side is none: it has to come by from both sides, again and again.
-    int turns = 0, side = 0;
     std::vector<double> seconds, off;
     for (const Look& one : m_looks) {
         off.push_back(one.position - mean);
         seconds.push_back(toSeconds(one.time - m_looks.front().time));
-        const int here = off.back() > now / 3 ? 1 : off.back() < -now / 3 ? -1 : side;
-        turns += here != side && side != 0 ? 1 : 0;
-        side = here;
     }
-    if (turns < 3)
+    if (turns(off, now / 3) < 3)
         return std::nullopt;
     if (m_looks.size() < kFewestForRate)
         return Swing{now, std::nullopt};

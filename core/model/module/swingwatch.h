@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "base/time.h"
 
@@ -20,12 +20,18 @@ public:
         bool operator==(const Swing&) const = default;
     };
 
+    /// So long after a motion was commanded what it leaves behind has calmed down, or does not.
+    static constexpr Duration kCalm = std::chrono::milliseconds(500);
+
     /// While the servo is to hold one position.
     void look(TimePoint time, std::int32_t position);
     /// It is off, moves, or is told something else.
     void forget();
     /// Kept as it was for a while: it is looked into a few times a second.
     [[nodiscard]] const std::optional<Swing>& swing() const { return m_swing; }
+    /// How often it has gone over from one side of `centre` to the other within the last second, by at least
+    /// `gate` counts to either side: one less than there were half cycles.
+    [[nodiscard]] int turnsAbout(std::int32_t centre, double gate) const;
 
 private:
     struct Look {
@@ -34,7 +40,7 @@ private:
     };
     [[nodiscard]] std::optional<Swing> lookInto() const;
 
-    std::deque<Look> m_looks;
+    std::vector<Look> m_looks;  ///< oldest first; a vector, since states are copied, and most hold none
     std::optional<Swing> m_swing;
     TimePoint m_lookedInto{};
 };

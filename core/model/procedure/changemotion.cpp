@@ -22,6 +22,7 @@ Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) 
         case ProcedureStage::GoingHome:
         case ProcedureStage::Zeroing:
         case ProcedureStage::Pausing:
+        case ProcedureStage::Trying:
         case ProcedureStage::TakingUpBacklash:
         case ProcedureStage::Done:
         case ProcedureStage::Failed:

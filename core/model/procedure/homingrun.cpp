@@ -107,6 +107,7 @@ HomingRun::Next HomingRun::decide(const HomingLook& seen, TimePoint now) {
         case ProcedureStage::Reading:
         case ProcedureStage::Moving:
         case ProcedureStage::Pausing:
+        case ProcedureStage::Trying:
         case ProcedureStage::TakingUpBacklash:
         case ProcedureStage::Done:
         case ProcedureStage::Failed:

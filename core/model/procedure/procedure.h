@@ -21,6 +21,7 @@ enum class ProcedureKind : std::uint8_t {
     StepResponse,
     DirectionCheck,
     Approach,  ///< a move that takes up the backlash on its way
+    TryGains,
 };
 
 /// Where a procedure is; not every kind has every stage.
@@ -36,6 +37,7 @@ enum class ProcedureStage : std::uint8_t {
     TakingUpBacklash,
     Moving,
     Pausing,
+    Trying,  ///< gains that are not kept yet
     Done,
     Failed,
     Cancelled,  ///< by the user, or overtaken by a stop
@@ -56,6 +58,7 @@ enum class ProcedureFailure : std::uint8_t {
     SoftLimit,     ///< the next move would leave the limits of travel, or a search was about to
     StoppedShort,  ///< the chip has ended the move by itself: a limit switch, heat, the E-stop input
     NotAtHome,     ///< it comes to rest too far from home for that to become zero
+    Swings,        ///< at rest, with gains that were being tried
 };
 
 /// What the window shows of a procedure.
@@ -70,6 +73,7 @@ struct ProcedureReport {
     unsigned rounds = 0;
     std::optional<StepTaken> step{};            ///< of StepResponse, once it was taken
     std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
+    bool kept = false;                          ///< of TryGains: they stay
 
     [[nodiscard]] bool over() const {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||
@@ -107,6 +111,8 @@ public:
     void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
     void cancel();
+    /// What it tries is to stay; of the other kinds nothing is tried.
+    virtual void keep() {}
     [[nodiscard]] const ProcedureReport& report() const { return m_report; }
 
 protected:

@@ -10,6 +10,7 @@
 #include "model/procedure/homingrun.h"
 #include "model/procedure/stepby.h"
 #include "model/procedure/stepresponse.h"
+#include "model/procedure/trygains.h"
 
 namespace nmc {
 
@@ -56,6 +57,8 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
+    if (const auto* wanted = std::get_if<intent::TryGains>(&intent))
+        return plan(intent, module) ? std::make_unique<TryGainsRun>(*wanted, module) : nullptr;
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return plan(intent, module) ? std::make_unique<DirectionCheck>(*check, module) : nullptr;
     if (const auto* change = std::get_if<stepintent::ChangeMotion>(&intent))

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "model/intent/gainsplan.h"
 #include "model/intent/stepresponseplan.h"
 
 namespace nmc {
@@ -35,6 +36,8 @@ StepResponseRun::Next StepResponseRun::proceed(const ModuleState& module, TimePo
 }
 
 StepResponseRun::Next StepResponseRun::prepare(const ModuleState& module, TimePoint now) {
+    if (m_wanted.gains && !std::exchange(m_gainsSent, true))
+        return send(steps({gainsFor(module, *m_wanted.gains)}));
     if (stands(module, now))
         return step(module);
     return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});

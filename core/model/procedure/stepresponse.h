@@ -38,6 +38,7 @@ private:
     intent::StepResponse m_wanted;
     StepTaken m_taken;
     std::int32_t m_stood = 0;  ///< when it was taken
+    bool m_gainsSent = false;
     bool m_calming = false;
     std::optional<TimePoint> m_since;  ///< when it was first looked at for standing still
     Standstill m_standstill;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/gainsplan.h"
+
+namespace nmc {
+
+servo::SetGain gainsFor(const ModuleState& module, servo::SetGain gains) {
+    if (module.info.identity.version < servo::kDeadbandVersion)
+        gains.db.reset();
+    return gains;
+}
+
+std::optional<Refusal> whyNot(const intent::TryGains& /*wanted*/, const ModuleState& module) {
+    if (const auto refusal = whyNot(Request::ApplyGains, module))
+        return refusal;
+    if (!module.gains)
+        return Refusal::GainsUnknown;
+    if (!module.latest || !module.latest->position)
+        return Refusal::PositionUnknown;
+    if (!module.servoOn())
+        return Refusal::ServoOff;
+    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+}
+
+}  // namespace nmc

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+#include "model/tuning/identify.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/time.h"
+
+namespace nmc {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The unknowns: those of the motor, then those of each run.
+constexpr Index kPush = 0;  ///< log(K / tau): the acceleration by one PWM count
+constexpr Index kTau = 1;   ///< log tau
+constexpr Index kFriction = 2;
+constexpr Index kLoad = 3;
+constexpr Index kDelay = 4;  ///< ticks of 0.512 ms
+constexpr Index kOfMotor = 5;
+constexpr Index kStart = 0;  ///< ticks of 0.512 ms
+constexpr Index kPlace = 1;  ///< counts, of the shaft beside what the encoder told
+constexpr Index kHeld = 2;   ///< where in the range that friction leaves it the integral is, -1..1
+constexpr Index kOfRun = 3;
+
+const double kTick = toSeconds(kServoTick);
+
+/// Counts², of a whole number; the same again for the whole numbers that the filter gets.
+constexpr double kWholeCount = 2.0 / 12;
+/// PWM counts, of a whole number of them, cut off.
+constexpr double kPwmSpread = 0.29;
+/// s²: the time of a sample is off by up to half a tick (bus::Sample).
+const double kTimeSpread = kTick * kTick / 12;
+
+/// What is known of an unknown beforehand, and where it cannot be.
+struct Bounds {
+    double likely = 0.0;
+    double spread = 0.0;
+    double least = 0.0;
+    double most = 0.0;
+};
+
+struct Look {
+    double seconds = 0.0;
+    double position = 0.0;
+    double spread = 0.0;  ///< counts
+    double weight = 0.0;  ///< 1 / spread, less where a shaft at rest tells the same again
+};
+
+struct Record {
+    const StepRun* run = nullptr;
+    double stood = 0.0;  ///< counts, before the step
+    std::vector<Look> looks;
+
+    [[nodiscard]] double from() const { return run->taken.from; }
+    [[nodiscard]] double goal() const { return run->taken.goal; }
+    [[nodiscard]] double step() const { return goal() - from(); }
+    [[nodiscard]] const servo::SetGain& gains() const { return run->taken.gains; }
+};
+
+[[nodiscard]] double speedAt(const std::vector<StepPoint>& points, std::size_t i) {
+    const StepPoint& a = points[i == 0 ? 0 : i - 1];
+    const StepPoint& b = points[std::min(i + 1, points.size() - 1)];
+    return b.seconds > a.seconds ? std::abs(b.position - a.position) / (b.seconds - a.seconds) : 0.0;
+}
+
+/// How many samples in a row around this one tell the same position.
+[[nodiscard]] std::size_t repeats(const std::vector<StepPoint>& points, std::size_t i) {
+    std::size_t first = i;
+    std::size_t last = i;
+    while (first > 0 && points[first - 1].position == points[i].position)
+        --first;
+    while (last + 1 < points.size() && points[last + 1].position == points[i].position)
+        ++last;
+    return last - first + 1;
+}
+
+[[nodiscard]] Record recordOf(const StepRun& run) {
+    Record record;
+    record.run = &run;
+    double sum = 0.0;
+    double before = 0.0;
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+        const StepPoint& point = run.points[i];
+        if (point.seconds <= 0) {
+            sum += point.position;
+            ++before;
+            continue;
+        }
+        const double speed = speedAt(run.points, i);
+        const double spread = std::sqrt(kWholeCount + speed * speed * kTimeSpread);
+        const auto same = static_cast<double>(repeats(run.points, i));
+        record.looks.push_back({point.seconds, point.position, spread,
+                                1 / std::sqrt(spread * spread + kWholeCount * (same - 1))});
+    }
+    if (before > 0)
+        record.stood = sum / before;
+    else if (!record.looks.empty())
+        record.stood = record.looks.front().position;
+    return record;
+}
+
+class Fit {
+public:
+    explicit Fit(const std::vector<Record>& records) : m_records(records) {
+        m_bounds = {{std::log(1e4), 10.0, std::log(0.1), std::log(1e9)},
+                    {std::log(0.05), 5.0, std::log(2e-4), std::log(50.0)},
+                    {0.0, 100.0, 0.0, 255.0},
+                    {0.0, 100.0, -255.0, 255.0},
+                    {1.0, 0.6, 0.0, double{Loop::kLongestDelay}}};
+        for (const Record& record : records) {
+            const double sr = servoTickOf(record.gains()) / kTick;
+            m_bounds.push_back({(sr + 1) / 2, std::sqrt((sr * sr + 1) / 12), -1.0, sr + 2});
+            m_bounds.push_back({0.0, 0.3, -0.5, 0.5});
+            m_bounds.push_back({0.0, 0.6, -1.0, 1.0});
+        }
+        for (const Record& record : records)
+            m_looks += static_cast<Index>(record.looks.size());
+    }
+
+    [[nodiscard]] VectorXd likely() const {
+        VectorXd x(static_cast<Index>(m_bounds.size()));
+        for (Index i = 0; i < x.size(); ++i)
+            x[i] = bounds(i).likely;
+        return x;
+    }
+
+    [[nodiscard]] static MotorConstants motor(const VectorXd& x) {
+        return {std::exp(x[kPush] + x[kTau]), std::exp(x[kTau]), x[kFriction], x[kLoad], x[kDelay] * kTick};
+    }
+
+    [[nodiscard]] LoopStart start(const VectorXd& x, std::size_t run) const {
+        const Record& record = m_records[run];
+        const servo::SetGain& gains = record.gains();
+        LoopStart start{record.stood + of(x, run, kPlace), record.from(), 0.0};
+        // Friction holds as long as |Kp e / 256 + Ki I / 256 + load| <= c.
+        // What the filter cuts off lets it be a little more.
+        const double held = (x[kFriction] + 1) * of(x, run, kHeld) - x[kLoad] -
+                            gains.kp * (start.command - start.position) / 256;
+        if (gains.ki > 0)
+            start.integral = std::clamp(held * 256 / gains.ki, -1.0 * gains.il, 1.0 * gains.il);
+        return start;
+    }
+
+    [[nodiscard]] Loop loop(const VectorXd& x, std::size_t run) const {
+        return {motor(x), m_records[run].gains(), start(x, run), m_records[run].goal(), Rounding::Mean};
+    }
+
+    [[nodiscard]] static double of(const VectorXd& x, std::size_t run, Index which) {
+        return x[kOfMotor + kOfRun * static_cast<Index>(run) + which];
+    }
+
+    /// Of the looks of one run, then by how far it could not stand before the step: weighted misses.
+    void missesOf(const VectorXd& x, std::size_t run, Eigen::Ref<VectorXd> misses) const {
+        Loop loop = this->loop(x, run);
+        const double begin = of(x, run, kStart) * kTick;
+        Index row = 0;
+        for (const Look& look : m_records[run].looks)
+            misses[row++] = (look.position - loop.at(look.seconds - begin).position) * look.weight;
+        const LoopStart start = this->start(x, run);
+        const ControlFilter filter(m_records[run].gains(), Rounding::Mean, start.integral,
+                                   start.command - start.position);
+        misses[row] = std::max(0.0, std::abs(filter.standing() + x[kLoad]) - x[kFriction]) / kPwmSpread;
+    }
+
+    [[nodiscard]] Index rowsOf(std::size_t run) const {
+        return static_cast<Index>(m_records[run].looks.size()) + 1;
+    }
+    [[nodiscard]] Index rows() const {
+        return m_looks + static_cast<Index>(m_records.size()) + static_cast<Index>(m_bounds.size());
+    }
+
+    [[nodiscard]] VectorXd misses(const VectorXd& x) const {
+        VectorXd all(rows());
+        Index row = 0;
+        for (std::size_t run = 0; run < m_records.size(); ++run) {
+            missesOf(x, run, all.segment(row, rowsOf(run)));
+            row += rowsOf(run);
+        }
+        for (Index i = 0; i < x.size(); ++i)
+            all[row + i] = (x[i] - bounds(i).likely) / bounds(i).spread;
+        return all;
+    }
+
+    [[nodiscard]] MatrixXd jacobian(const VectorXd& x) const {
+        MatrixXd all = MatrixXd::Zero(rows(), x.size());
+        Index row = 0;
+        for (std::size_t run = 0; run < m_records.size(); ++run) {
+            const Index first = kOfMotor + kOfRun * static_cast<Index>(run);
+            const auto column = [&](Index i) { all.block(row, i, rowsOf(run), 1) = slope(x, run, i); };
+            for (Index i = 0; i < kOfMotor; ++i)
+                column(i);
+            for (Index i = first; i < first + kOfRun; ++i)
+                column(i);
+            row += rowsOf(run);
+        }
+        for (Index i = 0; i < x.size(); ++i)
+            all(row + i, i) = 1 / bounds(i).spread;
+        return all;
+    }
+
+    /// PWM counts, the most that an integral can carry.
+    [[nodiscard]] double carried() const {
+        double most = 0.0;
+        for (const Record& record : m_records)
+            most = std::max(most, record.gains().ki * record.gains().il / 256.0);
+        return most;
+    }
+    [[nodiscard]] const Bounds& bounds(Index i) const { return m_bounds[static_cast<std::size_t>(i)]; }
+
+private:
+    [[nodiscard]] VectorXd slope(const VectorXd& x, std::size_t run, Index i) const {
+        const double by = i < kFriction ? 2e-3 : 2e-2;
+        VectorXd high = x;
+        VectorXd low = x;
+        high[i] = std::min(x[i] + by, bounds(i).most);
+        low[i] = std::max(x[i] - by, bounds(i).least);
+        VectorXd above(rowsOf(run));
+        VectorXd below(rowsOf(run));
+        missesOf(high, run, above);
+        missesOf(low, run, below);
+        return (above - below) / (high[i] - low[i]);
+    }
+
+    const std::vector<Record>& m_records;
+    std::vector<Bounds> m_bounds;
+    Index m_looks = 0;
+};
+
+struct Solution {
+    VectorXd x;
+    double cost = std::numeric_limits<double>::infinity();  ///< sum of squares
+};
+
+/// Levenberg-Marquardt within bounds: what is at one and wants beyond stays there for a step.
+[[nodiscard]] Solution descend(const Fit& fit, VectorXd x, int steps) {
+    constexpr double kEnough = 1e-4;
+    VectorXd misses = fit.misses(x);
+    double cost = misses.squaredNorm();
+    double damping = 1e-2;
+    for (int step = 0; step < steps; ++step) {
+        const MatrixXd jacobian = fit.jacobian(x);
+        const VectorXd gradient = jacobian.transpose() * misses;
+        MatrixXd square = jacobian.transpose() * jacobian;
+        VectorXd downhill = -gradient;
+        for (Index i = 0; i < x.size(); ++i) {
+            const bool stays = (x[i] <= fit.bounds(i).least && gradient[i] > 0) ||
+                               (x[i] >= fit.bounds(i).most && gradient[i] < 0);
+            if (!stays)
+                continue;
+            square.row(i).setZero();
+            square.col(i).setZero();
+            square(i, i) = 1;
+            downhill[i] = 0;
+        }
+        bool better = false;
+        for (int attempt = 0; attempt < 8 && !better; ++attempt) {
+            MatrixXd damped = square;
+            damped.diagonal() *= 1 + damping;
+            VectorXd next = x + damped.ldlt().solve(downhill);
+            for (Index i = 0; i < x.size(); ++i)
+                next[i] = std::clamp(next[i], fit.bounds(i).least, fit.bounds(i).most);
+            const VectorXd there = fit.misses(next);
+            const double costThere = there.squaredNorm();
+            better = costThere < cost;
+            damping = better ? damping / 5 : damping * 6;
+            if (!better)
+                continue;
+            const bool enough = cost - costThere < kEnough * cost;
+            x = next;
+            misses = there;
+            cost = costThere;
+            if (enough)
+                return {x, cost};
+        }
+        if (!better)
+            break;
+    }
+    return {x, cost};
+}
+
+/// From the coarse grid of motors that anyone would have, the best few of different time constants.
+[[nodiscard]] Solution solve(const Fit& fit) {
+    constexpr double kLeastPush = 30.0, kMostPush = 3e6, kPushStep = 1.5;
+    constexpr double kLeastTau = 2e-3, kMostTau = 2.0, kTauStep = 2.2;
+    constexpr std::size_t kTried = 3;
+    std::vector<Solution> starts;
+    for (double tau = kLeastTau; tau < kMostTau; tau *= kTauStep) {
+        Solution best;
+        for (const double friction : {0.5, 4.0})
+            for (double push = kLeastPush; push < kMostPush; push *= kPushStep) {
+                VectorXd x = fit.likely();
+                x[kPush] = std::log(push);
+                x[kTau] = std::log(tau);
+                x[kFriction] = friction;
+                const double cost = fit.misses(x).squaredNorm();
+                if (cost < best.cost)
+                    best = {x, cost};
+            }
+        starts.push_back(best);
+    }
+    std::sort(starts.begin(), starts.end(),
+              [](const Solution& a, const Solution& b) { return a.cost < b.cost; });
+    Solution best;
+    for (std::size_t i = 0; i < std::min(kTried, starts.size()); ++i) {
+        const Solution found = descend(fit, starts[i].x, 12);
+        if (found.cost < best.cost)
+            best = found;
+    }
+    // An integral within its limit carries any load alike; which one is found from where it meets the limit.
+    const VectorXd unloaded = best.x;
+    for (const double part : {-0.6, -0.25, 0.25, 0.6}) {
+        VectorXd x = unloaded;
+        x[kLoad] = part * fit.carried();
+        if (fit.carried() == 0)
+            break;
+        const Solution found = descend(fit, x, 8);
+        if (found.cost < best.cost)
+            best = found;
+    }
+    return descend(fit, best.x, 60);
+}
+
+}  // namespace
+
+MotorConstants MotorModel::constants() const {
+    return {gain.value, timeConstant.value, friction.value, load.value, delay.value};
+}
+
+namespace {
+
+/// Where it went and how far, in the direction of the step.
+[[nodiscard]] std::optional<IdentifyFailure> motionProblem(const Record& record) {
+    const double direction = record.step() < 0 ? -1.0 : 1.0;
+    const double enough = std::max(3.0, std::abs(record.step()) * 0.03);
+    for (const Look& look : record.looks) {
+        const double gone = (look.position - record.stood) * direction;
+        if (gone >= enough)
+            return std::nullopt;
+        if (gone <= -enough)
+            return IdentifyFailure::WrongWay;
+    }
+    return IdentifyFailure::DoesNotMove;
+}
+
+/// It turns round again and again, and the last swings are as wide as those before them.
+[[nodiscard]] bool swings(const Record& record) {
+    constexpr std::size_t kHalfSwings = 8;
+    constexpr double kCalming = 0.93;
+    const double noticed = std::max(4.0, std::abs(record.step()) * 0.05);
+    std::vector<double> turns;  // positions
+    double high = record.stood;
+    double low = record.stood;
+    bool rising = record.step() > 0;
+    for (const Look& look : record.looks) {
+        high = std::max(high, look.position);
+        low = std::min(low, look.position);
+        if (rising && look.position < high - noticed) {
+            turns.push_back(high);
+            low = look.position;
+            rising = false;
+        } else if (!rising && look.position > low + noticed) {
+            turns.push_back(low);
+            high = look.position;
+            rising = true;
+        }
+    }
+    if (turns.size() < kHalfSwings)
+        return false;
+    const auto width = [&turns](std::size_t i) { return std::abs(turns[i] - turns[i - 1]); };
+    const std::size_t last = turns.size() - 1;
+    const double late = width(last) + width(last - 1);
+    const double early = width(last - 4) + width(last - 5);
+    return late > early * kCalming * kCalming;
+}
+
+[[nodiscard]] Identified identified(const Fit& fit, const std::vector<Record>& records,
+                                    const Solution& solution) {
+    Identified found;
+    const VectorXd& x = solution.x;
+    double missed = 0.0, expected = 0.0, weighted = 0.0, next = 0.0, count = 0.0;
+    for (std::size_t run = 0; run < records.size(); ++run) {
+        Loop loop = fit.loop(x, run);
+        FittedRun fitted;
+        fitted.start = Fit::of(x, run, kStart) * kTick;
+        fitted.integral = fit.start(x, run).integral;
+        for (const StepPoint& point : records[run].run->points)
+            fitted.points.push_back({point.seconds, loop.at(point.seconds - fitted.start).position});
+        const std::size_t before = fitted.points.size() - records[run].looks.size();
+        double last = 0.0;
+        for (std::size_t i = 0; i < records[run].looks.size(); ++i) {
+            const Look& look = records[run].looks[i];
+            const double miss = look.position - fitted.points[before + i].position;
+            missed += miss * miss;
+            expected += look.spread * look.spread;
+            weighted += miss * miss * look.weight * look.weight;
+            next += miss * look.weight * last;
+            last = miss * look.weight;
+            ++count;
+        }
+        found.runs.push_back(std::move(fitted));
+    }
+    found.missed = std::sqrt(missed / count);
+    found.expected = std::sqrt(expected / count);
+
+    // What is missed more than expected, and in a row, tells that much less.
+    const double alike = std::clamp(next / std::max(weighted, 1e-9), 0.0, 0.9);
+    const double inflation = std::max(1.0, weighted / count) * (1 + alike) / (1 - alike);
+    const MatrixXd jacobian = fit.jacobian(x);
+    const MatrixXd square = jacobian.transpose() * jacobian;
+    const MatrixXd covariance = square.ldlt().solve(MatrixXd::Identity(x.size(), x.size())) * inflation;
+    const auto doubt = [&covariance](Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
+    const MotorConstants motor = Fit::motor(x);
+    const double ofGain = covariance(kPush, kPush) + covariance(kTau, kTau) + 2 * covariance(kPush, kTau);
+    // The model is not the motor: what an inductance delays belongs to tau in part; PWM values are whole.
+    const auto withOwn = [](double value, double fitted, double own) {
+        return Measured{value, std::hypot(fitted, own)};
+    };
+    found.motor.gain = withOwn(motor.gain, motor.gain * std::sqrt(std::max(0.0, ofGain)), 0.015 * motor.gain);
+    found.motor.timeConstant = withOwn(motor.timeConstant, motor.timeConstant * doubt(kTau),
+                                       std::hypot(0.015 * motor.timeConstant, motor.delay));
+    found.motor.friction = withOwn(motor.friction, doubt(kFriction), kPwmSpread);
+    found.motor.load = withOwn(motor.load, doubt(kLoad), kPwmSpread);
+    found.motor.delay = {motor.delay, doubt(kDelay) * kTick};
+    return found;
+}
+
+}  // namespace
+
+tl::expected<Identified, IdentifyFailure> identify(std::span<const StepRun> runs) {
+    std::vector<Record> records;
+    for (const StepRun& run : runs.first(std::min(runs.size(), kMostRuns)))
+        records.push_back(recordOf(run));
+    if (records.empty())
+        return tl::unexpected(IdentifyFailure::TooFewSamples);
+    for (const Record& record : records)
+        if (record.looks.size() < kFewestSamples)
+            return tl::unexpected(IdentifyFailure::TooFewSamples);
+    for (const Record& record : records)
+        if (const auto problem = motionProblem(record))
+            return tl::unexpected(*problem);
+    if (std::any_of(records.begin(), records.end(), swings))
+        return tl::unexpected(IdentifyFailure::Oscillates);
+
+    const Fit fit(records);
+    const Solution solution = solve(fit);
+    Identified found = identified(fit, records, solution);
+    constexpr double kFarAbove = 5.0;
+    if (found.missed > kFarAbove * found.expected)
+        return tl::unexpected(IdentifyFailure::NotExplained);
+    constexpr double kClear = 0.5;
+    if (found.motor.gain.doubt > kClear * found.motor.gain.value)
+        return tl::unexpected(IdentifyFailure::GainUnclear);
+    if (found.motor.timeConstant.doubt > kClear * found.motor.timeConstant.value)
+        return tl::unexpected(IdentifyFailure::TimeConstantUnclear);
+    return found;
+}
+
+}  // namespace nmc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/tuning/identify.h"
+#include "model/tuning/predict.h"
+
+namespace nmc {
+
+/// What a person wants of a loop, each 0..1.
+struct LoopWish {
+    double stiffness = 1.0;  ///< 1: as fast as noise, output limit and margins permit; 0: a tenth of that
+    double damping = 0.5;    ///< zeta, from kLeastDamping to kMostDamping
+    double noise = 1.0;      ///< how loud it may be, up to kMostNoise
+};
+
+inline constexpr double kLeastDamping = 0.5;
+inline constexpr double kMostDamping = 1.1;
+/// Counts by which a tick goes on when the encoder tells one count more, by way of Kd.
+inline constexpr double kMostNoise = 0.3;
+/// What a suggested loop has at least.
+inline constexpr double kLeastPhaseMargin = 35.0;  ///< degrees
+inline constexpr double kLeastGainMargin = 2.0;
+
+struct LoopFigures {
+    double naturalFrequency = 0.0;  ///< rad/s
+    double damping = 0.0;           ///< zeta
+    double noise = 0.0;             ///< K Kd T^2 / (256 tau), see kMostNoise
+};
+
+/// With T the servo tick: wn^2 = K Kp / (256 tau), 2 zeta wn = (1 + K Kd T / 256) / tau. Pure.
+[[nodiscard]] LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains);
+
+/// Gains for a motor and steps of up to `step` counts (not 0; either direction), from figuresOf() the other
+/// way round. SR is as low as Kd's range and resolution permit. There is an integral only if friction and
+/// load would leave an error of a count, and then its limit is the least that carries them; EL has a margin
+/// above the error that is predicted. `now`: the gains in force; output limit, current limit and deadband
+/// compensation stay as they are.
+///
+/// What is suggested is stable: by its margins, and as reckoned tick by tick for the step. Nothing where no
+/// gains are. Pure; some tens of milliseconds.
+[[nodiscard]] std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,
+                                                    const servo::SetGain& now, std::int32_t step);
+
+}  // namespace nmc

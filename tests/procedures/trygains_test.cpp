@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gains that are tried, and the net under them: engine and simulator in virtual time. The truth is the
+// shaft's.
+#include "model/procedure/trygains.h"
+
+#include <random>
+
+#include "tests/procedures/procedurebench.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kPush = 0.05;  ///< N·m: half of what stalls the motor
+constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
+
+class TriedGains : public testing::Test {
+protected:
+    [[nodiscard]] bool hold() {
+        return bench.connect() && bench.perform(intent::ApplyGains{kGood}) && bench.perform(intent::Enable{});
+    }
+    /// The shaft, from now on.
+    void watch() {
+        stood = bench.truth().position;
+        farthest = 0;
+        halfCycles = side = 0;
+        third.reset();
+        bench.bus.onTime = [this] {
+            const int off = bench.truth().position - stood;
+            farthest = std::max(farthest, std::abs(off));
+            const int here = off > 8 ? 1 : off < -8 ? -1 : side;
+            halfCycles += here != side ? 1 : 0;
+            side = here;
+            if (halfCycles == 3 && !third)
+                third = bench.bus.now;
+        };
+    }
+    /// From outside, for so short a time that a stable servo hardly moves.
+    void push() {
+        bench.set(sim::Input::Load, kPush);
+        bench.bus.runFor(4ms);
+        bench.set(sim::Input::Load, 0.0);
+    }
+    [[nodiscard]] bool hasGains(const servo::SetGain& gains) { return bench.module().gains == gains; }
+    ServoBench bench;
+    int stood = 0, farthest = 0, halfCycles = 0, side = 0;
+    std::optional<TimePoint> third;
+};
+
+TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
+    ASSERT_TRUE(hold());
+    servo::SetGain other = kGood;
+    other.kp = 250;
+    const TimePoint began = bench.bus.now;
+    const ProcedureReport report = bench.run(intent::TryGains{other, 10.0});
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_FALSE(report.kept);
+    EXPECT_TRUE(bench.stages.count(ProcedureStage::Trying));
+    EXPECT_TRUE(hasGains(kGood));
+    // And half a second to calm down after Enable, 0.3 s of the bench.
+    EXPECT_NEAR(toSeconds(bench.bus.now - began), 10.8, 0.2);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(TriedGains, StayWhenTheyAreKept) {
+    ASSERT_TRUE(hold());
+    servo::SetGain other = kGood;
+    other.kp = 250;
+    bench.begin(intent::TryGains{other, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_TRUE(bench.turn());
+    bench.procedure->keep();
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_TRUE(report.kept);
+    EXPECT_TRUE(hasGains(other));
+}
+
+TEST_F(TriedGains, AreTakenBackAtAStop) {
+    ASSERT_TRUE(hold());
+    servo::SetGain other = kGood;
+    other.kp = 250;
+    bench.begin(intent::TryGains{other, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    for (int i = 0; i < 5; ++i)
+        ASSERT_TRUE(bench.turn());
+    ASSERT_TRUE(hasGains(other));
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    EXPECT_TRUE(hasGains(kGood));
+}
+
+TEST_F(TriedGains, AreTakenBackWhenTheServoGoesOff) {
+    ASSERT_TRUE(hold());
+    servo::SetGain weak = kGood;
+    weak.kp = weak.kd = weak.ki = 0;  // nothing holds it
+    weak.el = 20;
+    bench.begin(intent::TryGains{weak, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    bench.set(sim::Input::Load, kPush);
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_TRUE(report.failure == ProcedureFailure::WentOff ||
+                report.failure == ProcedureFailure::TravelLimit);
+    EXPECT_TRUE(hasGains(kGood));
+}
+
+TEST_F(TriedGains, AreRefusedWhereNothingIsHeldOrKnown) {
+    const intent::TryGains wanted{kGood, 10.0};
+    ASSERT_TRUE(bench.connect());
+    EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::GainsUnknown);
+    ASSERT_TRUE(bench.perform(intent::ApplyGains{kGood}));
+    EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::ServoOff);
+    ASSERT_TRUE(bench.perform(intent::Enable{}));
+    EXPECT_TRUE(plan(wanted, bench.module()).has_value());
+    ASSERT_TRUE(
+        bench.perform(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}));
+    EXPECT_EQ(plan(wanted, bench.module()).error(), Refusal::Moving);
+}
+
+/// Undamped: the delay of a tick is more than its friction makes up for.
+TEST_F(TriedGains, FiftyUnstableSetsAreTakenBackAtOnce) {
+    ASSERT_TRUE(hold());
+    std::mt19937 random(16);
+    std::uniform_int_distribution<int> kp(2'000, 6'000), kd(0, 100);
+    for (int set = 0; set < 50; ++set) {
+        servo::SetGain bad = kGood;
+        bad.kp = static_cast<std::uint16_t>(kp(random));
+        bad.kd = static_cast<std::uint16_t>(kd(random));
+        bad.ki = 0;
+        SCOPED_TRACE(testing::Message() << "Kp " << bad.kp << " Kd " << bad.kd);
+        bench.begin(intent::TryGains{bad, 10.0});
+        ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+        ASSERT_TRUE(bench.bus.runUntil(
+            [&] {
+                bench.take();
+                return hasGains(bad);
+            },
+            1s));
+        watch();
+        push();
+        const TimePoint end = bench.bus.now + 5s;
+        while (!hasGains(kGood) && bench.bus.now < end && bench.turn()) {
+        }
+        const TimePoint back = bench.bus.now;
+        const int withNet = farthest;
+        const ProcedureReport report = bench.goOn();
+        EXPECT_EQ(report.failure, ProcedureFailure::Swings);
+        ASSERT_TRUE(hasGains(kGood));
+        ASSERT_TRUE(third);
+        EXPECT_LE(back - *third, 300ms);
+        ASSERT_TRUE(bench.truth().servoOn);
+        bench.settle();
+        EXPECT_NEAR(bench.truth().position, stood, 8) << "and it is calm again";
+
+        ASSERT_TRUE(bench.perform(intent::ApplyGains{bad}));
+        watch();
+        push();
+        bench.bus.runFor(2s);
+        EXPECT_LT(withNet, farthest);
+        ASSERT_TRUE(bench.perform(intent::ApplyGains{kGood}));
+        bench.settle();
+    }
+}
+
+TEST_F(TriedGains, FiftyStableSetsAreNotTakenBackEarly) {
+    ASSERT_TRUE(hold());
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> kp(30, 400), damping(6, 12), friction(0, 0.006), ki(0, 40);
+    for (int set = 0; set < 50; ++set) {
+        servo::SetGain good = kGood;
+        good.kp = static_cast<std::uint16_t>(kp(random));
+        good.kd = static_cast<std::uint16_t>(good.kp * damping(random));
+        good.ki = static_cast<std::uint16_t>(ki(random));
+        bench.set(sim::Input::Friction, friction(random));
+        bench.begin(intent::TryGains{good, 2.0});
+        ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+        ASSERT_TRUE(bench.turn());
+        push();
+        const ProcedureReport report = bench.goOn();
+        EXPECT_EQ(report.stage, ProcedureStage::Done) << "Kp " << good.kp << " Kd " << good.kd;
+        ASSERT_TRUE(hasGains(kGood));
+    }
+}
+
+}  // namespace
+}  // namespace nmc::test

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
+
+#include "model/response/steprun.h"
+#include "model/tuning/loopmodel.h"
+#include "sim/encoder.h"
+#include "sim/motorplant.h"
+#include "sim/pid.h"
+#include "sim/random.h"
+
+/// The simulator's motor behind the simulator's control filter, asked as the bus asks at 115 200 Bd.
+namespace nmc::testing_support {
+
+/// What the motor's physics make of it: K = V / 255 / k in counts, tau = J R / k^2, c = M R / k in PWM counts
+/// (viscous friction left out: below a permille here).
+[[nodiscard]] inline MotorConstants physics(const sim::MotorParameters& p) {
+    const double pwmPerNm = p.resistanceOhm / p.motorConstant * 255 / p.supplyVolts;
+    return {p.supplyVolts / 255 / p.motorConstant * p.countsPerTurn / (2 * std::numbers::pi),
+            p.inertiaKgM2 * p.resistanceOhm / (p.motorConstant * p.motorConstant), p.coulombNm * pwmPerNm,
+            -p.loadNm * pwmPerNm, p.inductanceHenry / p.resistanceOhm};
+}
+
+class TunedServo {
+public:
+    TunedServo(const sim::MotorParameters& motor, const servo::SetGain& gains, std::uint64_t seed)
+        : m_plant(motor), m_random(seed) {
+        setGains(gains);
+    }
+
+    void setGains(const servo::SetGain& g) {
+        m_set = g;
+        m_gains = {g.kp, g.kd, g.ki, g.il, g.ol, g.cl, g.el, g.sr, g.db.value_or(0)};
+        m_untilServo = 1;
+    }
+    void setPower(bool on) { m_power = on; }
+    void reverseEncoder() { m_encoder.setReversed(true); }
+    [[nodiscard]] std::int32_t position() const { return m_encoder.position(); }
+    [[nodiscard]] std::int32_t command() const { return m_command; }
+    [[nodiscard]] const sim::MotorPlant& plant() const { return m_plant; }
+
+    void wait(double seconds) {
+        for (double t = 0; t < seconds; t += kTick)
+            tick();
+    }
+
+    /// A step of the command and its record. Polls come every 1.5 ms, in no step with the ticks: each is
+    /// latched at the tick behind it, is known to half a tick, and its time by 0.1 ms besides.
+    [[nodiscard]] StepRun step(std::int32_t counts, double record) {
+        constexpr double kPoll = 1.5e-3;
+        StepRun run;
+        run.bandPercent = kFirstBand;
+        run.taken = {{}, m_command, m_command + counts, record, StepWay::Profile, m_set};
+        std::vector<StepPoint> polled;
+        const double told = 0.02 + m_random.unit() * kTick;
+        double poll = m_random.unit() * kPoll;
+        const auto ticks = static_cast<int>((told + record) / kTick) + 1;
+        bool commanded = false;
+        for (int i = 1; i <= ticks; ++i) {
+            const double now = i * kTick;
+            tick();
+            for (; poll <= now; poll += kPoll)
+                polled.push_back({poll + kTick / 2 + jitter(), static_cast<double>(m_encoder.position())});
+            if (!commanded && told <= now) {
+                commanded = true;
+                m_command += counts;
+            }
+        }
+        const double at = told + kTick / 2 + jitter();
+        for (const StepPoint& point : polled)
+            if (point.seconds - at <= record)
+                run.points.push_back({point.seconds - at, point.position});
+        setBand(run, kFirstBand);
+        return run;
+    }
+
+private:
+    static constexpr double kTick = 512e-6;
+
+    [[nodiscard]] double jitter() { return (m_random.unit() * 2 - 1) * 1e-4; }
+
+    void tick() {
+        m_plant.advanceTick(m_pwm, m_power);
+        m_encoder.read(m_plant.shaft());
+        if (--m_untilServo > 0)
+            return;
+        m_untilServo = m_gains.sr;
+        const std::int64_t output = m_filter.output(m_gains, m_command - m_encoder.position());
+        auto magnitude = static_cast<int>(std::min<std::int64_t>(std::abs(output) / 256, m_gains.ol));
+        if (magnitude > 0)
+            magnitude = std::min(magnitude + m_gains.db, 255);
+        m_pwm = output < 0 ? -magnitude : magnitude;
+    }
+
+    sim::MotorPlant m_plant;
+    sim::Encoder m_encoder;
+    sim::PidFilter m_filter;
+    sim::Gains m_gains;
+    servo::SetGain m_set;
+    sim::Random m_random;
+    std::int32_t m_command = 0;
+    int m_pwm = 0;
+    int m_untilServo = 1;
+    bool m_power = true;
+};
+
+}  // namespace nmc::testing_support

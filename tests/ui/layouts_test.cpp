@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window is laid out for, and the loop of editing, applying, stepping and looking in it.
+#include <QAction>
+#include <QDockWidget>
+#include <QTabWidget>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class LayoutsTest : public WindowTest {
+protected:
+    LayoutsTest() {
+        window->resize(1456, 952);
+        Servo servo;
+        servo.held = true;
+        showServo(servo);
+        settle();
+    }
+    void settle() {
+        for (int i = 0; i < 5; ++i)
+            QApplication::processEvents();
+    }
+    void strike(int key, Qt::KeyboardModifiers modifiers) {
+        QTest::keyClick(window.get(), static_cast<Qt::Key>(key), modifiers);
+        settle();
+    }
+    QDockWidget* dock(const char* name) { return window->findChild<QDockWidget*>(QLatin1String(name)); }
+    [[nodiscard]] int area(const char* name) { return dock(name)->width() * dock(name)->height(); }
+    /// Without a scroll: no find(), which scrolls.
+    void expectWhole(const QString& name) {
+        const auto* widget = window->findChild<QWidget*>(name);
+        ASSERT_NE(widget, nullptr) << name.toStdString();
+        EXPECT_EQ(widget->visibleRegion().boundingRect(), widget->rect()) << name.toStdString();
+    }
+    template <typename T>
+    T last() {
+        EXPECT_FALSE(intents.isEmpty());
+        const auto intent = intents.takeLast().at(1).value<Intent>();
+        const T* wanted = std::get_if<T>(&intent);
+        EXPECT_NE(wanted, nullptr);
+        return wanted != nullptr ? *wanted : T{};
+    }
+    /// Typed over, and not sent.
+    void typeGain(const QString& name, const QString& value) {
+        auto* field = window->findChild<QLineEdit*>(name);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, value);
+        settle();
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+/// The figure; the window's own bars are not counted to either side.
+TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    const int bars = window->menuWidget()->height() + find(u"linkBar"_s)->height();
+    const int room = window->width() * (window->height() - bars);
+    EXPECT_GE(3 * (area("scopeDock") + area("stepResponseDock")), 2 * room);
+    for (const char* name : {"kpField",
+                             "kdField",
+                             "kiField",
+                             "ilField",
+                             "olField",
+                             "clField",
+                             "elField",
+                             "srField",
+                             "dbField",
+                             "applyGainsButton",
+                             "tryGainsButton",
+                             "stepResponseDistanceField",
+                             "stepResponseButton",
+                             "stepResponseState",
+                             "enableButton",
+                             "motorOffButton",
+                             "stateLabel",
+                             "positionLabel",
+                             "stepPlot",
+                             "stepRunTable",
+                             "stepResults"})
+        expectWhole(QLatin1String(name));
+}
+
+TEST_F(LayoutsTest, EachComesBackAsItWasLeft) {
+    dock("messagesDock")->close();
+    strike(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    EXPECT_FALSE(dock("chainDock")->isVisible());
+    dock("chainDock")->toggleViewAction()->trigger();
+    settle();
+    strike(Qt::Key_3, Qt::ControlModifier);
+    EXPECT_TRUE(dock("monitorDock")->isVisible());
+    EXPECT_FALSE(dock("scopeDock")->isVisible());
+    strike(Qt::Key_1, Qt::ControlModifier);
+    EXPECT_FALSE(dock("messagesDock")->isVisible());
+    EXPECT_FALSE(dock("stepResponseDock")->isVisible());
+    EXPECT_TRUE(window->findChild<QAction*>(u"operateLayoutAction"_s)->isChecked());
+    strike(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(dock("chainDock")->isVisible());
+    window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
+    settle();
+    EXPECT_FALSE(dock("chainDock")->isVisible()) << "as it is at first";
+    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+}
+
+TEST_F(LayoutsTest, TheNextWindowHasTheOneThatWasChosen) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    window->close();
+    window = std::make_unique<MainWindow>(settings);
+    window->resize(1456, 952);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    showServo();
+    settle();
+    EXPECT_TRUE(window->findChild<QAction*>(u"tuneLayoutAction"_s)->isChecked());
+    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    expectWhole(u"stepResponseButton"_s);
+}
+
+TEST_F(LayoutsTest, ThePlotsHaveWhatTheWindowGains) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    const int column = window->centralWidget()->width();
+    const int plots = dock("scopeDock")->width();
+    window->resize(1756, 952);
+    settle();
+    EXPECT_NEAR(window->centralWidget()->width(), column, 5);
+    EXPECT_NEAR(dock("scopeDock")->width(), plots + 300, 5);
+}
+
+TEST_F(LayoutsTest, TheFormGoesBackToItsPlace) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    strike(Qt::Key_1, Qt::ControlModifier);
+    window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
+    settle();
+    EXPECT_TRUE(dock("stepResponseDock")->isAncestorOf(find(u"stepForm"_s)));
+    click(u"stepResponseButton"_s);
+    EXPECT_EQ(last<intent::StepResponse>().counts, 100);
+}
+
+TEST_F(LayoutsTest, EnterInAFieldAppliesTheGains) {
+    typeGain(u"kpField"_s, u"101"_s);
+    QTest::keyClick(window->findChild<QWidget*>(u"kpField"_s), Qt::Key_Return);
+    EXPECT_EQ(last<intent::ApplyGains>().gains.kp, 101);
+    typeGain(u"kpField"_s, u"99999"_s);
+    intents.clear();
+    QTest::keyClick(window->findChild<QWidget*>(u"kpField"_s), Qt::Key_Return);
+    EXPECT_TRUE(intents.isEmpty()) << "out of range";
+}
+
+TEST_F(LayoutsTest, AStepIsMadeFromAnywhereAndSeen) {
+    EXPECT_FALSE(dock("stepResponseDock")->isVisible());
+    find(u"goalField"_s)->setFocus();
+    strike(Qt::Key_F9, Qt::ShiftModifier);
+    EXPECT_EQ(last<intent::StepResponse>().counts, 100);
+    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+}
+
+TEST_F(LayoutsTest, AStepThatIsRefusedSaysWhy) {
+    showServo({.on = false});
+    strike(Qt::Key_F9, Qt::ShiftModifier);
+    EXPECT_TRUE(intents.isEmpty());
+    EXPECT_TRUE(dock("stepResponseDock")->isVisible());
+    EXPECT_FALSE(text(u"stepResponseState"_s).isEmpty());
+}
+
+/// With a machine that keeps what is typed, as the program does.
+class UnsentGains : public LayoutsTest {
+protected:
+    UnsentGains() {
+        QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
+                         [this](ModuleIndex, const AxisSettings& edited) {
+                             machine.axes = {edited};
+                             window->showMachine(machine);
+                         });
+        strike(Qt::Key_2, Qt::ControlModifier);
+        typeGain(u"kpField"_s, QString::number(someGains().kp + 1));
+        intents.clear();
+        strike(Qt::Key_F9, Qt::ShiftModifier);
+        EXPECT_TRUE(intents.isEmpty()) << "it asks first";
+    }
+};
+
+TEST_F(UnsentGains, AreAppliedAndTheStepMadeWithThem) {
+    EXPECT_TRUE(text(u"closeText"_s).contains(u"Kp"_s));
+    click(u"applyAndStepButton"_s);
+    const auto step = last<intent::StepResponse>();
+    ASSERT_TRUE(step.gains);
+    EXPECT_EQ(step.gains->kp, someGains().kp + 1);
+}
+
+TEST_F(UnsentGains, OrTheStepIsMadeWithThoseThatItHas) {
+    click(u"stepWithoutButton"_s);
+    EXPECT_FALSE(last<intent::StepResponse>().gains);
+}
+
+TEST_F(UnsentGains, OrNothingIsDone) {
+    click(u"cancelStepButton"_s);
+    EXPECT_TRUE(intents.isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc
