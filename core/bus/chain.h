@@ -45,12 +45,25 @@ public:
         OwnMotion ownMotion;
         Health health;
         std::optional<OwedStop> owed{};
+        /// Since then there is a command that nobody has answered, and it may have been carried out.
+        std::optional<TimePoint> unanswered{};
     };
 
     Chain() = default;
     /// `readOnly`: as EngineConfig::readOnly. What replies have in them is for others to define, and no stop
     /// is owed or lies ready but that somebody asked for.
     Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly);
+
+    void noteUnanswered(ModuleIndex module, TimePoint latched) {
+        auto& since = at(module).unanswered;
+        since = since.value_or(latched);
+    }
+    /// It is answered, or nobody will find out any more. How much earlier than `latched` it may have been
+    /// carried out.
+    Duration takeUnanswered(ModuleIndex module, TimePoint latched) {
+        const auto since = std::exchange(at(module).unanswered, std::nullopt);
+        return since && *since < latched ? latched - *since : Duration{};
+    }
 
     [[nodiscard]] bool empty() const { return m_modules.empty(); }
     [[nodiscard]] std::size_t size() const { return m_modules.size(); }

@@ -31,6 +31,8 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
         learn(work, end);
     if (work.ask.ownTrouble)
         return deliver(work, end, now);
+    if (work.ask.reported && !right && end.result != ReplyResult::Refused)
+        m_chain.noteUnanswered(*work.ask.module, end.latched);
     if (unanswered(end.result))
         if (Line::Script script = m_recovery.onUnanswered(work.ask, end); !script.empty())
             m_line.run(std::move(script), now);
@@ -146,7 +148,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
     if (work.task != nullptr)
         work.task->onAnswer(ask, end);
     if (ask.reported)
-        m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late});
+        m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late,
+                                              m_chain.takeUnanswered(*ask.module, end.latched)});
     if (ask.request.payload.code == CommandCode::SetAddress)
         m_events.emplace_back(GroupChanged{*ask.module, module.belief.info().group});
     if (trusted)
@@ -155,8 +158,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
 
 void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport& trusted) {
     Chain::Module& known = m_chain.at(module);
-    m_events.emplace_back(
-        Sample{module, end.latched, trusted, end.late, end.report.status, known.plausibility.takeJump()});
+    m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status,
+                                 known.plausibility.takeJump(), known.unanswered.has_value()});
     if (m_config.readOnly)
         return;  // whatever moves there is for others to start and to stop
     // Attached, it may move as it likes; its velocity tells.

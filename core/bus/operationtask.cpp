@@ -106,6 +106,7 @@ Next OperationTask::verifyStep() {
     }
     const Verification verification = *std::exchange(m_verification, std::nullopt);
     Belief& belief = m_chain.at(step.module).belief;
+    m_chain.takeUnanswered(step.module, verification.end.latched);
     switch (verify(step, belief, verification)) {
         case Carried::Out:
             belief.onExecuted(step.command);
@@ -161,6 +162,8 @@ void OperationTask::fail(const ReplyEnd& end) {
     m_attempts = 0;
     m_verification.reset();
     const bool refused = end.result == ReplyResult::Refused;
+    if (m_commands.group() == nullptr)
+        m_chain.takeUnanswered(m_commands.step().module, end.latched);
     m_group.tellUnknown();
     m_events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
 }

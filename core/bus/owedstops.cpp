@@ -134,7 +134,11 @@ Next OwedStops::blindScript(TimePoint now) {
 void OwedStops::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     auto& owed = m_chain.at(*ask.module).owed;
     if (const auto blind = owed ? owed->target.takeBlind() : std::nullopt)
-        m_events.emplace_back(CommandExecuted{*ask.module, blind->latched, blind->stop});
+        m_events.emplace_back(CommandExecuted{*ask.module,
+                                              blind->latched,
+                                              blind->stop,
+                                              {},
+                                              m_chain.takeUnanswered(*ask.module, blind->latched)});
 }
 
 Line::Script OwedStops::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

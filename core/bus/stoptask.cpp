@@ -93,6 +93,7 @@ void StopTask::noteBlindStops() {
     for (std::size_t i = 0; i < steps.size() && !latches.empty(); ++i) {
         const TimePoint latched = latches[std::min(i, latches.size() - 1)];
         m_chain.tell(steps[i].module, steps[i].command, latched);
+        m_chain.noteUnanswered(steps[i].module, latched);
         if (StopTarget* target = m_run->find(steps[i].module))
             target->onBlindSent(m_blindHeard ? std::optional(StopTarget::Blind{steps[i].command, latched})
                                              : std::nullopt);
@@ -105,7 +106,11 @@ void StopTask::onAnswer(const Ask& ask, const ReplyEnd& /*end*/) {
     if (m_asked == nullptr)
         return;
     if (const auto blind = m_asked->takeBlind())
-        m_events.emplace_back(CommandExecuted{*ask.module, blind->latched, blind->stop});
+        m_events.emplace_back(CommandExecuted{*ask.module,
+                                              blind->latched,
+                                              blind->stop,
+                                              {},
+                                              m_chain.takeUnanswered(*ask.module, blind->latched)});
 }
 
 Line::Script StopTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) {

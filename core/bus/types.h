@@ -135,6 +135,9 @@ struct Sample {
     /// Its position does not follow from the one before, and was confirmed: somebody else has set the
     /// counter.
     bool jumped = false;
+    /// The answer to a command that came before was lost, and whether that was carried out is being found
+    /// out, or it is about to be repeated.
+    bool unsettled = false;
 };
 
 /// A command was answered as carried out; `time` and `late` as in Sample. Polls are not reported.
@@ -143,6 +146,8 @@ struct CommandExecuted {
     TimePoint time;
     ModuleCommand command;
     Duration late{};
+    /// It had been sent before without an answer: so much earlier it may have been carried out already.
+    Duration early{};
 };
 
 enum class ConnectStage : std::uint8_t {

@@ -3,6 +3,7 @@
 // what the scope draws at each sample, and what the module's command position was when it latched that one.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -235,6 +236,45 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& given) {
         return std::get<1>(given.param).name + std::string("SR") + std::to_string(std::get<0>(given.param));
     });
+
+class RunsAndStops : public testing::TestWithParam<std::tuple<std::uint32_t, double>> {};
+
+/// 30 of them leave the band as narrow as one does, and the truth in it.
+TEST_P(RunsAndStops, LeaveTheBandAsNarrowAsOneOfThem) {
+    const auto [baud, velocity] = GetParam();
+    TruthRig rig(1, bus::EngineConfig{baud});
+    ASSERT_TRUE(rig.enable());
+    const auto raw = static_cast<std::uint32_t>(velocity * 65'536);
+    const auto band = [&rig] {
+        const auto rests = rig.comparison.command.at(rig.bus.now);
+        return rests ? rests->high - rests->low : std::numeric_limits<double>::infinity();
+    };
+    double first = 0;
+    for (int cycle = 0; cycle < 30; ++cycle) {
+        ASSERT_TRUE(rig.perform({velocityMode(raw, 6'554, cycle % 2 != 0)}));
+        rig.runTicks(700.3);
+        ASSERT_TRUE(rig.perform({stopWith(StopManner::Smoothly)}));
+        rig.runTicks(velocity * 65'536 / 6'554 + 40);
+        if (cycle == 0)
+            first = band();  // before the shaft has stood long enough to tell anything
+        rig.runTicks(800.6);
+        const auto rests = rig.comparison.command.at(rig.bus.now);
+        ASSERT_TRUE(rests);
+        EXPECT_LE(rests->low, rig.truth()) << cycle;
+        EXPECT_GE(rests->high, rig.truth()) << cycle;
+        EXPECT_LE(band(), 2 * first) << cycle;  // one, and what friction lets it stand off
+    }
+    EXPECT_GT(first, velocity) << "no doubt, nothing to be shown";
+    EXPECT_EQ(rig.comparison.figures.inside(), 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, RunsAndStops,
+                         testing::Combine(testing::Values(19'200U, 115'200U),
+                                          testing::Values(2.0, 4.0, 12.0)),
+                         [](const auto& given) {
+                             return "At" + std::to_string(std::get<0>(given.param)) + "Bd" +
+                                    std::to_string(static_cast<int>(std::get<1>(given.param)));
+                         });
 
 /// Seen at 19 200 Bd: 80 ms without answers behind Run, and the calculated error was 87 904 counts for a true
 /// one of -1.

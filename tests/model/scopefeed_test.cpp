@@ -98,11 +98,11 @@ TEST(ScopeFeed, AStandingMotorHasAnExactErrorAndAMovingOneABand) {
     EXPECT_EQ(rest->errorLow, rest->error);
     EXPECT_EQ(rest->errorHigh, rest->error);
     feed.apply(executedAt(1, velocityMode(8 << 16, 8 << 16)));  // 8 counts/tick within a tick
-    const auto prompt = feed.take(sampleOf(2, kPower, kServoOn | kAccelDone, 15'000));
+    const auto prompt = feed.take(sampleOf(2, kHolds, kServoOn | kAccelDone, 15'000));
     EXPECT_LT(prompt->errorLow, prompt->error);
     EXPECT_GT(prompt->errorHigh, prompt->error);
     EXPECT_LT(prompt->errorHigh - prompt->errorLow, 2 * 2.5 * 8 + 2);
-    bus::Sample delayed = sampleOf(2.01, kPower, kServoOn | kAccelDone, 15'156);
+    bus::Sample delayed = sampleOf(2.01, kHolds, kServoOn | kAccelDone, 15'156);
     delayed.late = std::chrono::milliseconds(5);
     const auto late = feed.take(delayed);
     // It may have been latched up to 5 ms later, when the command was some 78 counts further on.

@@ -19,6 +19,7 @@ namespace {
 constexpr double kWheelZoom = 1.25;     ///< for each notch
 constexpr double kWheelPan = 0.1;       ///< of what is seen, for each notch
 constexpr double kSmallestPart = 1e-4;  ///< of a count: zooming ends here
+constexpr double kBandRoom = 2.0;       ///< a band may take so much more, on either side, than its signals
 }  // namespace
 
 ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
@@ -77,6 +78,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now) 
     }
     m_backdrop.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);
+    noteBand();
     emit paintWanted();
 }
 
@@ -93,11 +95,31 @@ void ScopePlot::fitValues(double now) {
         return setValueAxis(*m_manual);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
+    double lowBand = low;
+    double highBand = high;
     for (const TraceDrawing& drawing : m_drawings) {
         low = std::min(low, drawing.lowest());
         high = std::max(high, drawing.highest());
+        lowBand = std::min(lowBand, drawing.lowestBand());
+        highBand = std::max(highBand, drawing.highestBand());
     }
-    setValueAxis(low > high ? m_range.range() : m_range.fit(low, high, now, smallestSpan()));
+    if (low > high)
+        return setValueAxis(m_range.range());
+    // More would make a line of the signal.
+    const double room = kBandRoom * std::max(high - low, smallestSpan());
+    setValueAxis(
+        m_range.fit(std::max(lowBand, low - room), std::min(highBand, high + room), now, smallestSpan()));
+}
+
+/// A band that ends where the strip ends would look narrower than it is.
+void ScopePlot::noteBand() {
+    m_bandNotice.clear();
+    for (const TraceDrawing& drawing : m_drawings)
+        if (drawing.lowestBand() < std::min(m_geometry.bottom, drawing.lowest()) ||
+            drawing.highestBand() > std::max(m_geometry.top, drawing.highest()))
+            m_bandNotice =
+                tr("The band is wider than the strip: %1 to %2")
+                    .arg(texts::readout(drawing.lowestBand()), texts::readout(drawing.highestBand()));
 }
 
 /// As many labels as there is room for.
@@ -213,6 +235,13 @@ void ScopePlot::paintOver(QPainter& painter) {
                                 m_geometry.area.bottom()));
     }
     paintCursors(painter);
+    if (!m_bandNotice.isEmpty()) {
+        const QFontMetricsF metrics(painter.font());
+        painter.setPen(look::mutedText(palette()));
+        painter.drawText(QPointF(m_geometry.area.right() - metrics.horizontalAdvance(m_bandNotice) - 4,
+                                 m_geometry.area.bottom() - metrics.descent() - 2),
+                         m_bandNotice);
+    }
     if (m_drag == Drag::Choose) {
         QColor fill = palette().color(QPalette::Highlight);
         fill.setAlpha(60);

@@ -70,6 +70,8 @@ public:
 
     [[nodiscard]] QRectF plotArea() const { return m_backdrop.plotArea(); }
     [[nodiscard]] AxisRange::Range valueRange() const;
+    /// What the strip says of a band that it does not show whole; empty when it does.
+    [[nodiscard]] const QString& bandNotice() const { return m_bandNotice; }
     [[nodiscard]] QString legendText(std::size_t trace) const { return m_backdrop.legendText(trace); }
     /// In vectors where the painter can.
     void renderTo(QPainter& painter);
@@ -103,6 +105,7 @@ private:
 
     void adoptPalette();
     void fitValues(double now);
+    void noteBand();
     void setValueAxis(const AxisRange::Range& range);
     void paintOver(QPainter& painter);
     void paintCursors(QPainter& painter) const;
@@ -120,6 +123,7 @@ private:
     std::optional<CursorTimes> m_cursors;
     std::optional<double> m_marker;
     std::optional<double> m_level;
+    QString m_bandNotice;
     Drag m_drag = Drag::None;
     QPointF m_dragFrom;
     QPointF m_dragTo;

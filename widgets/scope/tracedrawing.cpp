@@ -70,6 +70,8 @@ void TraceDrawing::clear() {
     m_hasBand = false;
     m_lowest = std::numeric_limits<double>::infinity();
     m_highest = -m_lowest;
+    m_lowestBand = m_lowest;
+    m_highestBand = m_highest;
 }
 
 void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const LinearScale& scale,
@@ -101,6 +103,8 @@ void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const 
             if (column.right >= geometry.left && column.left <= geometry.right) {
                 m_lowest = std::min(m_lowest, low);
                 m_highest = std::max(m_highest, high);
+                m_lowestBand = std::min({m_lowestBand, column.bandLow, column.bandHigh});
+                m_highestBand = std::max({m_highestBand, column.bandLow, column.bandHigh});
             }
         }
         beforeKnown = extremes.known();

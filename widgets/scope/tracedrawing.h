@@ -58,6 +58,9 @@ public:
     /// Of what is within the time that is seen; lowest > highest where nothing is.
     [[nodiscard]] double lowest() const { return m_lowest; }
     [[nodiscard]] double highest() const { return m_highest; }
+    /// The same of a calculated error's band; of others, as above.
+    [[nodiscard]] double lowestBand() const { return m_lowestBand; }
+    [[nodiscard]] double highestBand() const { return m_highestBand; }
 
     /// The painter is clipped to the plot area.
     void paint(QPainter& painter, const PlotGeometry& geometry) const;
@@ -78,6 +81,7 @@ private:
 
     std::vector<Column> m_columns;
     double m_lowest = 1, m_highest = 0;
+    double m_lowestBand = 1, m_highestBand = 0;
     bool m_hasBand = false;
 };
 

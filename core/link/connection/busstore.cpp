@@ -158,6 +158,8 @@ void BusStore::note(const bus::OperationFinished& finished) {
     if (known(finished.module))
         if (auto& awaited = m_link.modules[finished.module.value()].awaited; awaited == finished.id)
             awaited.reset();
+    if (finished.outcome != bus::Outcome::Done && known(finished.module))
+        m_records[finished.module.value()].feed.cancelled();
     // It may have been carried out or not.
     if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
         return;

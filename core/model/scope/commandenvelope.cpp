@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace nmc {
 
@@ -87,12 +88,11 @@ void CommandEnvelope::changeVelocity(double velocity, Pace pace, const Moments& 
     m_ends = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 }
 
-void CommandEnvelope::changeVelocity(Side side, double velocity, Pace pace, const Moments& when) {
-    Curve& curve = m_curves[side];
+/// From this moment on, for one side.
+CommandEnvelope::Curve CommandEnvelope::changed(Side side, double velocity, Pace pace,
+                                                TimePoint start) const {
+    const Curve& curve = m_curves[side];
     const double perSecond = 1.0 / pace.tick;
-    const double before =
-        m_settling > 0.0 ? curve.profile.velocity(curve.seconds(when.likely)) : curve.profile.goalVelocity();
-    const TimePoint start = pick(side, velocity * perSecond >= before, when);
     const double from = curve.profile.velocity(curve.seconds(start));
     const double change = velocity - from * pace.tick;
     double position = 0;
@@ -104,9 +104,44 @@ void CommandEnvelope::changeVelocity(Side side, double velocity, Pace pace, cons
         position = side == Low ? reached.low - (change > 0.0 ? steps : 0.0)
                                : reached.high + (change < 0.0 ? steps : 0.0);
     }
-    curve = {ProfileCurve::velocityChange(position, from, velocity * perSecond,
-                                          pace.acceleration * perSecond * perSecond),
-             start};
+    return {ProfileCurve::velocityChange(position, from, velocity * perSecond,
+                                         pace.acceleration * perSecond * perSecond),
+            start};
+}
+
+void CommandEnvelope::changeVelocity(Side side, double velocity, Pace pace, const Moments& when) {
+    Curve& curve = m_curves[side];
+    if (side != Likely && m_settling > 0.0)
+        return changeTrapezoid(side, velocity, pace, when);
+    const bool up = velocity / pace.tick >= curve.profile.goalVelocity();
+    curve = changed(side, velocity, pace, pick(side, up, when));
+}
+
+/// A trapezoid slows down while the change may come, perhaps through the new velocity: then neither the
+/// first moment nor the last leads furthest.
+void CommandEnvelope::changeTrapezoid(Side side, double velocity, Pace pace, const Moments& when) {
+    constexpr int kParts = 16;
+    const double sign = side == High ? 1.0 : -1.0;
+    std::vector<Curve> curves;
+    TimePoint reached = when.latest;
+    for (int i = 0; i <= kParts; ++i) {
+        curves.push_back(
+            changed(side, velocity, pace, when.earliest + (when.latest - when.earliest) * i / kParts));
+        if (const double ramp = curves.back().profile.duration(); std::isfinite(ramp))
+            reached = std::max(reached, curves.back().start + fromSeconds(ramp));
+    }
+    const auto position = [sign](const Curve& curve, TimePoint time) {
+        return sign * curve.profile.position(curve.seconds(time));
+    };
+    const auto furthest = [&](TimePoint time) {
+        return *std::max_element(curves.begin(), curves.end(), [&](const Curve& a, const Curve& b) {
+            return position(a, time) < position(b, time);
+        });
+    };
+    Curve chosen = furthest(reached);
+    const double missing = position(furthest(when.latest), when.latest) - position(chosen, when.latest);
+    chosen.profile = chosen.profile.shifted(sign * missing);
+    m_curves[side] = chosen;
 }
 
 void CommandEnvelope::makeZero(Pace pace, const Moments& when) {
@@ -135,32 +170,34 @@ void CommandEnvelope::stretch(double factor, const Moments& before, const Moment
     m_settling *= factor;
 }
 
-void CommandEnvelope::ended(ProfileCurve::Phase phase, TimePoint by) {
+bool CommandEnvelope::ended(ProfileCurve::Phase phase, TimePoint by) {
     std::array<Duration, 3> late{};
     for (const Side side : {Low, Likely, High}) {
         const double length = m_curves[side].profile.endOf(phase);
         if (!std::isfinite(length))
-            return;
+            return true;
         late[side] = m_curves[side].start + fromSeconds(length) - by;
     }
     const auto [least, most] = std::minmax_element(late.begin(), late.end());
     const bool contradicts = *least > Duration{};
     for (const Side side : {Low, Likely, High})
         m_curves[side].moveStart(-(contradicts ? *most : std::max(Duration{}, late[side])));
+    return !contradicts;
 }
 
-void CommandEnvelope::goesOn(ProfileCurve::Phase phase, TimePoint yet) {
+bool CommandEnvelope::goesOn(ProfileCurve::Phase phase, TimePoint yet) {
     std::array<Duration, 3> early{};
     for (const Side side : {Low, Likely, High}) {
         const double length = m_curves[side].profile.endOf(phase);
         if (!std::isfinite(length))
-            return;
+            return true;
         early[side] = yet - (m_curves[side].start + fromSeconds(length));
     }
     const auto [least, most] = std::minmax_element(early.begin(), early.end());
     const bool contradicts = *least > Duration{};
     for (const Side side : {Low, Likely, High})
         m_curves[side].moveStart(contradicts ? *most : std::max(Duration{}, early[side]));
+    return !contradicts;
 }
 
 }  // namespace nmc

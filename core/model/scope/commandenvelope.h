@@ -58,11 +58,11 @@ public:
     /// the new one.
     void stretch(double factor, const Moments& before, const Moments& after);
 
-    // What the module says. A contradiction moves all three curves to where it says.
+    // What the module says. A contradiction moves all three curves to where it says, and false comes back.
     /// A phase of the last change is over, at the latest by then.
-    void ended(ProfileCurve::Phase phase, TimePoint by);
+    bool ended(ProfileCurve::Phase phase, TimePoint by);
     /// It is not over, at the earliest then.
-    void goesOn(ProfileCurve::Phase phase, TimePoint yet);
+    bool goesOn(ProfileCurve::Phase phase, TimePoint yet);
 
 private:
     struct Curve {
@@ -74,6 +74,8 @@ private:
     enum Side : std::size_t { Low, Likely, High };
 
     void changeVelocity(Side side, double velocity, Pace pace, const Moments& when);
+    void changeTrapezoid(Side side, double velocity, Pace pace, const Moments& when);
+    [[nodiscard]] Curve changed(Side side, double velocity, Pace pace, TimePoint start) const;
     /// The moment at which a change that leads up, or not, leads furthest to that side.
     [[nodiscard]] static TimePoint pick(Side side, bool up, const Moments& when);
     [[nodiscard]] ProfileCurve::Range range(Side side, const Moments& when) const;

@@ -2,6 +2,7 @@
 #include "model/scope/commandposition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/overloaded.h"
@@ -14,6 +15,8 @@ using Phase = ProfileCurve::Phase;
 
 /// Until a command surely shows in what the chip reports: a servo tick, and another one to be safe.
 constexpr int kShowsAfter = 2;
+/// What a motor that moves while it is switched on goes on at most, in ticks of its travel.
+constexpr double kRampTicks = 8;
 
 }  // namespace
 
@@ -21,6 +24,7 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
+    m_verified = std::exchange(m_unsettled, false);
     std::visit(Overloaded{
                    [&](const servo::LoadTrajectory& trajectory) {
                        load(trajectory);
@@ -32,6 +36,8 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
                    [&](const ResetPosition&) { zero(executed); },
                    [&](const servo::SetGain& gains) {
                        m_errorLimit = gains.el;
+                       if (std::exchange(m_gains, gains) != gains)
+                           m_standing = {};
                        setServoRate(gains.sr, executed);
                    },
                    [&](const servo::SetHoming& homing) { arm(homing, executed); },
@@ -45,6 +51,11 @@ void CommandPosition::apply(const bus::Sample& sample) {
     if (sample.report.aux)
         m_servoOn = servo::AuxByte{*sample.report.aux}.servoOn();
     const servo::StatusByte status{sample.heard.value_or(sample.report.status)};
+    m_unsettled = sample.unsettled && m_servoOn;
+    if (m_unsettled) {
+        m_look = sample;
+        return;
+    }
     learnHome(sample, status);
     learnContradiction(sample, status);
     if (!m_servoOn)
@@ -53,8 +64,11 @@ void CommandPosition::apply(const bus::Sample& sample) {
         learnHeldPosition(sample);
     else if (sample.report.aux && sample.time >= m_effective)
         learnProgress(sample, status, servo::AuxByte{*sample.report.aux});
-    if (sample.report.position)
+    learnStanding(sample, status);
+    if (sample.report.position) {
         m_lastPosition = *sample.report.position;
+        m_lastTime = sample.time;
+    }
 }
 
 void CommandPosition::forget() {
@@ -62,23 +76,36 @@ void CommandPosition::forget() {
     m_motion = Motion::None;
     m_awaiting = Awaiting::Nothing;
     m_strange.reset();
+    m_unsettled = false;
     m_lastPosition.reset();
 }
 
+void CommandPosition::contradicted() {
+    m_envelope.reset();
+    if (m_motion == Motion::Trapezoid)
+        m_awaiting = Awaiting::EndOfMove;
+    m_motion = Motion::None;
+}
+
+void CommandPosition::cancelled() {
+    if (m_unsettled)
+        forget();
+}
+
 std::optional<CommandEstimate> CommandPosition::at(TimePoint time, Duration late) const {
-    if (!m_envelope || (m_strange && time >= *m_strange))
+    if (!m_envelope || m_unsettled || (m_strange && time >= *m_strange))
         return std::nullopt;
     return m_envelope->at(shown(time, late));
 }
 
-Moments CommandPosition::shown(TimePoint time, Duration late) const {
+Moments CommandPosition::shown(TimePoint time, Duration late, Duration early) const {
     const TimePoint likely = time + kServoTick / 2;
-    return {likely - m_tick / 2, likely, likely + m_tick / 2 + bus::kPromptWithin + late};
+    return {likely - m_tick / 2 - early, likely, likely + m_tick / 2 + bus::kPromptWithin + late};
 }
 
-Moments CommandPosition::begun(TimePoint time, Duration late) const {
-    const TimePoint last = time + kServoTick / 2;
-    return {last - m_tick, last - m_tick / 2, last + bus::kPromptWithin + late};
+Moments CommandPosition::begun(const bus::CommandExecuted& executed) const {
+    const TimePoint last = executed.time + kServoTick / 2;
+    return {last - m_tick - executed.early, last - m_tick / 2, last + bus::kPromptWithin + executed.late};
 }
 
 // ---- Commands ----
@@ -94,14 +121,33 @@ void CommandPosition::load(const servo::LoadTrajectory& load) {
 }
 
 void CommandPosition::start(const bus::CommandExecuted& executed) {
+    const auto from = m_envelope ? std::optional(m_envelope->at(shown(executed)).position) : std::nullopt;
+    startAs(executed);
+    if (!m_verified || !from || !m_envelope || !m_look || !m_look->report.position)
+        return;
+    // The looks take a shaft for started that has only been nudged. What went by then less than half the way
+    // may not have been told to go.
+    const double there = m_envelope->at(shown(m_look->time, m_look->late)).position;
+    if (std::abs(*m_look->report.position - there) > std::abs(there - *from) / 2)
+        forget();
+}
+
+void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     explain(executed);
     m_commanded = executed.time;
+    m_repeated = executed.early > Duration{};
     m_effective = executed.time + executed.late + kShowsAfter * m_tick;
     if (!m_loaded.servo)
         return switchedOff();
     m_servoOn = true;
     m_runningAcceleration = m_acceleration;
-    const Moments when = begun(executed.time, executed.late);
+    m_runningGoal = m_goal;
+    // That it moves does not tell of one that did so before whether it goes on as it was told to then.
+    if (m_verified && m_motion != Motion::None)
+        return forget();
+    if (m_envelope && m_motion == Motion::None)
+        m_standing.leave(m_envelope->at(shown(executed)));
+    const Moments when = begun(executed);
     if (m_loaded.profile == servo::ProfileMode::Velocity) {
         m_awaiting = Awaiting::Nothing;
         return runAt(m_loaded.reverse ? -m_velocity : m_velocity, when);
@@ -129,6 +175,7 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
         return;
     explain(executed);
     m_commanded = executed.time;
+    m_repeated = executed.early > Duration{};
     m_effective = executed.time + executed.late + kShowsAfter * m_tick;
     m_velocity = 0.0;  // the chip zeroes its velocity parameter (protocol.md 2)
     const bool wasOn = std::exchange(m_servoOn, true);
@@ -147,9 +194,9 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
             if (!wasOn)
                 m_awaiting = Awaiting::HeldPosition;
             else if (stop.manner == servo::StopManner::Smoothly)
-                runAt(0.0, begun(executed.time, executed.late));
+                runAt(0.0, begun(executed));
             else
-                freeze(shown(executed.time, executed.late));
+                freeze(shown(executed));
             break;
     }
 }
@@ -162,7 +209,7 @@ void CommandPosition::zero(const bus::CommandExecuted& executed) {
     if (m_motion == Motion::Trapezoid)
         m_motion = Motion::None;
     if (m_envelope)
-        m_envelope->makeZero({tick(), m_runningAcceleration}, shown(executed.time, executed.late));
+        m_envelope->makeZero({tick(), m_runningAcceleration}, shown(executed));
 }
 
 void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed) {
@@ -172,19 +219,19 @@ void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExec
                               : homing.stopAbruptly ? StopManner::Abruptly
                                                     : StopManner::Smoothly;
     if (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly)
-        m_homing = HomingStop{manner, executed.time + executed.late + kShowsAfter * kServoTick,
-                              shown(executed.time, executed.late)};
+        m_homing =
+            HomingStop{manner, executed.time + executed.late + kShowsAfter * kServoTick, shown(executed)};
 }
 
 void CommandPosition::setServoRate(std::uint8_t divisor, const bus::CommandExecuted& executed) {
     const Duration old = m_tick;
-    const Moments before = begun(executed.time, executed.late);
+    const Moments before = begun(executed);
     m_tick = kServoTick * divisor;
     m_effective = std::max(m_effective, executed.time + executed.late + kShowsAfter * m_tick);
     // The chip counts per tick, so a longer tick runs the same profile more slowly from here on. Where servo
     // ticks are longer than others, setting the gains may begin one anew.
     if (m_envelope && (m_tick != old || divisor > 1))
-        m_envelope->stretch(toSeconds(m_tick) / toSeconds(old), before, begun(executed.time, executed.late));
+        m_envelope->stretch(toSeconds(m_tick) / toSeconds(old), before, begun(executed));
 }
 
 void CommandPosition::switchedOff() {
@@ -242,8 +289,14 @@ void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     if (!sample.report.position)
         return;
     const double now = *sample.report.position;
-    const double before = sample.time == m_commanded ? now : m_lastPosition.value_or(now);
-    rest({(now + before) / 2, std::min(now, before), std::max(now, before)});
+    const bool atOnce = sample.time == m_commanded && !m_repeated;
+    const double last = m_lastPosition.value_or(now);
+    const double before = atOnce ? now : last;
+    // One that moves goes on for a while, and not evenly.
+    const double way = atOnce && m_lastPosition ? std::abs(now - last) : 0.0;
+    const double perTick = way == 0.0 ? 0.0 : way / toSeconds(sample.time - m_lastTime) * tick();
+    const double more = std::floor(kRampTicks * perTick);
+    rest({(now + before) / 2, std::min(now, before) - more, std::max(now, before) + more});
 }
 
 /// At rest move_done is set (DS-V 5.3).
@@ -264,29 +317,45 @@ void CommandPosition::explain(const bus::CommandExecuted& executed) {
 /// DS-V 5.3: move_done is clear in a trapezoidal move and while one velocity changes into another;
 /// accel_done and slew_done tell of trapezoidal moves only.
 void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux) {
-    if (status.moveDone() && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
-        return rest({m_goal, m_goal, m_goal});
+    // That it is done permits something: one reply is not enough.
+    const bool done = status.moveDone() && servo::StatusByte{sample.report.status}.moveDone();
+    if (done && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
+        return rest({m_runningGoal, m_runningGoal, m_runningGoal});
     if (!m_envelope || m_motion == Motion::None)
         return;
     // A phase is over with the first step at or behind its end, which the curve passes half a tick later; a
     // chip may count one step more or less.
     const Moments now = shown(sample.time, sample.late);
     const auto learn = [&](Phase phase, bool over) {
-        if (over)
-            m_envelope->ended(phase, now.latest + m_tick / 2);
-        else
-            m_envelope->goesOn(phase, now.earliest - 2 * m_tick);
+        return over ? m_envelope->ended(phase, now.latest + m_tick / 2)
+                    : m_envelope->goesOn(phase, now.earliest - 2 * m_tick);
     };
     if (m_motion == Motion::Trapezoid) {
         learn(Phase::Acceleration, aux.accelDone());
         learn(Phase::Slew, aux.slewDone());
     }
-    learn(Phase::Last, status.moveDone());
+    // A trapezoid ends at its goal whenever it began. What else began at another moment, or is something
+    // else, is anywhere.
+    if (done != status.moveDone())
+        return;
+    if (!learn(Phase::Last, done) && m_motion == Motion::Velocity)
+        return m_envelope.reset();
     // A stop is over: it rests, and what sets it going again is another motion.
-    if (m_motion == Motion::Velocity && m_runningVelocity == 0.0 && status.moveDone()) {
+    if (m_motion == Motion::Velocity && m_runningVelocity == 0.0 && done) {
         const TimePoint stands = now.latest + kShowsAfter * m_tick;
         rest(m_envelope->at({stands, stands, stands}));
     }
+}
+
+/// At rest it may be told by the shaft how far off it is at most.
+void CommandPosition::learnStanding(const bus::Sample& sample, servo::StatusByte status) {
+    const bool rests = m_envelope && m_motion == Motion::None && !m_strange;
+    if (!rests || !sample.report.position || sample.time < m_effective)
+        return m_standing.move();
+    const Moments now = shown(sample.time, sample.late);
+    if (const auto narrower =
+            m_standing.look(sample.time, *sample.report.position, !status.moveDone(), m_envelope->at(now)))
+        m_envelope = CommandEnvelope(*narrower);
 }
 
 }  // namespace nmc

@@ -7,6 +7,7 @@
 #include "base/time.h"
 #include "bus/types.h"
 #include "model/scope/commandenvelope.h"
+#include "model/scope/standingerror.h"
 #include "protocol/commands.h"
 
 namespace nmc {
@@ -32,6 +33,10 @@ public:
     void apply(const bus::Sample& sample);
     /// After a doubt (silence, restart): unknown until a command fixes it again.
     void forget();
+    /// It cannot be where it was calculated: unknown until the move ends, or a command fixes it again.
+    void contradicted();
+    /// Nobody will find out any more what became of a command whose answer was lost, if there is one.
+    void cancelled();
 
     /// The command position when a status was latched, `time` and `late` as in bus::Sample; empty while
     /// unknown or the servo is off.
@@ -56,6 +61,7 @@ private:
 
     void load(const servo::LoadTrajectory& load);
     void start(const bus::CommandExecuted& executed);
+    void startAs(const bus::CommandExecuted& executed);
     void stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed);
     void zero(const bus::CommandExecuted& executed);
     void arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed);
@@ -65,16 +71,20 @@ private:
     void learnHeldPosition(const bus::Sample& sample);
     void learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux);
     void learnContradiction(const bus::Sample& sample, servo::StatusByte status);
+    void learnStanding(const bus::Sample& sample, servo::StatusByte status);
     void explain(const bus::CommandExecuted& executed);
 
     void switchedOff();
     void rest(const CommandEstimate& held);
     void freeze(const Moments& when);
     void runAt(double velocity, const Moments& when);
-    /// When a status was latched, as the curve that matches the steps.
-    [[nodiscard]] Moments shown(TimePoint time, Duration late) const;
+    /// When a status was latched, as the curve that matches the steps; `early` as in bus::CommandExecuted.
+    [[nodiscard]] Moments shown(TimePoint time, Duration late, Duration early = {}) const;
+    [[nodiscard]] Moments shown(const bus::CommandExecuted& executed) const {
+        return shown(executed.time, executed.late, executed.early);
+    }
     /// When that curve changes by a command.
-    [[nodiscard]] Moments begun(TimePoint time, Duration late) const;
+    [[nodiscard]] Moments begun(const bus::CommandExecuted& executed) const;
     [[nodiscard]] double tick() const { return toSeconds(m_tick); }
 
     std::optional<CommandEnvelope> m_envelope;  ///< empty: unknown, or the servo is off
@@ -84,17 +94,26 @@ private:
     /// Since then it says that it moves, and nothing that is known of has set it going: the answer to a start
     /// was lost perhaps, and what it did is told later.
     std::optional<TimePoint> m_strange;
+    /// What the last status shows may come of a command of which is not known whether it was carried out.
+    bool m_unsettled = false;
+    bool m_verified = false;            ///< that the last command was carried out is what looks have told
+    std::optional<bus::Sample> m_look;  ///< the last one of these
+    StandingError m_standing;
+    std::optional<servo::SetGain> m_gains;
     std::optional<int> m_errorLimit;
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
     TimePoint m_commanded;                 ///< when the last command that changes the motion was carried out
+    bool m_repeated = false;               ///< that one, perhaps: it may have been carried out before
     TimePoint m_effective;                 ///< a status from then on shows what came of it
     servo::LoadTrajectory m_loaded;        ///< control bits of the last load
     double m_goal = 0;                     ///< counts; survives a load without a position
     double m_velocity = 0;                 ///< counts/tick, >= 0
     double m_acceleration = 0;             ///< counts/tick^2; as loaded
+    double m_runningGoal = 0;              ///< of the last start
     double m_runningAcceleration = 0;      ///< of the last start
     double m_runningVelocity = 0;          ///< counts/tick, signed; of Motion::Velocity
     std::optional<double> m_lastPosition;  ///< as reported last
+    TimePoint m_lastTime;                  ///< and when
     Duration m_tick = kServoTick;          ///< SR x 0.512 ms
 };
 

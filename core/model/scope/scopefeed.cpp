@@ -41,10 +41,10 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
 }
 
 /// A servo that is on has an error of EL at most (DS-V 4.3): what lies beyond is not so.
-void ScopeFeed::setError(ScopeSample& sample, CommandEstimate error) const {
+void ScopeFeed::setError(ScopeSample& sample, CommandEstimate error) {
     const double most = m_command.errorLimit().value_or(std::numeric_limits<int>::max());
     if (error.low > most || error.high < -most)
-        return;
+        return m_command.contradicted();
     sample.error = static_cast<float>(std::clamp(error.position, -most, most));
     sample.errorLow = static_cast<float>(std::max(error.low, -most));
     sample.errorHigh = static_cast<float>(std::min(error.high, most));

@@ -26,6 +26,9 @@ public:
     /// Whether a command was carried out is not known, or the module has restarted: the command position is
     /// unknown until a command fixes it again.
     void doubt() { m_command.forget(); }
+    /// An operation ended before all of it was done: if it left open whether a command was carried out, that
+    /// is a doubt too.
+    void cancelled() { m_command.cancelled(); }
     /// The next sample does not join on to the last.
     void breakHere();
 
@@ -36,7 +39,7 @@ private:
     };
     [[nodiscard]] bool missingBefore(const bus::Sample& sample);
     [[nodiscard]] float velocity(const Place& here);
-    void setError(ScopeSample& sample, CommandEstimate error) const;
+    void setError(ScopeSample& sample, CommandEstimate error);
 
     CommandPosition m_command;
     std::deque<Place> m_recent;  ///< back to kVelocityTime before the last, and one beyond

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/standingerror.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmc {
+
+namespace {
+
+double halfBand(const CommandEstimate& command) {
+    return (command.high - command.low) / 2;
+}
+
+}  // namespace
+
+void StandingError::leave(const CommandEstimate& command) {
+    // Of a rest that was too short the doubt counts with what follows.
+    if (m_told)
+        m_before = halfBand(command);
+    m_told = false;
+    m_still.reset();
+}
+
+std::optional<CommandEstimate> StandingError::look(TimePoint time, std::int32_t position, bool moving,
+                                                   const CommandEstimate& command) {
+    if (m_told || !m_still.look(time, position, moving))
+        return std::nullopt;
+    m_told = true;
+    const double low = command.low - position;
+    const double high = command.high - position;
+    const double reach = std::max(std::abs(low), std::abs(high));
+    const double own = std::max(0.0, halfBand(command) - m_before);
+    const double farthest = std::max(m_farthest.value_or(0.0), own);
+    // What looks farther off than ever is so; half of the doubt to be safe.
+    const bool usual = m_farthest && std::abs(command.position - position) + own / 2 <= farthest;
+    if (command.low == command.high || !usual) {
+        m_farthest = std::max(m_farthest.value_or(0.0), reach);
+        return std::nullopt;
+    }
+    const CommandEstimate narrower{0, position + std::max(low, -farthest),
+                                   position + std::min(high, farthest)};
+    return CommandEstimate{(narrower.low + narrower.high) / 2, narrower.low, narrower.high};
+}
+
+}  // namespace nmc
