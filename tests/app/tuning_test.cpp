@@ -38,7 +38,8 @@ protected:
     void step() {
         const int before = runs();
         ASSERT_NO_FATAL_FAILURE(panel.click("stepResponseButton"));
-        ASSERT_TRUE(panel.waitFor([&] { return runs() > before; })) << text("stepResponseState").toStdString();
+        ASSERT_TRUE(panel.waitFor([&] { return runs() > before; }))
+            << text("stepResponseState").toStdString();
     }
     /// The number behind a word of the model.
     [[nodiscard]] double found(const QString& word) {
@@ -85,6 +86,46 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     EXPECT_TRUE(table->item(3, 0)->text().contains(u"ms"_s)) << table->item(3, 0)->text().toStdString();
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
+    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+    for (const auto& [name, value] : {std::pair{"kpField", "5000"}, {"kdField", "0"}, {"kiField", "0"}}) {
+        auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(value));
+    }
+    ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 5'000; }));
+    (void)sim.control(u"set 1 load 0.05"_s);  // N*m, for a moment
+    (void)sim.control(u"set 1 load 0"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 100; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"began to swing"_s) == 1; }));
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Tuning, GainsThatAreKeptStay) {
+    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+    auto* field = panel.window().findChild<QLineEdit*>(u"kpField"_s);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"120"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("tryGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 120; }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("keepGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(panel.click("stopHereButton"));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.module().gains->kp, 120);
 }
 
 TEST_F(Tuning, WithoutAStepItSaysWhatIsMissing) {

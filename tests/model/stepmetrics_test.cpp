@@ -161,6 +161,25 @@ TEST(StepMetrics, SayWhatCannotBeMeasured) {
     EXPECT_EQ(measureStep({}, 0, 100, 2, 0).rise.error(), Unmeasured::TooFewSamples);
 }
 
+TEST(StepMetrics, SayThatSamplesAreMissingWhereItMatters) {
+    const Curve curve = secondOrder(0.3, 200);  // it peaks after 16 ms
+    const auto without = [&](double from, double to) {
+        std::vector<StepPoint> points = sampled(curve, 0, 100, 0.001, 0.5, 0.2);
+        std::erase_if(points, [=](const StepPoint& p) { return p.seconds > from && p.seconds < to; });
+        return measureStep(points, 0, 100, 2, 0);
+    };
+    const StepMetrics whole = without(0, 0);
+    const StepMetrics late = without(0.12, 0.15);  // it has settled by then
+    EXPECT_EQ(late.overshoot->value, whole.overshoot->value);
+    EXPECT_EQ(late.settling->value, whole.settling->value);
+    const StepMetrics peak = without(0.012, 0.022);
+    EXPECT_EQ(peak.overshoot.error(), Unmeasured::SamplesMissing);
+    EXPECT_EQ(peak.rise->value, whole.rise->value);
+    const StepMetrics rise = without(0.002, 0.012);  // 10 % after 2.5 ms, 90 % after 8.7 ms
+    EXPECT_EQ(rise.rise.error(), Unmeasured::SamplesMissing);
+    EXPECT_EQ(without(0.0045, 0.0075).rise->value, whole.rise->value) << "three are no gap";
+}
+
 /// It comes back out of the band in the last fifth.
 TEST(StepMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
     const auto hunting = [](double s) { return s <= 0 ? 0.0 : 1 + 0.05 * std::sin(200 * s); };

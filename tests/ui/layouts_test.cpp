@@ -149,6 +149,23 @@ TEST_F(LayoutsTest, EnterInAFieldAppliesTheGains) {
     EXPECT_TRUE(intents.isEmpty()) << "out of range";
 }
 
+TEST_F(LayoutsTest, GainsAreTriedAndKept) {
+    EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled()) << "it has these";
+    EXPECT_FALSE(button(u"keepGainsButton"_s)->isEnabled());
+    typeGain(u"kpField"_s, u"101"_s);
+    intents.clear();
+    click(u"tryGainsButton"_s);
+    EXPECT_EQ(last<intent::TryGains>().gains.kp, 101);
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    report.stage = ProcedureStage::Trying;
+    window->showProcedure(report);
+    settle();
+    EXPECT_FALSE(button(u"tryGainsButton"_s)->isEnabled());
+    click(u"keepGainsButton"_s);
+    last<intent::KeepGains>();
+}
+
 TEST_F(LayoutsTest, AStepIsMadeFromAnywhereAndSeen) {
     EXPECT_FALSE(dock("stepResponseDock")->isVisible());
     find(u"goalField"_s)->setFocus();

@@ -142,6 +142,20 @@ TEST_F(StepResponses, WhatTheShortcutMovesComesInSight) {
         QTest::qWaitFor([this] { return !button(u"stepResponseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
+/// It settles within 10 ms of a record of 100.
+TEST_F(StepResponses, ThePlotShowsTheTransientOrByADoubleClickAll) {
+    openWith();
+    window->showStepRun(ramp());
+    auto* plot = find<StepPlot>(u"stepPlot"_s);
+    const auto place = [plot](double seconds) { return plot->pointAt(seconds, 0).x() / plot->width(); };
+    EXPECT_GT(place(0.018), 0.8);
+    QTest::mouseDClick(plot, Qt::LeftButton);
+    EXPECT_LT(place(0.018), 0.5);
+    EXPECT_LT(place(0.1), 1.0);
+    QTest::mouseDClick(plot, Qt::LeftButton);
+    EXPECT_GT(place(0.018), 0.8);
+}
+
 TEST_F(StepResponses, AllRunsAreLaidBelowWhenThatIsTicked) {
     openWith();
     for (const double there : {100.0, 100.0, 140.0})

@@ -20,6 +20,7 @@ const QList<qreal> kDashes{4, 2.5};
 constexpr std::size_t kModel = 3, kPrediction = 2;  ///< trace colours
 constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that are neither A nor B
 constexpr int kBandAlpha = 45;
+constexpr double kShortest = 0.1;     ///< of the record, is always seen
 constexpr double kGap = 6;            ///< sample intervals, from which on something is missing
 constexpr double kUsualRecord = 0.5;  ///< s, of the axis before there is a run
 }  // namespace
@@ -29,7 +30,7 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setToolTip(
         tr("Positions since the step, counted from where it began. The shaded band is the settling "
-           "band around the goal."));
+           "band around the goal. A double click shows the whole record, or only as long as it moves."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
@@ -53,6 +54,10 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     curve.band = scale.position(kept.run.band());
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
+    // As long again as it takes to settle, so that it is seen to stay.
+    const auto& settling = kept.run.metrics.settling;
+    curve.transient =
+        settling ? std::clamp(2 * settling->value, kShortest * taken.record, taken.record) : taken.record;
     curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(scale));
     return curve;
 }
@@ -108,7 +113,7 @@ void StepPlot::fit() {
             continue;
         low = std::min(low, curve->goal - curve->band);
         high = std::max(high, curve->goal + curve->band);
-        right = std::max(right, curve->record);
+        right = std::max(right, m_whole ? curve->record : curve->transient);
         for (const QPolygonF& part : curve->parts) {
             low = std::min(low, part.boundingRect().top());
             high = std::max(high, part.boundingRect().bottom());
@@ -216,6 +221,11 @@ void StepPlot::paintLine(QPainter& painter, const QPolygonF& line) const {
     for (const QPointF& point : line)
         places << pointAt(point.x(), point.y());
     painter.drawPolyline(places);
+}
+
+void StepPlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
+    m_whole = !m_whole;
+    fit();
 }
 
 void StepPlot::resizeEvent(QResizeEvent* event) {

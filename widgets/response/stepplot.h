@@ -15,7 +15,8 @@
 namespace nmc {
 
 /// One or two step responses over the time since their step, from where they began: A solid, B dashed, with
-/// the goal and the settling band.
+/// the goal and the settling band. As long as the transient lasts; a double click shows the whole record, or
+/// that again.
 class StepPlot : public QWidget {
     Q_OBJECT
 
@@ -39,6 +40,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
     /// In seconds and in the unit of the axis.
@@ -48,6 +50,7 @@ private:
         double band = 0;
         double bandPercent = 0;
         double record = 0;
+        double transient = 0;  ///< s, until little happens any more
         QString label;
 
         [[nodiscard]] bool sameGoal(const Curve& other) const {
@@ -71,6 +74,7 @@ private:
     QPolygonF m_fitted;
     QPolygonF m_predicted;
     PlotGeometry m_geometry;
+    bool m_whole = false;  ///< the whole record, and not the transient alone
 };
 
 }  // namespace nmc

@@ -25,6 +25,8 @@ QString unmeasured(Unmeasured why) {
             return StepTexts::tr("too few samples");
         case Unmeasured::NeverRose:
             return StepTexts::tr("did not reach 90 %");
+        case Unmeasured::SamplesMissing:
+            return StepTexts::tr("samples missing, repeat");
         case Unmeasured::NeverSettled:
             return StepTexts::tr("not in this record");
     }

@@ -20,19 +20,34 @@ constexpr double kHalfCount = 0.5;
 struct Look {
     double seconds = 0.0;
     double beyond = 0.0;
+    bool gapBefore = false;  ///< samples are missing between the one before and this
 };
 
-/// Where the straight line between two looks is at `level`.
-[[nodiscard]] Measured crossing(const Look& a, const Look& b, double level) {
-    const double part = (level - a.beyond) / (b.beyond - a.beyond);
-    return {a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
+/// Several usual intervals from the one before; usual is the median.
+void markGaps(std::vector<Look>& looks) {
+    constexpr double kSeveral = 6;
+    std::vector<double> between;
+    for (std::size_t i = 2; i < looks.size(); ++i)  // the first may lie anywhere behind the step
+        between.push_back(looks[i].seconds - looks[i - 1].seconds);
+    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
+    std::nth_element(between.begin(), middle, between.end());
+    for (std::size_t i = 1; i < looks.size(); ++i)
+        looks[i].gapBefore = looks[i].seconds - looks[i - 1].seconds > kSeveral * *middle;
 }
 
-[[nodiscard]] std::optional<Measured> firstAt(const std::vector<Look>& looks, double level) {
+/// Where the straight line between two looks is at `level`.
+[[nodiscard]] StepMetrics::Result<Measured> crossing(const Look& a, const Look& b, double level) {
+    if (b.gapBefore)
+        return tl::unexpected(Unmeasured::SamplesMissing);
+    const double part = (level - a.beyond) / (b.beyond - a.beyond);
+    return Measured{a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
+}
+
+[[nodiscard]] StepMetrics::Result<Measured> firstAt(const std::vector<Look>& looks, double level) {
     for (std::size_t i = 1; i < looks.size(); ++i)
         if (looks[i].beyond >= level)
             return crossing(looks[i - 1], looks[i], level);
-    return std::nullopt;
+    return tl::unexpected(Unmeasured::NeverRose);
 }
 
 [[nodiscard]] StepMetrics::Result<Measured> riseOf(const std::vector<Look>& looks, double step,
@@ -40,7 +55,7 @@ struct Look {
     const auto low = firstAt(looks, -step * 9 / 10);
     const auto high = firstAt(looks, -step / 10);
     if (!low || !high)
-        return tl::unexpected(Unmeasured::NeverRose);
+        return tl::unexpected(!high ? high.error() : low.error());
     return Measured{high->value - low->value, low->doubt + high->doubt + timeDoubt};
 }
 
@@ -56,14 +71,20 @@ struct Look {
     return slope * slope / (-4 * bend);
 }
 
-[[nodiscard]] Measured overshootOf(const std::vector<Look>& looks, double step) {
+[[nodiscard]] StepMetrics::Result<Measured> overshootOf(const std::vector<Look>& looks, double step,
+                                                        double band) {
+    for (std::size_t i = 1; i < looks.size(); ++i) {
+        const bool onTheWay = std::abs(looks[i - 1].beyond) > band || std::abs(looks[i].beyond) > band;
+        if (looks[i].gapBefore && onTheWay)
+            return tl::unexpected(Unmeasured::SamplesMissing);
+    }
     const auto highest = std::max_element(looks.begin(), looks.end(),
                                           [](const Look& a, const Look& b) { return a.beyond < b.beyond; });
     double added = 0.0;
     if (highest != looks.begin() && highest + 1 != looks.end())
         added = aboveMiddle(*(highest - 1), *highest, *(highest + 1));
     const double over = std::max(0.0, highest->beyond + added);
-    return {100 * over / step, 100 * (added + kHalfCount) / step};
+    return Measured{100 * over / step, 100 * (added + kHalfCount) / step};
 }
 
 [[nodiscard]] StepMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double band,
@@ -75,8 +96,9 @@ struct Look {
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
     const Look& inside = *(last - 1);  // backwards, so the one after
-    Measured settled = crossing(*last, inside, last->beyond > 0 ? band : -band);
-    settled.doubt += timeDoubt;
+    StepMetrics::Result<Measured> settled = crossing(*last, inside, last->beyond > 0 ? band : -band);
+    if (settled)
+        settled->doubt += timeDoubt;
     return settled;
 }
 
@@ -110,9 +132,10 @@ StepMetrics measureStep(std::span<const StepPoint> points, double from, double g
         const auto none = tl::unexpected(Unmeasured::TooFewSamples);
         return {none, none, none, none, 0.0};
     }
+    markGaps(looks);
     const double length = looks.back().seconds;
     const double lastPart = length * (1 - kLastPart);
-    StepMetrics metrics{riseOf(looks, step, timeDoubt), overshootOf(looks, step),
+    StepMetrics metrics{riseOf(looks, step, timeDoubt), overshootOf(looks, step, band),
                         settlingOf(looks, band, lastPart, timeDoubt), steadyErrorOf(points, goal, lastPart),
                         0.0};
     metrics.interval = (length - looks[1].seconds) / static_cast<double>(looks.size() - 2);

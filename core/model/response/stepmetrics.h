@@ -21,8 +21,9 @@ struct Measured {
 
 enum class Unmeasured : std::uint8_t {
     TooFewSamples,
-    NeverRose,     ///< 90 % of the step were not reached
-    NeverSettled,  ///< it was outside the band in the last part of the record
+    NeverRose,       ///< 90 % of the step were not reached
+    NeverSettled,    ///< it was outside the band in the last part of the record
+    SamplesMissing,  ///< where it would have been measured; so a repetition helps
 };
 
 /// What a step response is judged by. The last part of a record is its last fifth.
@@ -31,7 +32,8 @@ enum class Unmeasured : std::uint8_t {
 /// interval off at worst, as long as the motor did not turn round unseen. So a rise time is uncertain by half
 /// the interval at either end, a settling time by half of one, and both by what the times themselves are. A
 /// peak is uncertain by what the parabola adds to the highest sample, and by half a count; a mean by half the
-/// range of what it is taken from, and at least by half a count.
+/// range of what it is taken from, and at least by half a count. Between samples that lie several usual
+/// intervals apart it may have turned round unseen, so nothing is measured there.
 struct StepMetrics {
     template <typename T>
     using Result = tl::expected<T, Unmeasured>;
