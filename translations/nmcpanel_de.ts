@@ -8632,6 +8632,10 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>%1 · %2/s</source>
         <translation>%1 · %2/s</translation>
     </message>
+    <message>
+        <source>The band is wider than the strip: %1 to %2</source>
+        <translation>Das Band ist breiter als der Streifen: %1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopeStrips</name>
