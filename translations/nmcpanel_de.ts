@@ -730,6 +730,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>at least %1</source>
         <translation>mindestens %1</translation>
     </message>
+    <message>
+        <source>samples missing, repeat</source>
+        <translation>Messwerte fehlen, wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>StepWords</name>
@@ -10032,10 +10036,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Sprungantworten über der Zeit</translation>
     </message>
     <message>
-        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal.</source>
-        <translation>Positionen seit dem Sprung, gezählt ab seinem Beginn. Das getönte Band ist das Toleranzband um das Ziel.</translation>
-    </message>
-    <message>
         <source>run %1, %2</source>
         <translation>Lauf %1, %2</translation>
     </message>
@@ -10062,6 +10062,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>predicted</source>
         <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves.</source>
+        <translation>Positionen seit dem Sprung, von seinem Anfang an gezählt. Das schattierte Band ist das Toleranzband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur, solange er sich bewegt.</translation>
     </message>
 </context>
 <context>
