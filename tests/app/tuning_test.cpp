@@ -41,11 +41,18 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return runs() > before; }))
             << text("stepResponseState").toStdString();
     }
-    /// The number behind a word of the model.
-    [[nodiscard]] double found(const QString& word) {
-        static const QRegularExpression number(u"[\u22120-9.,]+"_s);
+    /// The numbers behind a word of the model: what was found, and its standard deviation.
+    [[nodiscard]] std::pair<double, double> found(const QString& word) {
+        static const QRegularExpression numbers(u"([\u22120-9.]+) ± ([0-9.]+)"_s);
         const QString model = text("motorModel");
-        return QLocale().toDouble(number.match(model, model.indexOf(word)).captured());
+        const auto match = numbers.match(model, model.indexOf(word));
+        return {match.captured(1).replace(QChar(0x2212), u'-').toDouble(), match.captured(2).toDouble()};
+    }
+    /// Within this part, or two standard deviations.
+    void expectFound(const QString& word, double truth, double part) {
+        const auto [value, doubt] = found(word);
+        EXPECT_LE(std::abs(value - truth), std::max(part * truth, 2 * doubt))
+            << word.toStdString() << ' ' << value << " ± " << doubt << ", truly " << truth;
     }
     NmcsimProcess sim{u"servo"_s};
     IntentPanel panel;
@@ -70,9 +77,9 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     // The simulator's motor by its constants: K = U / 255 / k, in counts; tau = J R / k^2; c = M R / k.
     const double volts = 24.0 / 255, k = 0.038, resistance = 1.1, inertia = 1.7e-5, coulomb = 0.004;
     const double countsPerRad = 2'000 / (2 * std::numbers::pi);
-    EXPECT_NEAR(found(u"Gain"_s), volts / k * countsPerRad, 0.1 * volts / k * countsPerRad);
-    EXPECT_NEAR(found(u"Time constant"_s), 1e3 * inertia * resistance / (k * k), 1.3);  // ms
-    EXPECT_NEAR(found(u"Friction"_s), coulomb * resistance / k / volts, 0.25 * 1.23);
+    expectFound(u"Gain"_s, volts / k * countsPerRad, 0.1);
+    expectFound(u"Time constant"_s, 1e3 * inertia * resistance / (k * k), 0.1);  // ms
+    expectFound(u"Friction"_s, coulomb * resistance / k / volts, 0.25);
     ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }));
     ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
     EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
@@ -105,7 +112,7 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
     (void)sim.control(u"set 1 load 0.05"_s);  // N*m, for a moment
     (void)sim.control(u"set 1 load 0"_s);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 100; }));
-    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"began to swing"_s) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"has the gains from before again"_s) == 1; }));
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
 }

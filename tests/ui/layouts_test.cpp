@@ -129,6 +129,21 @@ TEST_F(LayoutsTest, ThePlotsHaveWhatTheWindowGains) {
     EXPECT_NEAR(dock("scopeDock")->width(), plots + 300, 5);
 }
 
+TEST_F(LayoutsTest, TuneInASmallWindowAndBackIsNoTrouble) {
+    for (const QSize size : {QSize(800, 600), QSize(1456, 952), QSize(780, 480), QSize(1200, 700)}) {
+        window->resize(size);
+        settle();
+        strike(Qt::Key_2, Qt::ControlModifier);
+        window->resize(size / 2);
+        settle();
+        window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
+        settle();
+        find(u"stopAllButton"_s);
+        EXPECT_FALSE(find(u"stopAllButton"_s)->visibleRegion().isEmpty());
+        strike(Qt::Key_1, Qt::ControlModifier);
+    }
+}
+
 TEST_F(LayoutsTest, TheFormGoesBackToItsPlace) {
     strike(Qt::Key_2, Qt::ControlModifier);
     strike(Qt::Key_1, Qt::ControlModifier);

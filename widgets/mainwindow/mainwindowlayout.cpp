@@ -248,7 +248,8 @@ void MainWindow::giveRoomToPlots() {
         }
     addDockWidget(Qt::LeftDockWidgetArea, scope);
     splitDockWidget(scope, m_stepResponse, Qt::Vertical);
-    resizeDocks({scope}, {width() - fontMetrics().height() * kColumn}, Qt::Horizontal);
+    const int column = fontMetrics().height() * kColumn;
+    resizeDocks({scope}, {qMax(column, width() - column)}, Qt::Horizontal);
     resizeDocks({scope, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);
 }
 
@@ -257,7 +258,7 @@ void MainWindow::keepColumn(int wider) {
     auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
     if (m_layouts->kind() == Layouts::Kind::Tune && dockWidgetArea(scope) == Qt::LeftDockWidgetArea &&
         scope->isVisible())
-        resizeDocks({scope}, {scope->width() + wider}, Qt::Horizontal);
+        resizeDocks({scope}, {qMax(1, scope->width() + wider)}, Qt::Horizontal);
 }
 
 void MainWindow::showLayout(Layouts::Kind kind) {

@@ -109,7 +109,9 @@ QString ModuleContext::whyBusy() const {
 }
 
 void ModuleContext::ask(const Intent& intent) {
-    if (!isStop(intent) && !std::holds_alternative<intent::CancelProcedure>(intent)) {
+    const bool ofProcedure = std::holds_alternative<intent::CancelProcedure>(intent) ||
+                             std::holds_alternative<intent::KeepGains>(intent);
+    if (!isStop(intent) && !ofProcedure) {
         if (busy())
             return;
         m_askedAt = m_state.latestTime;

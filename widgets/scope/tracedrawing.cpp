@@ -94,7 +94,7 @@ void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const 
                           low,
                           high,
                           beforeKnown && span.joins(before, signal)};
-            if (band) {
+            if (band && std::isfinite(span.bandLow)) {
                 column.bandLow = scale(static_cast<double>(span.bandLow));
                 column.bandHigh = scale(static_cast<double>(span.bandHigh));
                 m_hasBand = m_hasBand || column.bandHigh > column.bandLow;
