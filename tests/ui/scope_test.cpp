@@ -59,6 +59,27 @@ TEST_F(Scope, DrawsASpikeOfOneSample) {
     EXPECT_LT(rowsAt(u"scopePlot1"_s, 3).size(), 6);
 }
 
+/// An error of ±100 counts. A band of a fifth more is in the strip; of one of a thousand the strip says so,
+/// and the error is still seen as what it is.
+TEST_F(Scope, AnErrorsBandIsTakenInAsFarAsTheErrorCanStillBeSeen) {
+    for (const double half : {140.0, 10'000.0}) {
+        HandMadeHistory history;
+        for (int i = 0; i <= 1000; ++i) {
+            ScopeSample& sample = history.add(i / 100.0, 0);
+            sample.error = i % 100 < 50 ? -100 : 100;
+            sample.errorLow = static_cast<float>(-half);
+            sample.errorHigh = static_cast<float>(half);
+        }
+        show(history, 10);
+        ScopePlot* strip = plot(u"scopePlot2"_s);
+        const AxisRange::Range range = strip->valueRange();
+        const bool whole = range.min <= -half && range.max >= half;
+        EXPECT_EQ(whole, half < 1'000) << range.min << ".." << range.max;
+        EXPECT_EQ(strip->bandNotice().isEmpty(), whole) << strip->bandNotice().toStdString();
+        EXPECT_LE(range.max - range.min, 10 * 200) << "a tenth of the strip is the error's";
+    }
+}
+
 TEST_F(Scope, AGapIsAGap) {
     HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i) {

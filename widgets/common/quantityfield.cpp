@@ -29,10 +29,7 @@ double roundBelow(double value) {
 }  // namespace
 
 QuantityField::QuantityField(Kind kind, QWidget* parent)
-    : NumberField(0, parent),
-      m_kind(kind),
-      m_unit(new QLabel(parent)),
-      m_other(newMutedLine(parent)) {
+    : NumberField(0, parent), m_kind(kind), m_unit(new QLabel(parent)), m_other(newMutedLine(parent)) {
     m_other->setFont(look::tabular(font()));
     connect(this, &NumberField::edited, this, &QuantityField::takeText);
     refresh();

@@ -224,11 +224,16 @@ void StepResponsePage::forgetModules() {
     m_model->showRuns(m_kept);
 }
 
-/// Over the run that they are about, where that is drawn.
+/// Over a run of the same module and distance: the one that they are about, or the next, with the gains that
+/// were suggested.
 void StepResponsePage::showModelCurves() {
-    const std::optional<int> about = m_model->about();
-    const bool drawn = about && (about == m_shown[0] || about == m_shown[1]);
-    m_plot->showModel(drawn ? find(about) : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
+    const KeptRun* about = find(m_model->about());
+    const auto alike = [about](const KeptRun* shown) {
+        return shown != nullptr && shown->run.module == about->run.module &&
+               shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
+    };
+    const bool drawn = about != nullptr && (alike(find(m_shown[0])) || alike(find(m_shown[1])));
+    m_plot->showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
 }
 
 QString StepResponsePage::whyNotUsable(const KeptRun* run) const {

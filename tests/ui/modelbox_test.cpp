@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Model: what it asks for, what it shows of the answers, and which answers no longer count.
+#include <QAction>
+#include <QSlider>
+#include <QTabWidget>
+
+#include "stepruns.h"
+#include "widgets/response/stepresponsedock.h"
+
+namespace nmc {
+namespace {
+
+class ModelPage : public WindowTest {
+protected:
+    ModelPage() {
+        window->resize(1500, 1100);
+        Servo servo;
+        servo.held = true;
+        showServos({servo, Servo{.index = 1}});
+        window->findChild<QAction*>(u"tuneLayoutAction"_s)->trigger();
+        settle();
+    }
+    static void settle() {
+        for (int i = 0; i < 3; ++i)
+            QCoreApplication::processEvents();
+    }
+    StepResponseDock& dock() { return window->stepResponses(); }
+    [[nodiscard]] static Identified motor() {
+        Identified found;
+        found.motor.gain = {788, 8};
+        found.motor.timeConstant = {0.0129, 0.0002};
+        found.motor.friction = {1.2, 0.3};
+        found.motor.load = {0, 1};
+        found.runs = {FittedRun{{{0.0, 500.0}, {0.01, 590.0}, {0.02, 600.0}}, 0.0, 0.0}};
+        return found;
+    }
+    [[nodiscard]] Suggestion answerTo(const SuggestionTask& task) {
+        Suggestion suggestion{task.id, someGains(), {}};
+        suggestion.gains->kp = 321;
+        suggestion.prediction = predict(task.motor.constants(), *suggestion.gains, 500, 600, 0.1, 2.0);
+        return suggestion;
+    }
+    [[nodiscard]] SuggestionTask task() {
+        EXPECT_FALSE(tasks.isEmpty());
+        return tasks.isEmpty() ? SuggestionTask{} : tasks.last().at(0).value<SuggestionTask>();
+    }
+    void find() {
+        window->showStepRun(ramp());
+        click(u"identifyButton"_s);
+        dock().showMotor(ModuleIndex(0), motor());
+    }
+    using WindowTest::find;
+    QSignalSpy wanted{&dock(), &StepResponseDock::identifyWanted};
+    QSignalSpy tasks{&dock(), &StepResponseDock::suggestionWanted};
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
+    window->showStepRun(ramp(100, 1));
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "of another module";
+    for (int i = 0; i < 7; ++i)
+        window->showStepRun(ramp(100 + i));
+    click(u"identifyButton"_s);
+    ASSERT_EQ(wanted.size(), 1);
+    const auto runs = wanted.at(0).at(1).value<std::vector<StepRun>>();
+    ASSERT_EQ(runs.size(), 5U);
+    EXPECT_EQ(runs.front().points.back().position, 602);
+    EXPECT_EQ(runs.back().points.back().position, 606);
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "it is being looked for";
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
+    find();
+    EXPECT_TRUE(text(u"motorModel"_s).startsWith(u"Gain 788 ± 8 counts/s per PWM count"_s))
+        << text(u"motorModel"_s).toStdString();
+    EXPECT_TRUE(text(u"motorModel"_s).contains(u"Time constant 12.9 ± 0.2 ms"_s));
+    EXPECT_FALSE(button(u"fillSuggestedButton"_s)->isEnabled());
+    dock().showSuggestion(answerTo(task()));
+    EXPECT_TRUE(text(u"suggestedGains"_s).startsWith(u"Kp 321"_s));
+    click(u"fillSuggestedButton"_s);
+    EXPECT_EQ(field(u"kpField"_s)->value(), 321);
+    EXPECT_EQ(intents.size(), 0) << "nothing is sent";
+}
+
+TEST_F(ModelPage, OnlyTheAnswerToTheLatestQuestionCounts) {
+    find();
+    const SuggestionTask first = task();
+    auto* slider = find<QSlider>(u"stiffnessSlider"_s);
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageDown);
+    ASSERT_NE(task().id, first.id);
+    EXPECT_LT(task().wish.stiffness, first.wish.stiffness);
+    dock().showSuggestion(answerTo(first));
+    EXPECT_TRUE(text(u"suggestedGains"_s).isEmpty());
+    dock().showSuggestion(answerTo(task()));
+    EXPECT_FALSE(text(u"suggestedGains"_s).isEmpty());
+    Suggestion none;
+    QTest::keyClick(slider, Qt::Key_PageDown);
+    none.id = task().id;
+    dock().showSuggestion(none);
+    EXPECT_TRUE(text(u"suggestedGains"_s).startsWith(u"No gains"_s));
+    EXPECT_FALSE(button(u"fillSuggestedButton"_s)->isEnabled());
+}
+
+TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
+    QSet<QString> sentences;
+    for (const auto failure :
+         {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
+          IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::GainUnclear,
+          IdentifyFailure::TimeConstantUnclear}) {
+        window->showStepRun(ramp());
+        click(u"identifyButton"_s);
+        dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
+        sentences << text(u"motorModel"_s);
+    }
+    EXPECT_EQ(sentences.size(), 7);
+    EXPECT_FALSE(sentences.contains(QString()));
+    EXPECT_TRUE(tasks.isEmpty());
+}
+
+TEST_F(ModelPage, IsOfOneModuleAndOneConnection) {
+    find();
+    EXPECT_FALSE(text(u"motorModel"_s).isEmpty());
+    window->showLink(LinkState{});
+    showServo();
+    settle();
+    EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc
