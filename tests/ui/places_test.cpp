@@ -208,6 +208,8 @@ TEST_P(Places, OfWhatActsCanBeScrolledIntoSight) {
             testing_support::turnTo(*button);
             EXPECT_TRUE(!button->isVisible() || button->visibleRegion().boundingRect() == button->rect())
                 << button->objectName().toStdString();
+            EXPECT_TRUE(!button->isVisible() || button->width() >= button->sizeHint().width())
+                << button->objectName().toStdString() << ": its words are cut";
         }
     }
 }

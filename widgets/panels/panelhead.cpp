@@ -21,8 +21,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kWide = 34;  ///< lines of text, from which on the position stands beside the state
-}
+// Lines of text, from which on the position stands beside the state, and buttons have icons.
+constexpr int kWide = 34;
+constexpr int kRoomy = 46;
+}  // namespace
 
 PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     : QFrame(parent),
@@ -106,8 +108,14 @@ void PanelHead::build() {
 
 void PanelHead::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    if (const bool narrow = width() < fontMetrics().height() * kWide; narrow != m_narrow)
+    const int lines = width() / fontMetrics().height();
+    if (const bool narrow = lines < kWide; narrow != m_narrow)
         arrange(narrow);
+    // Where words need the room, in German say.
+    const int icon = lines < kRoomy ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);
+    for (const Command* command : {m_enable, m_stopSmoothly, m_stopAbruptly, m_stopHere, m_motorOff})
+        if (command != nullptr)
+            command->button()->setIconSize({icon, icon});
 }
 
 QHBoxLayout* PanelHead::row(std::initializer_list<QWidget*> widgets) const {
@@ -140,10 +148,6 @@ void PanelHead::arrange(bool narrow) {
     grid->setHorizontalSpacing(unit);
     grid->setVerticalSpacing(narrow ? unit / 3 : unit / 2);
     m_type->setVisible(!narrow);
-    const int icon = narrow ? 0 : style()->pixelMetric(QStyle::PM_ButtonIconSize);
-    for (const Command* command : {m_enable, m_stopSmoothly, m_stopAbruptly, m_stopHere, m_motorOff})
-        if (command != nullptr)
-            command->button()->setIconSize({icon, icon});
     QHBoxLayout* who = row({m_name, m_type});
     who->addStretch(1);
     who->addWidget(m_procedure);
