@@ -59,7 +59,7 @@ ModelBox::ModelBox(QWidget* parent) : QWidget(parent) {
                   tr("How much a count of the encoder may shake the motor by way of Kd."), LoopWish{}.noise);
     int line = 2;
     for (QSlider* slider : {m_stiffness, m_damping, m_noise}) {
-        auto* label = new QLabel(slider->property("text").toString(), this);
+        auto* label = new QLabel(slider->accessibleName(), this);
         label->setBuddy(slider);
         label->setToolTip(slider->toolTip());
         grid->addWidget(label, line, 0);
@@ -81,7 +81,6 @@ QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, con
                              double first) {
     auto* slider = new QSlider(Qt::Horizontal, this);
     look::name(slider, objectName, text);
-    slider->setProperty("text", text);
     slider->setToolTip(meaning);
     slider->setRange(0, kSliderSteps);
     slider->setValue(qRound(first * kSliderSteps));
