@@ -105,8 +105,9 @@ private:
     void showSequence(const SequenceReport& report);
     /// Before a stop of all motors, or an end of the connection that stops them.
     void endMotions();
-    /// Gives the module the bus while its step is recorded, and the window the run when it is over.
+    /// Gives the module the bus while it is watched.
     void focusOn(const ProcedureReport& report);
+    /// Gives the window the run when it is over.
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
     void act(const Message& message, MessageAction action);

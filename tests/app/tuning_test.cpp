@@ -35,6 +35,14 @@ protected:
     [[nodiscard]] int runs() {
         return panel.window().findChild<QTableWidget*>(u"stepRunTable"_s)->rowCount();
     }
+    /// With the starting values, at a position that is known.
+    void hold() {
+        ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
+        ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    }
     void step() {
         const int before = runs();
         ASSERT_NO_FATAL_FAILURE(panel.click("stepResponseButton"));
@@ -96,11 +104,7 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
 }
 
 TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
-    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
-    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+    ASSERT_NO_FATAL_FAILURE(hold());
     for (const auto& [name, value] : {std::pair{"kpField", "5000"}, {"kdField", "0"}, {"kiField", "0"}}) {
         auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
         field->setFocus();
@@ -118,11 +122,7 @@ TEST_F(Tuning, UnstableGainsThatAreTriedAreTakenBack) {
 }
 
 TEST_F(Tuning, GainsThatAreKeptStay) {
-    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
-    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+    ASSERT_NO_FATAL_FAILURE(hold());
     auto* field = panel.window().findChild<QLineEdit*>(u"kpField"_s);
     field->setFocus();
     field->selectAll();
@@ -142,11 +142,7 @@ TEST_F(Tuning, WithoutAStepItSaysWhatIsMissing) {
 }
 
 TEST_F(Tuning, AShaftThatIsHeldGivesNoModel) {
-    ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
-    ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-    ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    ASSERT_NO_FATAL_FAILURE(hold());
     (void)sim.control(u"set 1 friction 5"_s);  // N*m: no motor of its size turns that
     ASSERT_NO_FATAL_FAILURE(step());
     ASSERT_NO_FATAL_FAILURE(panel.click("identifyButton"));

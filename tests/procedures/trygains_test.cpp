@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr double kPush = 0.05;  ///< N·m: half of what stalls the motor
 constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
+constexpr servo::SetGain kOther{250, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
 
 class TriedGains : public testing::Test {
 protected:
@@ -50,10 +51,8 @@ protected:
 
 TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
     ASSERT_TRUE(hold());
-    servo::SetGain other = kGood;
-    other.kp = 250;
     const TimePoint began = bench.bus.now;
-    const ProcedureReport report = bench.run(intent::TryGains{other, 10.0});
+    const ProcedureReport report = bench.run(intent::TryGains{kOther, 10.0});
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_FALSE(report.kept);
     EXPECT_TRUE(bench.stages.count(ProcedureStage::Trying));
@@ -65,27 +64,23 @@ TEST_F(TriedGains, AreTakenBackWhenTheTimeIsOver) {
 
 TEST_F(TriedGains, StayWhenTheyAreKept) {
     ASSERT_TRUE(hold());
-    servo::SetGain other = kGood;
-    other.kp = 250;
-    bench.begin(intent::TryGains{other, 10.0});
+    bench.begin(intent::TryGains{kOther, 10.0});
     ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
     ASSERT_TRUE(bench.turn());
     bench.procedure->keep();
     const ProcedureReport report = bench.goOn();
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_TRUE(report.kept);
-    EXPECT_TRUE(hasGains(other));
+    EXPECT_TRUE(hasGains(kOther));
 }
 
 TEST_F(TriedGains, AreTakenBackAtAStop) {
     ASSERT_TRUE(hold());
-    servo::SetGain other = kGood;
-    other.kp = 250;
-    bench.begin(intent::TryGains{other, 10.0});
+    bench.begin(intent::TryGains{kOther, 10.0});
     ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
     for (int i = 0; i < 5; ++i)
         ASSERT_TRUE(bench.turn());
-    ASSERT_TRUE(hasGains(other));
+    ASSERT_TRUE(hasGains(kOther));
     bench.procedure->cancel();
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
     EXPECT_TRUE(hasGains(kGood));

@@ -120,6 +120,17 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
     EXPECT_TRUE(tasks.isEmpty());
 }
 
+TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
+    window->showStepRun(ramp());
+    click(u"identifyButton"_s);
+    window->showLink(LinkState{});
+    showServo();
+    settle();
+    dock().showMotor(ModuleIndex(0), motor());
+    EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
+    EXPECT_TRUE(button(u"identifyButton"_s)->isEnabled());
+}
+
 TEST_F(ModelPage, IsOfOneModuleAndOneConnection) {
     find();
     EXPECT_FALSE(text(u"motorModel"_s).isEmpty());

@@ -132,11 +132,10 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
 }
 
 Words tryFailed(ProcedureFailure failure, const QString& who) {
-    const QString back = Texts::tr("%1 has the gains from before again: it began to swing.").arg(who);
-    const QString advice = Texts::tr("Lower Kp and Ki, or raise Kd, then try again.");
     switch (failure) {
         case ProcedureFailure::Swings:
-            return {back, advice};
+            return {Texts::tr("%1 has the gains from before again: it began to swing.").arg(who),
+                    Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
         case ProcedureFailure::TravelLimit:
             return {
                 Texts::tr("%1 has the gains from before again: it left the place where it stood.").arg(who),

@@ -238,6 +238,7 @@ private:
     ModulePanel* m_panel = nullptr;
     ChainView* m_chain = nullptr;
     ScopePanel* m_scope = nullptr;
+    QDockWidget* m_scopeDock = nullptr;  ///< its place
     MessagePanel* m_messages = nullptr;
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;

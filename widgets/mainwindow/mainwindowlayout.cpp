@@ -65,16 +65,16 @@ void MainWindow::buildDocks() {
     m_scope->setSetup(ScopeSetup::fromText(m_settings.value(kScope).toString()));
     m_messages = new MessagePanel(this);
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
-    QDockWidget* scope = addDock(u"scopeDock"_s, tr("Scope"), scrolled(m_scope), Qt::BottomDockWidgetArea);
+    m_scopeDock = addDock(u"scopeDock"_s, tr("Scope"), scrolled(m_scope), Qt::BottomDockWidgetArea);
     QDockWidget* messages =
         addDock(u"messagesDock"_s, tr("Messages"), scrolled(m_messages), Qt::BottomDockWidgetArea);
     addSimulatorDock();
     m_monitor = new MonitorDock(this);
-    placeMonitor(*this, *m_monitor, *messages, *scope);
+    placeMonitor(*this, *m_monitor, *messages, *m_scopeDock);
     m_docks.append(m_monitor);
-    addStepResponseDock(*scope, *messages);
+    addStepResponseDock(*m_scopeDock, *messages);
     m_docks.append(m_stepResponse);
-    addMotionDocks(*scope, *messages);
+    addMotionDocks(*m_scopeDock, *messages);
     m_layouts = new Layouts(*this, m_settings, [this](Layouts::Kind kind) { arrangeDocks(kind); });
     connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);
     m_stepNow = new QAction(tr("Step"), this);
@@ -85,8 +85,8 @@ void MainWindow::buildDocks() {
     // Whatever were added afterwards would undo it.
     const int em = fontMetrics().height();
     resizeDocks({m_docks.front()}, {em * 16}, Qt::Horizontal);
-    resizeDocks({scope, messages}, {em * 43, em * 22}, Qt::Horizontal);
-    resizeDocks({scope}, {em * 23}, Qt::Vertical);
+    resizeDocks({m_scopeDock, messages}, {em * 43, em * 22}, Qt::Horizontal);
+    resizeDocks({m_scopeDock}, {em * 23}, Qt::Vertical);
 }
 
 void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) {
@@ -168,16 +168,17 @@ void MainWindow::makeRoomForSimulator() {
 void MainWindow::makeRoomForMotions() {
     layout()->activate();
     const ModulePage* page = m_panel->page();
-    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
-    if (page == nullptr || !scope->isVisible() || dockWidgetArea(scope) != Qt::BottomDockWidgetArea)
+    if (page == nullptr || !m_scopeDock->isVisible() ||
+        dockWidgetArea(m_scopeDock) != Qt::BottomDockWidgetArea)
         return;
     const int least = fontMetrics().height() * kLowestScope;
-    const int most = scope->height() + m_scopeGave;
-    const int wanted = qBound(qMin(least, scope->height()), scope->height() + page->spareHeight(), most);
-    if (wanted == scope->height())
+    const int most = m_scopeDock->height() + m_scopeGave;
+    const int wanted =
+        qBound(qMin(least, m_scopeDock->height()), m_scopeDock->height() + page->spareHeight(), most);
+    if (wanted == m_scopeDock->height())
         return;
-    m_scopeGave += scope->height() - wanted;
-    resizeDocks({scope}, {wanted}, Qt::Vertical);
+    m_scopeGave += m_scopeDock->height() - wanted;
+    resizeDocks({m_scopeDock}, {wanted}, Qt::Vertical);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -216,13 +217,12 @@ void MainWindow::arrangeDocks(Layouts::Kind kind) {
     restoreState(m_firstState);
     const bool tune = kind == Layouts::Kind::Tune;
     const bool chain = kind == Layouts::Kind::Chain;
-    const QDockWidget* scope = findChild<QDockWidget*>(u"scopeDock"_s);
     const QDockWidget* messages = findChild<QDockWidget*>(u"messagesDock"_s);
     for (QDockWidget* dock : m_docks)
         dock->setVisible(dock == m_simulator       ? dock->isVisible()
                          : dock == m_stepResponse  ? tune
                          : dock == m_monitor       ? chain
-                         : dock == scope           ? !chain
+                         : dock == m_scopeDock     ? !chain
                          : dock == messages        ? !tune
                          : dock == m_docks.front() ? !tune
                                                    : false);
@@ -239,26 +239,24 @@ void MainWindow::resetLayout() {
 
 /// At the left, above one another; what is opened besides comes to the right of the gains.
 void MainWindow::giveRoomToPlots() {
-    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
     for (QDockWidget* dock : m_docks)
-        if (dock != scope && dock != m_stepResponse) {
+        if (dock != m_scopeDock && dock != m_stepResponse) {
             const bool shown = !dock->isHidden();
             addDockWidget(Qt::RightDockWidgetArea, dock);
             dock->setVisible(shown);
         }
-    addDockWidget(Qt::LeftDockWidgetArea, scope);
-    splitDockWidget(scope, m_stepResponse, Qt::Vertical);
+    addDockWidget(Qt::LeftDockWidgetArea, m_scopeDock);
+    splitDockWidget(m_scopeDock, m_stepResponse, Qt::Vertical);
     const int column = fontMetrics().height() * kColumn;
-    resizeDocks({scope}, {qMax(column, width() - column)}, Qt::Horizontal);
-    resizeDocks({scope, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);
+    resizeDocks({m_scopeDock}, {qMax(column, width() - column)}, Qt::Horizontal);
+    resizeDocks({m_scopeDock, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);
 }
 
 /// The window has become wider: the plots have what it has gained.
 void MainWindow::keepColumn(int wider) {
-    auto* scope = findChild<QDockWidget*>(u"scopeDock"_s);
-    if (m_layouts->kind() == Layouts::Kind::Tune && dockWidgetArea(scope) == Qt::LeftDockWidgetArea &&
-        scope->isVisible())
-        resizeDocks({scope}, {qMax(1, scope->width() + wider)}, Qt::Horizontal);
+    if (m_layouts->kind() == Layouts::Kind::Tune && dockWidgetArea(m_scopeDock) == Qt::LeftDockWidgetArea &&
+        m_scopeDock->isVisible())
+        resizeDocks({m_scopeDock}, {qMax(1, m_scopeDock->width() + wider)}, Qt::Horizontal);
 }
 
 void MainWindow::showLayout(Layouts::Kind kind) {
@@ -279,6 +277,8 @@ void MainWindow::stepNow() {
         m_stepResponse->open();
     if (const ModuleState* module = selectedState())
         m_stepResponse->page().showModule(m_session.viewOf(*module));
+    else
+        m_stepResponse->page().showNothing();
     m_stepResponse->page().step();
 }
 

@@ -34,7 +34,7 @@ QLabel* newParagraph(const QString& objectName, const QString& what, int lines, 
 }
 }  // namespace
 
-ModelBox::ModelBox(QWidget* parent) : QWidget(parent) {
+ModelBox::ModelBox(const std::vector<KeptRun>& runs, QWidget* parent) : QWidget(parent), m_runs(runs) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find the motor that explains the steps"));
@@ -99,34 +99,35 @@ std::vector<const KeptRun*> ModelBox::ofThisModule() const {
     return mine;
 }
 
-const FoundMotor* ModelBox::found() const {
+const ModelBox::Found* ModelBox::found() const {
     const auto entry = m_servo ? m_found.find(*m_servo) : m_found.end();
     return entry != m_found.end() ? &entry->second : nullptr;
 }
 
 void ModelBox::identify() {
-    std::vector<StepRun> runs;
-    for (const KeptRun* kept : ofThisModule())
-        runs.push_back(kept->run);
-    if (runs.empty() || m_looking)
+    const std::vector<const KeptRun*> mine = ofThisModule();
+    if (mine.empty() || m_looking)
         return;
-    m_looking = m_servo;
-    m_foundFrom[*m_servo] = ofThisModule().back()->number;
+    std::vector<StepRun> runs;
+    for (const KeptRun* kept : mine)
+        runs.push_back(kept->run);
+    m_looking = Looking{*m_servo, mine.back()->number};
     m_found.erase(*m_servo);
     suggest();
     emit identifyWanted(*m_servo, runs);
 }
 
 void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
+    if (!m_looking || m_looking->module != module)
+        return;  // of the last connection
+    m_found.insert_or_assign(module, Found{found, m_looking->from});
     m_looking.reset();
-    m_found.insert_or_assign(module, found);
     suggest();
 }
 
 void ModelBox::forget() {
     m_found.clear();
-    m_foundFrom.clear();
-    m_runs.clear();
+    m_looking.reset();
     suggest();
 }
 
@@ -147,8 +148,7 @@ void ModelBox::showNothing() {
     suggest();
 }
 
-void ModelBox::showRuns(const std::vector<KeptRun>& runs) {
-    m_runs = runs;
+void ModelBox::showRuns() {
     suggest();
 }
 
@@ -157,8 +157,8 @@ void ModelBox::suggest() {
     m_fitted.clear();
     m_about.reset();
     const int id = ++m_asked;
-    if (const FoundMotor* motor = found(); motor != nullptr && *motor) {
-        const int number = m_foundFrom.at(*m_servo);
+    if (const Found* found = this->found(); found != nullptr && found->motor) {
+        const int number = found->from;
         const auto last = std::find_if(m_runs.begin(), m_runs.end(),
                                        [number](const KeptRun& kept) { return kept.number == number; });
         if (last != m_runs.end()) {
@@ -166,9 +166,9 @@ void ModelBox::suggest() {
                 return static_cast<double>(slider->value()) / kSliderSteps;
             };
             m_about = number;
-            m_fitted = (*motor)->runs.back().points;
+            m_fitted = found->motor->runs.back().points;
             emit suggestionWanted({id,
-                                   (*motor)->motor,
+                                   found->motor->motor,
                                    {part(m_stiffness), part(m_damping), part(m_noise)},
                                    m_gains.value_or(last->run.taken.gains),
                                    last->run.taken,
@@ -203,21 +203,21 @@ void ModelBox::refresh() {
     look::setPossible(m_fill, m_suggestion.gains ? QString() : tr("No gains are suggested."),
                       tr("Puts the suggested gains into the fields of the Gains page. Sends nothing."));
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})
-        slider->setEnabled(found() != nullptr && found()->has_value());
+        slider->setEnabled(found() != nullptr && found()->motor.has_value());
     showWords();
 }
 
 void ModelBox::showWords() {
-    const FoundMotor* motor = found();
-    look::setText(m_motor, m_looking && m_looking == m_servo ? tr("Looking for the motor…")
-                           : motor == nullptr                ? QString()
-                           : *motor                          ? texts::motorFound(**motor).join(u'\n')
-                                                             : texts::motorNotFound(motor->error()));
+    const Found* found = this->found();
+    look::setText(m_motor, m_looking && m_looking->module == m_servo ? tr("Looking for the motor…")
+                           : found == nullptr                        ? QString()
+                           : found->motor ? texts::motorFound(*found->motor).join(u'\n')
+                                          : texts::motorNotFound(found->motor.error()));
     QString words;
     if (m_suggestion.gains && m_suggestion.prediction)
         words = texts::gainsInShort(*m_suggestion.gains) + u'\n' +
                 texts::predicted(*m_suggestion.prediction).join(u'\n');
-    else if (motor != nullptr && *motor)
+    else if (found != nullptr && found->motor)
         words = !m_about                     ? tr("The run that it was found from is gone. Find it again.")
                 : m_suggestion.id == m_asked ? tr("No gains make this motor stable and still.")
                                              : QString();

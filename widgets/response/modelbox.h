@@ -41,13 +41,15 @@ class ModelBox : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ModelBox(QWidget* parent = nullptr);
+    /// `runs`: those of the list, newest last; they must outlive it.
+    explicit ModelBox(const std::vector<KeptRun>& runs, QWidget* parent = nullptr);
 
     // Emit nothing but curvesChanged().
     void showModule(const PanelView& view);
     void showNothing();
-    /// Those of the list, newest last.
-    void showRuns(const std::vector<KeptRun>& runs);
+    /// The runs of the list are others.
+    void showRuns();
+    /// The answer to identifyWanted(); nothing where it is not waited for any more.
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to suggestionWanted().
     void showSuggestion(const Suggestion& suggestion);
@@ -70,13 +72,22 @@ signals:
     void curvesChanged();
 
 private:
+    struct Looking {
+        ModuleIndex module;
+        int from = 0;  ///< the number of the last run that is looked at
+    };
+    struct Found {
+        FoundMotor motor;
+        int from = 0;
+    };
+
     QSlider* newSlider(const QString& objectName, const QString& text, const QString& meaning, double first);
     void identify();
     void refresh();
     void suggest();
     void showWords();
     [[nodiscard]] std::vector<const KeptRun*> ofThisModule() const;
-    [[nodiscard]] const FoundMotor* found() const;
+    [[nodiscard]] const Found* found() const;
 
     QPushButton* m_identify = nullptr;
     QPushButton* m_fill = nullptr;
@@ -85,10 +96,9 @@ private:
     QSlider* m_stiffness = nullptr;
     QSlider* m_damping = nullptr;
     QSlider* m_noise = nullptr;
-    std::vector<KeptRun> m_runs;
-    std::map<ModuleIndex, FoundMotor> m_found;
-    std::map<ModuleIndex, int> m_foundFrom;  ///< the number of the last run that was looked at
-    std::optional<ModuleIndex> m_looking;
+    const std::vector<KeptRun>& m_runs;
+    std::map<ModuleIndex, Found> m_found;
+    std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< that it has
     int m_asked = 0;                        ///< suggestions, so far

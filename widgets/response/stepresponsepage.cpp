@@ -30,7 +30,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     : QWidget(parent),
       m_form(new StepForm(this)),
       m_results(new StepResults(this)),
-      m_model(new ModelBox(this)),
+      m_model(new ModelBox(m_kept, this)),
       m_plot(new StepPlot(this)),
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
@@ -187,12 +187,14 @@ void StepResponsePage::showRun(KeptRun run) {
         m_kept.erase(std::find_if(m_kept.begin(), m_kept.end(), [this](const KeptRun& kept) {
             return kept.number != m_shown[0] && kept.number != m_shown[1];
         }));
+    m_model->showRuns();
     refreshRuns();
 }
 
 void StepResponsePage::judgeAll(double bandPercent) {
     for (KeptRun& kept : m_kept)
         setBand(kept.run, bandPercent);
+    m_model->showRuns();
     refreshRuns();
 }
 
@@ -207,7 +209,7 @@ void StepResponsePage::refreshRuns() {
     m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
     m_plot->showRuns(a, b, others());
-    m_model->showRuns(m_kept);
+    showModelCurves();
     refreshButtons();
 }
 
@@ -221,7 +223,6 @@ void StepResponsePage::showSuggestion(const Suggestion& suggestion) {
 
 void StepResponsePage::forgetModules() {
     m_model->forget();
-    m_model->showRuns(m_kept);
 }
 
 /// Over a run of the same module and distance: the one that they are about, or the next, with the gains that
@@ -269,6 +270,7 @@ void StepResponsePage::removeChosen() {
     for (std::optional<int>& shown : m_shown)
         if (shown == chosen)
             shown.reset();
+    m_model->showRuns();
     refreshRuns();
 }
 

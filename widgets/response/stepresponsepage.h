@@ -79,6 +79,7 @@ private:
     [[nodiscard]] const KeptRun* find(std::optional<int> number) const;
     [[nodiscard]] QString whyNotUsable(const KeptRun* run) const;
 
+    std::vector<KeptRun> m_kept;  ///< oldest first
     StepForm* m_form;
     StepResults* m_results;
     ModelBox* m_model;
@@ -91,7 +92,6 @@ private:
     QPushButton* m_remove = nullptr;
     QPushButton* m_save = nullptr;
     QCheckBox* m_all = nullptr;
-    std::vector<KeptRun> m_kept;  ///< oldest first
     ShownRuns m_shown;
     int m_lastNumber = 0;
     std::optional<ModuleIndex> m_servo;  ///< what is selected, if it is a PIC-SERVO
