@@ -64,6 +64,21 @@ public:
         return waitUntil([this] { return news<Event>() != nullptr; });
     }
 
+    /// Waits for a chain of so many modules. A search that a stall of this machine has spoilt is begun again,
+    /// as a person would.
+    bool findsChain(std::size_t modules) {
+        for (int attempts = 3; attempts > 0; --attempts) {
+            waitUntil([this] {
+                return news<bus::ChainFound>() != nullptr || news<bus::ConnectFailed>() != nullptr;
+            });
+            if (news<bus::ChainFound>() != nullptr && m_store.link().modules.size() == modules)
+                return true;
+            m_news.clear();
+            m_worker.connectAgain();
+        }
+        return false;
+    }
+
     void submit(std::vector<bus::Step> steps) {
         m_worker.submit({bus::OperationId(++m_lastId), std::move(steps)});
     }
