@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/filedialog.h"
+#include "widgets/common/lazydock.h"
+#include "widgets/panels/panelview.h"
+
+class QTabWidget;
+
+namespace nmc {
+
+class FrequencyPage;
+class SquareWavePage;
+struct KeptRun;
+
+/// The place of the longer tests of a loop, closed at first: its content is built when it is seen for the
+/// first time, or when a test tells of itself.
+class LoopTestsDock : public LazyDock {
+    Q_OBJECT
+
+public:
+    explicit LoopTestsDock(QWidget* parent = nullptr);
+
+    // As in its pages.
+    void showModule(const PanelView& view);
+    void showNothing();
+    /// Those that come are of another connection.
+    void forgetModules();
+    [[nodiscard]] SquareWavePage& squareWave();
+    [[nodiscard]] FrequencyPage& frequency();
+
+signals:
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
+    void runKept(const nmc::KeptRun& run);
+    void saveRequested(const QString& path, const nmc::FileContent& content);
+
+private:
+    void build() override;
+
+    QTabWidget* m_tabs = nullptr;
+    SquareWavePage* m_square = nullptr;
+    FrequencyPage* m_frequency = nullptr;
+};
+
+}  // namespace nmc
