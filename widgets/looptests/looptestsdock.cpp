@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/looptests/looptestsdock.h"
 
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTabWidget>
 
@@ -27,6 +28,11 @@ void LoopTestsDock::build() {
     m_tabs->addTab(m_square, tr("Square wave"));
     m_tabs->addTab(m_frequency, tr("Frequency response"));
     keepFocusOnTabs(*m_tabs);
+    m_report = new QPushButton(tr("Report…"), m_tabs);
+    look::name(m_report, u"tuningReportButton"_s, tr("Save a report of the tuning"));
+    m_tabs->setCornerWidget(m_report);
+    connect(m_report, &QPushButton::clicked, this, &LoopTestsDock::reportWanted);
+    showReportPossible(false);
     connect(m_square, &SquareWavePage::asked, this, &LoopTestsDock::asked);
     connect(m_square, &SquareWavePage::runKept, this, &LoopTestsDock::runKept);
     connect(m_frequency, &FrequencyPage::asked, this, &LoopTestsDock::asked);
@@ -49,6 +55,7 @@ void LoopTestsDock::showModule(const PanelView& view) {
         return;
     squareWave().showModule(view);
     frequency().showModule(view);
+    showReportPossible(view.module.isServo());
 }
 
 void LoopTestsDock::forgetModules() {
@@ -61,6 +68,14 @@ void LoopTestsDock::showNothing() {
         return;
     squareWave().showNothing();
     frequency().showNothing();
+    showReportPossible(false);
+}
+
+void LoopTestsDock::showReportPossible(bool servo) {
+    look::setPossible(
+        m_report, servo ? QString() : tr("Select a PIC-SERVO first."),
+        tr("One page, as PDF or HTML: gains, the last step response, the motor that was found and "
+           "the frequency response."));
 }
 
 }  // namespace nmc

@@ -5,6 +5,7 @@
 #include "widgets/common/lazydock.h"
 #include "widgets/panels/panelview.h"
 
+class QPushButton;
 class QTabWidget;
 
 namespace nmc {
@@ -32,12 +33,17 @@ public:
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void runKept(const nmc::KeptRun& run);
+    /// Of all that is known of the selected module's loop.
+    void reportWanted();
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     void build() override;
 
+    void showReportPossible(bool servo);
+
     QTabWidget* m_tabs = nullptr;
+    QPushButton* m_report = nullptr;
     SquareWavePage* m_square = nullptr;
     FrequencyPage* m_frequency = nullptr;
 };

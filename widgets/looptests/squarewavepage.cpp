@@ -29,9 +29,15 @@ constexpr std::int32_t kFirstExcursion = 200;
 [[nodiscard]] SquarePlot::Fold foldOf(std::span<const StepRun> edges) {
     if (edges.empty())
         return {};
+    SquarePlot::Fold fold;
+    fold.forward = foldEdges(edges, true);
+    fold.back = foldEdges(edges, false);
+    // What comes before the way back is the end of the way there.
+    std::erase_if(fold.back, [](const FoldedPoint& point) { return point.seconds < 0; });
     const StepTaken& last = edges.back().taken;
-    return {foldEdges(edges, true), foldEdges(edges, false),
-            static_cast<double>(std::abs(std::int64_t{last.goal} - last.from)), last.record};
+    fold.counts = static_cast<double>(std::abs(std::int64_t{last.goal} - last.from));
+    fold.half = last.record;
+    return fold;
 }
 }  // namespace
 

@@ -48,6 +48,7 @@ class Ribbon;
 class ScopeFiles;
 class ScopePanel;
 class LoopTestsDock;
+struct TuningReport;
 class SequencesDock;
 class SimulatorDock;
 class StepResponseDock;
@@ -196,6 +197,8 @@ private:
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines);
     void makeRoomForSequences(QDockWidget& messages);
+    [[nodiscard]] std::optional<TuningReport> tuningReport();
+    void chooseReportFile();
     void addLoopTestsDock(QDockWidget& scope, QDockWidget& messages);
     void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
     void showAllAxes();

@@ -120,6 +120,7 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
         Qt::QueuedConnection);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
     connect(m_loopTests, &LoopTestsDock::runKept, this, [this](const KeptRun& run) { showStepRun(run); });
+    connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_loopTests, &LoopTestsDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
 }

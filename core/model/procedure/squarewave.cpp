@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/squarewave.h"
 
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -10,8 +11,18 @@
 namespace nmc {
 
 namespace {
-constexpr unsigned kRhythms = 5;
-}
+/// Polls come in a rhythm that every edge would begin anew, and all edges were sampled at the same times. So
+/// one question comes first, of which the answer is each time a little longer.
+constexpr std::array kFirstQuestions{
+    StatusItems(StatusItems::Analog),
+    StatusItems(StatusItems::Velocity),
+    StatusItems(StatusItems::Velocity | StatusItems::Analog),
+    StatusItems(StatusItems::Position),
+    StatusItems(StatusItems::Position | StatusItems::Analog),
+    StatusItems(StatusItems::Position | StatusItems::Velocity),
+    StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux),
+};
+}  // namespace
 
 SquareWaveRun::SquareWaveRun(const intent::SquareWave& wanted, const ModuleState& module)
     : LoopTest(ProcedureKind::SquareWave, module), m_wanted(wanted) {
@@ -48,10 +59,7 @@ SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
     m_report.round = (m_edges + 1) / 2;
     for (bus::Step& step : jump(module, goal, m_wanted.way))
         sent.push_back(std::move(step));
-    // Polls come in a rhythm that every edge begins anew; a different number of questions first, so that not
-    // all edges are sampled at the same times.
-    for (unsigned i = 0; i < m_edges / 2 % kRhythms; ++i)
-        sent.push_back(steps({Nop{}}).front());
+    sent.push_back(steps({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
     return send(std::move(sent));
 }
 
