@@ -74,7 +74,7 @@ void CursorTable::showReadings(const ScopeStrips& strips, const History& history
                 return value ? std::optional(trace.scale(*value)) : std::nullopt;
             };
             const auto text = [&](std::optional<double> value) {
-                return value ? texts::signalValue(*value, trace.signal, module) : u"–"_s;
+                return value ? texts::numberAt(*value, texts::signalStep(trace.signal, module)) : u"–"_s;
             };
             const auto first = read(times[0]);
             const auto second = read(times[1]);
