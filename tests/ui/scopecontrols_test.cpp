@@ -303,6 +303,34 @@ TEST_F(ScopeControls, AccelerationAndPwmAreDrawnWhenTheyAreChosen) {
     find<SignalsDialog>(u"scopeSignalsDialog"_s)->reject();
 }
 
+TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {
+    click(u"scopeSignalsButton"_s);
+    auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);
+    auto* table = dialog->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    auto* filter = dialog->findChild<QLineEdit*>(u"scopeSignalsFilter"_s);
+    const auto seen = [table] {
+        QStringList names;
+        for (int i = 0; i < table->topLevelItemCount(); ++i)
+            for (int k = 0; k < table->topLevelItem(i)->childCount(); ++k)
+                if (!table->topLevelItem(i)->isHidden() && table->topLevelItem(i)->isExpanded() &&
+                    !table->topLevelItem(i)->child(k)->isHidden())
+                    names << table->topLevelItem(i)->text(0) + u": "_s +
+                                 table->topLevelItem(i)->child(k)->text(0);
+        return names;
+    };
+    QTest::keyClicks(filter, u"2 VELO"_s);
+    EXPECT_EQ(seen(), QStringList{u"Module 2: velocity"_s});
+    QTest::keyClick(filter, Qt::Key_Return);
+    EXPECT_TRUE(dialog->isVisible()) << "Enter is no wish to leave";
+    filter->selectAll();
+    QTest::keyClicks(filter, u"nothing of the kind"_s);
+    EXPECT_TRUE(seen().isEmpty());
+    filter->clear();
+    EXPECT_FALSE(table->topLevelItem(2)->isHidden());
+    EXPECT_FALSE(table->topLevelItem(2)->child(0)->isHidden());
+    dialog->reject();
+}
+
 TEST_F(ScopeControls, SignalsOfAnyModuleStandInAnyStripAndAreRemembered) {
     click(u"scopeSignalsButton"_s);
     auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);
