@@ -145,6 +145,15 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     EXPECT_TRUE(words.contains(u"/dev/ttyUSB0"_s)) << words.toStdString();
 }
 
+TEST_F(ScopeFilesTest, APageHoldsThePictureInVectors) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    const std::string pdf = exported(u"Pdf"_s, made, 30);
+    EXPECT_TRUE(pdf.starts_with("%PDF-"));
+    EXPECT_NE(pdf.find("/MediaBox [0 0 842"), std::string::npos) << "A4, lying on its side";
+    EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "vectors only";
+}
+
 TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
     HandMadeHistory made = twoModules();
     show(made, 30);
