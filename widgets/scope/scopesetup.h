@@ -21,8 +21,8 @@ struct ScopeSetup {
     /// From the top; a strip without signals is not shown.
     std::array<std::vector<SignalRef>, kStrips> strips;
     std::array<double, kStrips> heights{1.5, 1, 1.2, 1.2};  ///< in any unit
-    bool lane = false;                                  ///< of status bits
-    bool readings = true;                               ///< unfolded, where there are cursors
+    bool lane = false;                                      ///< of status bits
+    bool readings = true;                                   ///< unfolded, where there are cursors
     double seconds = 10;
     /// Of each kind of module, where they are not the usual ones.
     std::map<ModuleType, std::vector<ScopeBit>> bits{};

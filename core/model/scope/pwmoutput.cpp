@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/tuning/loopmodel.h"
+#include "base/time.h"
 
 namespace nmc {
 
@@ -16,6 +16,11 @@ constexpr unsigned kServoOn = 0x04;      ///< of the auxiliary byte
 
 double sumLimit(const servo::SetGain& gains) {
     return 256.0 * gains.il;
+}
+
+/// s; a divisor of 0 is none.
+double servoTick(const servo::SetGain& gains) {
+    return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
 }
 
 double toAmplifier(const servo::SetGain& gains, double output) {
@@ -36,7 +41,7 @@ std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
         return made;
     }
     if (m_last && !sample.gapBefore && sample.time > m_last->sample.time) {
-        const double ticks = toSeconds(sample.time - m_last->sample.time) / servoTickOf(*gains);
+        const double ticks = toSeconds(sample.time - m_last->sample.time) / servoTick(*gains);
         const double change =
             (static_cast<double>(sample.error) - static_cast<double>(m_last->sample.error)) / ticks;
         const auto made = finished(change);
