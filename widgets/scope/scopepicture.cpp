@@ -82,7 +82,7 @@ QByteArray scopePdf(ScopeStrips& strips, const QStringList& caption) {
     QPainter painter(&writer);
     const QSizeF room = painter.viewport().size();
     const QSizeF size = sizeOf(strips, caption);
-    const double scale = std::min({1.0, room.width() / size.width(), room.height() / size.height()});
+    const double scale = std::min(room.width() / size.width(), room.height() / size.height());
     painter.scale(scale, scale);
     paint(painter, strips, caption);
     painter.end();
