@@ -119,7 +119,7 @@ public:
     /// A stop waits for a search that has seen somebody: it may still reach him.
     [[nodiscard]] bool stopMayStillReach() const { return m_stop.waits() && m_search.seen() > 0; }
     /// Some motor moves, or may.
-    [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves(); }
+    [[nodiscard]] bool anythingMoves() const { return m_chain.anythingMoves() || m_operations.swings(); }
     /// The same, where stopUnasked() would stop it.
     [[nodiscard]] bool answersForMotion() const { return !m_config.readOnly && anythingMoves(); }
     /// The whole stop as bytes that need no answer, nulls first, for a process that is about to die (link.md

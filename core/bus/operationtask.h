@@ -31,7 +31,9 @@ public:
     void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
         m_commands.notePosition(module, latched, counts);
     }
-    /// A sine is under way with it.
+    /// A sine is under way.
+    [[nodiscard]] bool swings() const { return m_commands.swings(); }
+    /// With it.
     [[nodiscard]] bool swings(ModuleIndex module) const {
         return m_commands.swings() && m_commands.isFor({module});
     }

@@ -118,8 +118,8 @@ COMMANDS = (
     )),
     Mutant("start-without-all-loads", "faults.md M-26: the start is withheld when one member refused its load", (
         Edit("core/bus/operationtask.cpp",
-             "    if (end.result == ReplyResult::Accepted)\n        return accept();",
-             "    if (!unanswered(end.result))\n        return accept();"),
+             "    if (end.result == ReplyResult::Accepted)\n        return accept(end);",
+             "    if (!unanswered(end.result))\n        return accept(end);"),
     )),
     Mutant("reset-position-in-motion", "faults.md M-19: never sent while the motor moves", (
         Edit("core/bus/gate.cpp",

@@ -278,6 +278,78 @@ TEST_F(LoopTests, WhateverElseIsAskedForEndsASine) {
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
 }
 
+/// What the engine promises of a sine, whoever asks for it.
+class Sines : public LoopTests {
+protected:
+    void swing(Duration lasts = 10s) {
+        const servo::StopMotor centre{true, servo::StopManner::Here, Counts(0)};
+        before = bench.bus.sent.size();
+        id = bench.bus.submit({{ModuleIndex(0), ServoCommand(centre)}}, bus::Sine{50, 2.0, lasts});
+    }
+    [[nodiscard]] std::size_t commands() const { return bench.bus.sends("AA 01 57", before); }
+    /// Nothing swings any more: the command stays where it is.
+    void expectCalm() {
+        const std::size_t sent = commands();
+        bench.bus.runFor(500ms);
+        EXPECT_EQ(commands(), sent);
+    }
+    bus::OperationId id{0};
+    std::size_t before = 0;
+};
+
+TEST_F(Sines, AreToldAtMostTwoHundredTimesASecondWithPollsBetween) {
+    ASSERT_TRUE(hold());
+    swing(2s);
+    bench.bus.runFor(2s);
+    EXPECT_LE(commands(), 400U);
+    EXPECT_GE(commands(), 280U) << "a command takes 2.3 ms, a poll 2 ms";
+    bench.bus.runFor(200ms);
+    const auto ended = bench.bus.all<bus::OperationFinished>();
+    ASSERT_EQ(ended.back().id, id);
+    EXPECT_EQ(ended.back().outcome, bus::Outcome::Done);
+    EXPECT_EQ(ended.back().sine.commands.size(), commands());
+    EXPECT_GE(ended.back().sine.polls.size(), commands() * 9 / 10);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Sines, CountAsMotionForWhomeverWatchesOverThePanel) {
+    ASSERT_TRUE(hold());
+    EXPECT_FALSE(bench.bus.engine.anythingMoves());
+    swing();
+    bench.bus.runFor(100ms);
+    EXPECT_TRUE(bench.bus.engine.anythingMoves());
+    EXPECT_TRUE(bench.bus.engine.stopUnasked(bench.bus.now));
+    bench.bus.runFor(500ms);
+    EXPECT_EQ(bench.bus.outcomeOf(id), bus::Outcome::Cancelled);
+    EXPECT_FALSE(bench.bus.engine.anythingMoves());
+    expectCalm();
+}
+
+TEST_F(Sines, EndWhenTheMotorIsHeldToMove) {
+    ASSERT_TRUE(hold());
+    swing();
+    bench.bus.runFor(100ms);
+    bus::HoldToMove jog;
+    jog.module = ModuleIndex(0);
+    jog.velocity = CountsPerTick(65'536);
+    jog.acceleration = CountsPerTickSquared(1'311);
+    jog.press = 1;
+    bench.bus.engine.hold(jog, bench.bus.now);
+    bench.bus.runFor(200ms);
+    EXPECT_EQ(bench.bus.outcomeOf(id), bus::Outcome::Cancelled);
+    expectCalm();
+}
+
+TEST_F(Sines, EndWithTheirLine) {
+    ASSERT_TRUE(hold());
+    swing();
+    bench.bus.runFor(100ms);
+    bench.fault(sim::FaultKind::MuteRx);
+    bench.bus.runFor(5s);
+    EXPECT_TRUE(bench.bus.outcomeOf(id).has_value());
+    expectCalm();
+}
+
 /// A slow line ends early, and what it has measured counts.
 TEST(LoopTestsOnASlowLine, SinesEndWhereTheLineIsTooSlowForThem) {
     ProcedureBench bench(servos(1, 4), {}, 19'200);

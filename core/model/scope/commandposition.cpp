@@ -121,14 +121,16 @@ void CommandPosition::load(const servo::LoadTrajectory& load) {
 }
 
 void CommandPosition::start(const bus::CommandExecuted& executed) {
-    const auto from = m_envelope ? std::optional(m_envelope->at(shown(executed)).position) : std::nullopt;
+    if (!m_envelope)
+        return startAs(executed);
+    const double from = m_envelope->at(shown(executed)).position;
     startAs(executed);
-    if (!m_verified || !from || !m_envelope || !m_look || !m_look->report.position)
+    if (!m_verified || !m_envelope || !m_look || !m_look->report.position)
         return;
     // The looks take a shaft for started that has only been nudged. What went by then less than half the way
     // may not have been told to go.
     const double there = m_envelope->at(shown(m_look->time, m_look->late)).position;
-    if (std::abs(*m_look->report.position - there) > std::abs(there - *from) / 2)
+    if (std::abs(*m_look->report.position - there) > std::abs(there - from) / 2)
         forget();
 }
 

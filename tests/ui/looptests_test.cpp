@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Square waves and frequency responses in the window: what is asked for, why not, and what is shown of them.
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <complex>
+#include <numbers>
+
+#include "stepruns.h"
+#include "widgets/looptests/frequencypage.h"
+#include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/squarewavepage.h"
+
+namespace nmc {
+namespace {
+
+class LoopTestsInTheWindow : public WindowTest {
+protected:
+    void openWith(Servo servo = {}) {
+        servo.held = servo.on;
+        showServo(servo);
+        QTest::keyClick(window.get(), Qt::Key_F9, Qt::ControlModifier);
+        ASSERT_TRUE(QTest::qWaitFor([this] {
+            return window->findChild<QWidget*>(u"squareWavePage"_s) != nullptr &&
+                   find(u"squareWavePage"_s)->isVisible();
+        }));
+    }
+    QString reason(const QString& control) {
+        EXPECT_FALSE(button(control)->isEnabled()) << control.toStdString();
+        return button(control)->toolTip();
+    }
+    QString label(const QString& name) { return find<QLabel>(name)->text(); }
+    template <typename Kind>
+    Kind wanted() {
+        EXPECT_EQ(intents.size(), 1);
+        return std::get<Kind>(intents.takeFirst().at(1).value<Intent>());
+    }
+    void report(ProcedureKind kind, ProcedureStage stage, std::vector<FrequencyPoint> points = {},
+                unsigned rounds = 0) {
+        ProcedureReport r;
+        r.kind = kind;
+        r.stage = stage;
+        r.frequencies = std::move(points);
+        r.round = static_cast<unsigned>(r.frequencies.size());
+        r.rounds = rounds;
+        window->showProcedure(r);
+        window->loopTests().frequency().showReport(r);
+    }
+    /// A first-order loop with its corner at 5 Hz.
+    [[nodiscard]] static std::vector<FrequencyPoint> firstOrder(double to) {
+        std::vector<FrequencyPoint> points;
+        for (double hertz = 1; hertz <= to; hertz *= 1.2)
+            points.push_back({hertz, 1.0 / std::complex(1.0, hertz / 5), 0.01});
+        return points;
+    }
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
+    openWith();
+    click(u"squareWaveStartButton"_s);
+    const auto first = wanted<intent::SquareWave>();
+    EXPECT_EQ(first.counts, 100);
+    EXPECT_EQ(first.period, 0.6);
+    EXPECT_EQ(first.rounds, 20U);
+    EXPECT_EQ(first.excursion, 200);
+    EXPECT_EQ(first.way, StepWay::StopHere);
+    type(u"squareWaveDistanceField"_s, u"60"_s);
+    type(u"squareWavePeriodField"_s, u"1,5"_s);
+    find<QComboBox>(u"squareWaveWayBox"_s)->setCurrentIndex(1);
+    click(u"squareWaveStartButton"_s);
+    const auto second = wanted<intent::SquareWave>();
+    EXPECT_EQ(second.counts, 60);
+    EXPECT_EQ(second.period, 1.5);
+    EXPECT_EQ(second.way, StepWay::Profile);
+    click(u"frequencyStartButton"_s);
+    const auto sines = wanted<intent::FrequencyResponse>();
+    EXPECT_EQ(sines.amplitude, 20);
+    EXPECT_EQ(sines.from, 1.0);
+    EXPECT_EQ(sines.to, 40.0);
+}
+
+TEST_F(LoopTestsInTheWindow, SayWhyTheyAreNotPossible) {
+    openWith(Servo{.on = false});
+    EXPECT_TRUE(reason(u"squareWaveStartButton"_s).contains(u"nable"_s))
+        << reason(u"squareWaveStartButton"_s).toStdString();
+    EXPECT_EQ(label(u"squareWaveState"_s), reason(u"squareWaveStartButton"_s));
+    EXPECT_TRUE(button(u"tuningReportButton"_s)->isEnabled()) << "what is known can be kept all the same";
+}
+
+TEST_F(LoopTestsInTheWindow, ABadNumberIsNotSent) {
+    openWith();
+    type(u"squareWavePeriodField"_s, u"9"_s);
+    EXPECT_TRUE(reason(u"squareWaveStartButton"_s).contains(u"0.1 to 5"_s))
+        << reason(u"squareWaveStartButton"_s).toStdString();
+    type(u"frequencyToField"_s, u"0.7"_s);
+    EXPECT_FALSE(reason(u"frequencyStartButton"_s).isEmpty()) << "that is below where it begins";
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(LoopTestsInTheWindow, WhileOneRunsItCanBeEnded) {
+    openWith();
+    EXPECT_FALSE(button(u"squareWaveEndButton"_s)->isEnabled());
+    report(ProcedureKind::SquareWave, ProcedureStage::Moving);
+    EXPECT_FALSE(button(u"squareWaveStartButton"_s)->isEnabled());
+    click(u"squareWaveEndButton"_s);
+    (void)wanted<intent::CancelProcedure>();
+    report(ProcedureKind::SquareWave, ProcedureStage::Cancelled);
+    EXPECT_TRUE(button(u"squareWaveStartButton"_s)->isEnabled());
+}
+
+TEST_F(LoopTestsInTheWindow, TheFiguresOfAFirstOrderLoopAreThere) {
+    openWith();
+    EXPECT_FALSE(button(u"frequencyExportButton"_s)->isEnabled());
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    const QString figures = label(u"frequencyFigures"_s);
+    EXPECT_TRUE(figures.contains(u"Bandwidth (-3 dB) 4.9"_s) || figures.contains(u"Bandwidth (-3 dB) 5"_s))
+        << figures.toStdString();
+    EXPECT_TRUE(figures.contains(u"Phase margin 90°"_s)) << figures.toStdString();
+    EXPECT_FALSE(figures.contains(u"too low"_s));
+    EXPECT_TRUE(button(u"frequencyExportButton"_s)->isEnabled());
+}
+
+TEST_F(LoopTestsInTheWindow, ALineThatIsTooSlowIsNamed) {
+    openWith();
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(8), 20);
+    EXPECT_TRUE(label(u"frequencyFigures"_s).contains(u"The baud rate is too low"_s));
+}
+
+TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) {
+    openWith();
+    SquareWavePage& page = window->loopTests().squareWave();
+    EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    for (int i = 0; i < 3; ++i)
+        page.showEdge(ramp());
+    KeptRun other = ramp();
+    other.run.taken.gains.kp = 77;
+    page.showEdge(other);
+    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"1 "_s)) << "one with the present gains";
+    click(u"squareWaveKeepButton"_s);
+    window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));
+    EXPECT_EQ(find<QTableWidget>(u"stepRunTable"_s)->rowCount(), 1);
+    page.clear();
+    EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
+}  // namespace
+}  // namespace nmc
