@@ -19,6 +19,7 @@
 #include "app/motionmarker.h"
 #include "app/portcontroller.h"
 #include "app/positionkeeper.h"
+#include "app/printing.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
 #include "app/sequencecontroller.h"
@@ -175,6 +176,7 @@ private:
     MachineController m_machine;
     FlightController m_flight{m_window, m_store};
     RecordingController m_recordings;
+    Printing m_printing{m_window};
     MessageController m_messages{m_window, m_store, m_procedures, m_flight, m_recordings};
     MotionMarker m_motionMarker;
     DayLog m_log;

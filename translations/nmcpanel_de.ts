@@ -588,6 +588,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>PWM, calculated</source>
+        <translation>PWM, berechnet</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/s²</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>von 255</translation>
+    </message>
 </context>
 <context>
     <name>StepMeaning</name>
@@ -3984,6 +4000,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The motor began to swing. The gains from before are back.</source>
         <translation>Der Motor begann zu schwingen. Die Reglerwerte von vorher gelten wieder.</translation>
     </message>
+    <message>
+        <source>The page was not printed.</source>
+        <translation>Die Seite wurde nicht gedruckt.</translation>
+    </message>
+    <message>
+        <source>%1 Export the page as a PDF file, and print that elsewhere.</source>
+        <translation>%1 Die Seite als PDF-Datei exportieren und anderswo drucken.</translation>
+    </message>
+    <message>
+        <source>The page is on its way to the printer.</source>
+        <translation>Die Seite ist auf dem Weg zum Drucker.</translation>
+    </message>
+    <message>
+        <source>It went to the printer that this computer uses unless told otherwise.</source>
+        <translation>Sie ging an den Standarddrucker dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The program %1 is not installed, which hands pages to the printer.</source>
+        <translation>Das Programm %1, das Seiten an den Drucker gibt, ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>The print system does not take it: see the details.</source>
+        <translation>Das Drucksystem nimmt sie nicht an: siehe Einzelheiten.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4886,6 +4926,21 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::CursorPanel</name>
+    <message>
+        <source>Readings of the cursors</source>
+        <translation>Was die Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>Shows or hides what the cursors read.</source>
+        <translation>Zeigt oder verbirgt, was die Cursor anzeigen.</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1</source>
+        <translation>Zwischen den Cursorn: %1</translation>
+    </message>
+</context>
+<context>
     <name>nmc::CursorTable</name>
     <message>
         <source>What the cursors read</source>
@@ -4918,6 +4973,30 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Spitze-Spitze</translation>
+    </message>
+    <message>
+        <source>Slope, per s</source>
+        <translation>Steigung, je s</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
     </message>
 </context>
 <context>
@@ -8527,6 +8606,22 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>scope</source>
         <translation>oszilloskop</translation>
     </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>&amp;Seite (PDF)…</translation>
+    </message>
+    <message>
+        <source>What is seen, on a page for a printer or a report.</source>
+        <translation>Was zu sehen ist, auf einer Seite für einen Drucker oder einen Bericht.</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>What is seen, on a page of the printer that this computer uses unless told otherwise.</source>
+        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopeFiles</name>
@@ -8658,6 +8753,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Drag it to resize the strips. A double click makes them equal.</source>
+        <translation>Ziehen ändert die Höhe der Streifen. Ein Doppelklick macht sie gleich hoch.</translation>
     </message>
 </context>
 <context>
@@ -9101,12 +9200,20 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Übliche Signale</translation>
     </message>
     <message>
-        <source>Position with its command position, and the error below.</source>
-        <translation>Die Position mit ihrer Sollposition, darunter der Positionsfehler.</translation>
-    </message>
-    <message>
         <source>%1: %2 in strip %3</source>
         <translation>%1: %2 in Streifen %3</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter: a module, a signal, or words of both</source>
+        <translation>Filter: ein Modul, ein Signal oder Wörter von beiden</translation>
+    </message>
+    <message>
+        <source>Position with its command position, below them the error and the motor current.</source>
+        <translation>Die Position mit ihrer Sollposition, darunter Positionsfehler und Motorstrom.</translation>
     </message>
 </context>
 <context>

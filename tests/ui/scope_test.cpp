@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scopehistory.h"
+#include "tests/model/stepfixture.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "windowtest.h"
@@ -63,6 +64,9 @@ TEST_F(Scope, DrawsASpikeOfOneSample) {
 /// and the error is still seen as what it is.
 TEST_F(Scope, AnErrorsBandIsTakenInAsFarAsTheErrorCanStillBeSeen) {
     window->resize(1500, 1100);  // in a low strip the axis has few numbers, and ends at round ones
+    ScopeSetup setup = ScopeSetup::usual();
+    setup.strips[2].clear();
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
     for (const double half : {140.0, 10'000.0}) {
         HandMadeHistory history;
         for (int i = 0; i <= 1000; ++i) {
@@ -95,19 +99,69 @@ TEST_F(Scope, AGapIsAGap) {
     EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 7).isEmpty());
 }
 
-TEST_F(Scope, CalculatedTracesAreDashedAndSaySo) {
+/// What is measured, or what is left of it, is solid, so that a short excursion cannot hide in a gap.
+TEST_F(Scope, OnlyWhatIsCommandedIsDashed) {
     HandMadeHistory history;
     for (int i = 0; i <= 1000; ++i)
         history.add(i / 100.0, 0).error = 3;
+    ScopeSetup setup;
+    setup.strips[0] = {{std::nullopt, ScopeSignal::Command}};
+    setup.strips[1] = {{std::nullopt, ScopeSignal::Error}};
+    setup.strips[2] = {{std::nullopt, ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
     show(history, 10);
-    int drawn = 0;
-    int empty = 0;
-    for (double t = 2; t < 4; t += 0.01)
-        (rowsAt(u"scopePlot2"_s, t, 0).isEmpty() ? empty : drawn)++;
-    EXPECT_GT(drawn, 60);
-    EXPECT_GT(empty, 30);
+    const auto emptyPlaces = [this](const QString& name) {
+        int empty = 0;
+        for (double t = 2; t < 4; t += 0.01)
+            empty += rowsAt(name, t, 0).isEmpty() ? 1 : 0;
+        return empty;
+    };
+    EXPECT_GT(emptyPlaces(u"scopePlot1"_s), 30);
+    EXPECT_LT(emptyPlaces(u"scopePlot1"_s), 140);
+    EXPECT_EQ(emptyPlaces(u"scopePlot2"_s), 0);
+    EXPECT_EQ(emptyPlaces(u"scopePlot3"_s), 0);
+    EXPECT_TRUE(plot(u"scopePlot1"_s)->legendText(0).contains(u"calculated"_s));
     EXPECT_TRUE(plot(u"scopePlot2"_s)->legendText(0).contains(u"calculated"_s));
-    EXPECT_TRUE(plot()->legendText(1).contains(u"calculated"_s));
+}
+
+/// With a sample or two in every pixel, as with few: a line that goes up three pixels in each stays as smooth
+/// as it is straight. In every row the middle of what is coloured is where the line crosses it.
+TEST_F(Scope, ASteepLineIsSmoothHoweverManySamplesThereAre) {
+    window->resize(1500, 1100);
+    ScopeSetup setup;
+    setup.strips[0] = {{std::nullopt, ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    for (const int perSecond : {20, 100, 250, 400}) {
+        HandMadeHistory history;
+        const auto place = [](double t) { return std::clamp((t - 4) / 0.5, 0.0, 1.0) * 100'000; };
+        for (int i = 0; i <= 10 * perSecond; ++i) {
+            const double t = static_cast<double>(i) / perSecond;
+            history.add(t, static_cast<std::int32_t>(std::lround(place(t))));
+        }
+        show(history, 10);
+        const QImage image = plot()->grab().toImage();
+        const QRectF area = plot()->plotArea();
+        const AxisRange::Range range = plot()->valueRange();
+        int rows = 0;
+        for (double value = 20'000; value < 80'000; value += 1'000) {
+            const int y = static_cast<int>(area.bottom() -
+                                           (value - range.min) / (range.max - range.min) * area.height());
+            const double middle =
+                range.min + (area.bottom() - y - 0.5) / area.height() * (range.max - range.min);
+            const double expected = area.left() + (4 + 0.5 * middle / 100'000) / 10 * area.width();
+            double weight = 0, sum = 0;
+            for (int x = static_cast<int>(expected) - 8; x < static_cast<int>(expected) + 8; ++x) {
+                const QColor pixel = image.pixelColor(x, y);
+                const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
+                weight += most - least;
+                sum += (most - least) * (x + 0.5);
+            }
+            ASSERT_GT(weight, 0) << perSecond << " at " << value;
+            EXPECT_NEAR(sum / weight, expected, 0.3) << perSecond << " at " << value;
+            ++rows;
+        }
+        EXPECT_GT(rows, 50);
+    }
 }
 
 TEST_F(Scope, LegendSaysTheAchievedRate) {
@@ -141,6 +195,30 @@ TEST_F(Scope, PauseHoldsThePictureStill) {
         history.add(i / 100.0, 900);
     show(history, 20);
     EXPECT_EQ(plot()->grab().toImage(), before);
+}
+
+/// The A/D value of a PIC-SERVO; a PIC-STEP has no current to tell, and no error (DS-S 5.2).
+TEST_F(Scope, TheCurrentStandsBesideThePositionWhereItIsReported) {
+    HandMadeHistory history;
+    for (int i = 0; i <= 1000; ++i)
+        history.add(i / 100.0, 0).analog = 128;
+    show(history, 10);
+    ScopePlot* current = plot(u"scopePlot3"_s);
+    ASSERT_TRUE(current->isVisible());
+    EXPECT_TRUE(current->legendText(0).startsWith(u"A/D, "_s)) << current->legendText(0).toStdString();
+    window->showLink(connectedTo({testing_support::Stepper::holding().module}));
+    show(history, 10);
+    EXPECT_TRUE(plot()->isVisible());
+    EXPECT_FALSE(find<ScopePlot>(u"scopePlot2"_s)->isVisible());
+    EXPECT_FALSE(current->isVisible());
+}
+
+TEST_F(Scope, NumbersAtTheAxesAndInWordsLookAlike) {
+    EXPECT_EQ(texts::numberAt(-1234.5, 1), u"\u22121\u202f235"_s);
+    EXPECT_EQ(texts::numberAt(-1234.5, 0.5), u"\u22121\u202f234.5"_s);
+    EXPECT_EQ(texts::numberAt(0.1 + 0.2, 0.1), u"0.3"_s);
+    EXPECT_EQ(texts::numberAt(-0.004, 0.1), u"0.0"_s);
+    EXPECT_EQ(texts::numberAt(12'345'678, 1'000), u"12\u202f345\u202f678"_s);
 }
 
 TEST_F(Scope, NothingIsBuiltUntilItIsSeen) {

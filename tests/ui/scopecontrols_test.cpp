@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QSplitter>
 #include <QTableWidget>
 #include <QTreeWidget>
 #include <QWheelEvent>
@@ -65,6 +66,13 @@ protected:
     }
     double left() { return strips().time().left(); }
     double right() { return strips().time().right(); }
+    /// The layout Tune, where the strips are high.
+    void makeRoom() {
+        window->resize(1456, 952);
+        QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+        for (int i = 0; i < 5; ++i)
+            frame();
+    }
     bool paused() { return button(u"scopePauseButton"_s)->isChecked(); }
 
     HandMadeHistory made{2};
@@ -170,6 +178,157 @@ TEST_F(ScopeControls, CursorsReadTimesValuesAndDifferences) {
     EXPECT_NEAR(left(), 10, 1e-6);
     click(u"scopeCursorsButton"_s);
     EXPECT_FALSE(table->isVisible());
+}
+
+/// What a signal comes to between them, here of a ramp of 10 counts/s from 120 to 160 counts and of a swing
+/// of 100 counts at 2 Hz.
+TEST_F(ScopeControls, TheTableTellsWhatASignalComesToBetweenTheCursors) {
+    HandMadeHistory swinging{2};
+    for (int i = 0; i <= 2000; ++i) {
+        swinging.add(i / 100.0, i / 10);
+        swinging.addTo(
+            1, i / 100.0,
+            static_cast<std::int32_t>(std::lround(100 * std::sin(2 * 3.14159265358979 * 2 * i / 100.0))));
+    }
+    ScopeSetup setup;
+    setup.strips[0] = {{ModuleIndex(0), ScopeSignal::Position}, {ModuleIndex(1), ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    click(u"scopePauseButton"_s);
+    click(u"scopeCursorsButton"_s);
+    emit strips().cursorMoved(0, 12.0);
+    emit strips().cursorMoved(1, 16.0);
+    for (int i = 0; i < 4; ++i) {
+        window->showHistory(swinging.history(), HandMadeHistory::at(20));
+        QApplication::processEvents();
+    }
+    auto* table = find<QTableWidget>(u"scopeCursorTable"_s);
+    const auto row = [table](int number) {
+        QStringList cells;
+        for (int column = 4; column < table->columnCount(); ++column)
+            cells << table->item(number, column)->text();
+        return cells;
+    };
+    // The mean of whole counts, rounded down from every tenth of a count, is 0.45 less than 140.
+    EXPECT_NEAR(row(1)[0].toDouble(), 140, 0.5);
+    EXPECT_NEAR(row(1)[1].toDouble(), std::sqrt(140.0 * 140 + 40.0 * 40 / 12), 0.6);
+    EXPECT_EQ(row(1)[2], u"40"_s);
+    EXPECT_NEAR(row(1)[3].toDouble(), 10, 0.02);
+    EXPECT_EQ(row(1)[4], u"–"_s) << "it does not swing";
+    EXPECT_NEAR(row(2)[0].toDouble(), 0, 0.1);
+    EXPECT_NEAR(row(2)[1].toDouble(), 100 / std::sqrt(2.0), 0.3);
+    EXPECT_EQ(row(2)[2], u"200"_s);
+    EXPECT_EQ(row(2)[4], u"2 Hz"_s);
+}
+
+TEST_F(ScopeControls, TheTableFoldsAndStaysFolded) {
+    makeRoom();
+    click(u"scopeCursorsButton"_s);
+    frame();
+    auto* fold = button(u"scopeCursorFoldButton"_s);
+    ASSERT_TRUE(find(u"scopeCursorTable"_s)->isVisible());
+    const int before = strips().width() * strips().height();
+    click(u"scopeCursorFoldButton"_s);
+    frame();
+    frame();
+    EXPECT_FALSE(window->findChild<QWidget*>(u"scopeCursorTable"_s)->isVisible());
+    EXPECT_GT(strips().width() * strips().height(), before) << "the strips have its room";
+    EXPECT_TRUE(fold->text().contains(u"Hz"_s)) << fold->text().toStdString();
+    EXPECT_FALSE(ScopeSetup::fromText(settings.value(u"scope"_s).toString()).readings);
+    click(u"scopeCursorFoldButton"_s);
+    EXPECT_TRUE(find(u"scopeCursorTable"_s)->isVisible());
+}
+
+/// One strip becomes higher and its neighbour lower, the next start has it so, and a double click makes all
+/// of them equal.
+TEST_F(ScopeControls, TheLineBetweenTwoStripsIsDragged) {
+    ScopeSetup setup = ScopeSetup::usual();
+    setup.strips[2].clear();
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    makeRoom();
+    auto* second = find<ScopePlot>(u"scopePlot2"_s);
+    auto* splitter = strips().findChild<QSplitter*>();
+    const int first = plot().height();
+    const int both = first + second->height();
+    QSplitterHandle* line = splitter->handle(1);
+    const QPoint grip = line->rect().center();
+    const QPoint to = grip - QPoint(0, 20);
+    QTest::mousePress(line, Qt::LeftButton, {}, grip);
+    QMouseEvent move(QEvent::MouseMove, to, line->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(line, &move);
+    QTest::mouseRelease(line, Qt::LeftButton, {}, line->mapFromGlobal(move.globalPosition().toPoint()));
+    frame();
+    EXPECT_NEAR(plot().height(), first - 20, 2);
+    EXPECT_NEAR(second->height(), both - first + 20, 2);
+    const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
+    EXPECT_NEAR(kept.heights[0] / kept.heights[1], static_cast<double>(plot().height()) / second->height(),
+                0.05);
+    QTest::mouseDClick(line, Qt::LeftButton, {}, grip);
+    frame();
+    EXPECT_NEAR(plot().height(), second->height(), 1);
+}
+
+/// Made of samples only now that they are chosen; the shaft of module 1 goes at one speed.
+TEST_F(ScopeControls, AccelerationAndPwmAreDrawnWhenTheyAreChosen) {
+    HandMadeHistory moving{2};
+    for (int i = 0; i <= 2000; ++i) {
+        ScopeSample& sample = moving.add(i / 100.0, i * i);  // 2 counts each 0.01 s: 20 000 counts/s^2
+        sample.aux = 0x04;
+        sample.error = sample.errorLow = sample.errorHigh = 50;
+    }
+    History history = moving.history();
+    history.noteGains(
+        {ModuleIndex(0), HandMadeHistory::at(0), servo::SetGain{512, 0, 0, 0, 255, 0, 16'000, 1, {}}});
+    click(u"scopeSignalsButton"_s);
+    auto* table =
+        find<SignalsDialog>(u"scopeSignalsDialog"_s)->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    for (int i = 0; i < table->topLevelItem(0)->childCount(); ++i) {
+        QTreeWidgetItem* signal = table->topLevelItem(0)->child(i);
+        signal->setCheckState(1, signal->text(0) == u"acceleration"_s ? Qt::Checked : Qt::Unchecked);
+        signal->setCheckState(2, signal->text(0) == u"PWM, calculated"_s ? Qt::Checked : Qt::Unchecked);
+    }
+    for (int i = 0; i < 3; ++i) {
+        window->showHistory(history, HandMadeHistory::at(20));
+        QApplication::processEvents();
+    }
+    EXPECT_TRUE(plot().legendText(0).startsWith(u"acceleration, counts/s²"_s))
+        << plot().legendText(0).toStdString();
+    EXPECT_GE(plot().valueRange().max, 20'000);
+    EXPECT_LE(plot().valueRange().min, 20'000);
+    EXPECT_LT(plot().valueRange().max - plot().valueRange().min, 20);
+    auto* pwm = find<ScopePlot>(u"scopePlot2"_s);
+    EXPECT_TRUE(pwm->legendText(0).endsWith(u"/s"_s)) << pwm->legendText(0).toStdString();
+    EXPECT_LE(pwm->valueRange().min, 100) << "512 times 50 over 256";
+    EXPECT_GE(pwm->valueRange().max, 100);
+    EXPECT_LT(pwm->valueRange().max - pwm->valueRange().min, 20);
+    find<SignalsDialog>(u"scopeSignalsDialog"_s)->reject();
+}
+
+TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {
+    click(u"scopeSignalsButton"_s);
+    auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);
+    auto* table = dialog->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    auto* filter = dialog->findChild<QLineEdit*>(u"scopeSignalsFilter"_s);
+    const auto seen = [table] {
+        QStringList names;
+        for (int i = 0; i < table->topLevelItemCount(); ++i)
+            for (int k = 0; k < table->topLevelItem(i)->childCount(); ++k)
+                if (!table->topLevelItem(i)->isHidden() && table->topLevelItem(i)->isExpanded() &&
+                    !table->topLevelItem(i)->child(k)->isHidden())
+                    names << table->topLevelItem(i)->text(0) + u": "_s +
+                                 table->topLevelItem(i)->child(k)->text(0);
+        return names;
+    };
+    QTest::keyClicks(filter, u"2 VELO"_s);
+    EXPECT_EQ(seen(), QStringList{u"Module 2: velocity"_s});
+    QTest::keyClick(filter, Qt::Key_Return);
+    EXPECT_TRUE(dialog->isVisible()) << "Enter is no wish to leave";
+    filter->selectAll();
+    QTest::keyClicks(filter, u"nothing of the kind"_s);
+    EXPECT_TRUE(seen().isEmpty());
+    filter->clear();
+    EXPECT_FALSE(table->topLevelItem(2)->isHidden());
+    EXPECT_FALSE(table->topLevelItem(2)->child(0)->isHidden());
+    dialog->reject();
 }
 
 TEST_F(ScopeControls, SignalsOfAnyModuleStandInAnyStripAndAreRemembered) {

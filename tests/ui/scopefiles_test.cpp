@@ -118,7 +118,7 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     plot->zoomValues(0.001, 0);  // the step leaves the plot far above
     const std::string svg = exported(u"Svg"_s, made, 30);
     QXmlStreamReader xml(QByteArray::fromStdString(svg));
-    int lines = 0;
+    QList<qsizetype> curves;  // how many places each has
     QString words;
     while (!xml.atEnd()) {
         xml.readNext();
@@ -126,18 +126,32 @@ TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
             words += xml.text();
         if (!xml.isStartElement() || (xml.name() != u"polyline"_s && xml.name() != u"path"_s))
             continue;
-        ++lines;
         // No coordinate leads out of the picture, as the step's line would.
         static const QRegularExpression number(u"-?[0-9.]+(e[+-]?[0-9]+)?"_s);
         const QString shape =
             xml.attributes().value(xml.name() == u"path"_s ? u"d"_s : u"points"_s).toString();
-        for (auto match = number.globalMatch(shape); match.hasNext();)
+        qsizetype numbers = 0;
+        for (auto match = number.globalMatch(shape); match.hasNext(); ++numbers)
             EXPECT_LT(std::abs(match.next().captured().toDouble()), 5'000) << shape.toStdString();
+        if (numbers > 100)
+            curves << numbers / 2;
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
-    EXPECT_GT(lines, 400);
+    ASSERT_EQ(curves.size(), 2)
+        << "position and A/D; the step has left the plot, and the command is not known";
+    for (const qsizetype places : curves)
+        EXPECT_GT(places, 400);
     EXPECT_EQ(svg.find("<image"), std::string::npos) << "vectors only";
     EXPECT_TRUE(words.contains(u"/dev/ttyUSB0"_s)) << words.toStdString();
+}
+
+TEST_F(ScopeFilesTest, APageHoldsThePictureInVectors) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    const std::string pdf = exported(u"Pdf"_s, made, 30);
+    EXPECT_TRUE(pdf.starts_with("%PDF-"));
+    EXPECT_NE(pdf.find("/MediaBox [0 0 842"), std::string::npos) << "A4, lying on its side";
+    EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "vectors only";
 }
 
 TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {

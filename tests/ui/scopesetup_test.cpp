@@ -12,6 +12,10 @@ TEST(ScopeSetup, SurvivesTheSettingsFile) {
     ScopeSetup setup = ScopeSetup::usual();
     setup.set(2, {ModuleIndex(4), ScopeSignal::Velocity}, true);
     setup.set(2, {std::nullopt, ScopeSignal::Analog}, true);
+    setup.set(3, {ModuleIndex(0), ScopeSignal::Acceleration}, true);
+    setup.set(3, {std::nullopt, ScopeSignal::Pwm}, true);
+    setup.heights = {2, 0.5, 1.25, 1};
+    setup.readings = false;
     setup.lane = true;
     setup.seconds = 30;
     setup.bits[ModuleType::Servo] = {{ScopeBit::Byte::Aux, 2}, {ScopeBit::Byte::Status, 7}};
@@ -20,11 +24,12 @@ TEST(ScopeSetup, SurvivesTheSettingsFile) {
 
 TEST(ScopeSetup, WhatCannotBeReadIsLeftOut) {
     const ScopeSetup setup = ScopeSetup::fromText(
-        u"strip=position,nonsense,33.error,0.error,error;seconds=-3;lane=maybe;bits;strip=;strip=2.velocity,2.velocity;strip=x;strip=position;servobits=1,99,-1,x"_s);
+        u"strip=position,nonsense,33.error,0.error,error;seconds=-3;lane=maybe;bits;strip=;strip=2.velocity,2.velocity;strip=x;strip=position;servobits=1,99,-1,x;heights=-1,x,2"_s);
     ASSERT_EQ(setup.strips[0].size(), 2U);
     EXPECT_EQ(setup.strips[0][1], (SignalRef{std::nullopt, ScopeSignal::Error}));
     EXPECT_TRUE(setup.strips[1].empty());
     EXPECT_EQ(setup.strips[2], (std::vector<SignalRef>{{ModuleIndex(1), ScopeSignal::Velocity}}));
+    EXPECT_EQ(setup.heights, (std::array<double, ScopeSetup::kStrips>{1.5, 1, 2, 1.2}));
     EXPECT_EQ(setup.seconds, 10);
     EXPECT_FALSE(setup.lane);
     EXPECT_EQ(setup.bitsOf(ModuleType::Servo), (std::vector<ScopeBit>{{ScopeBit::Byte::Status, 1}}));

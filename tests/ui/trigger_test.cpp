@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include "scopehistory.h"
 #include "widgets/scope/scopepanel.h"
@@ -122,6 +123,34 @@ TEST_F(Trigger, NormalGoesOnByItself) {
     expectShown(1.0 - 0.2, 1.0 + 0.8);
     run(7.5, often);
     expectShown(5.0 - 0.2, 5.0 + 0.8);
+}
+
+/// As long as what was seen when it was armed, or what has been seen since then; and the values as well.
+TEST_F(Trigger, KeepsTheZoomThatIsSet) {
+    choose(u"triggerSourceBox"_s, u"move_done"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    const auto often = [](double t, ScopeSample& sample) {
+        sample.status = std::fmod(t, 4.0) > 0.995 ? 0x09 : 0x08;
+    };
+    run(0.5, often);
+    auto* plot = find<ScopePlot>(u"scopePlot1"_s);
+    const auto wheel = [&](int notches, Qt::KeyboardModifiers modifiers) {
+        const QPoint at = plot->plotArea().center().toPoint();
+        QWheelEvent event(at, plot->mapToGlobal(at), {}, {0, notches * 120}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(plot, &event);
+    };
+    wheel(1, {});  // 0.8 s
+    wheel(3, Qt::ControlModifier);
+    run(0.7, often);
+    const AxisRange::Range values = plot->valueRange();
+    run(3.5, often);
+    expectShown(1.0 - 0.2 * 0.8, 1.0 + 0.8 * 0.8);
+    wheel(1, {});  // 0.64 s: the picture that is there stays, and the next one is as long
+    EXPECT_NEAR(strips().time().width(), 0.64, 1e-6);
+    run(7.5, often);
+    expectShown(5.0 - 0.2 * 0.64, 5.0 + 0.8 * 0.64);
+    EXPECT_EQ(plot->valueRange(), values);
 }
 
 TEST_F(Trigger, OffGoesBackToThePresent) {

@@ -68,17 +68,6 @@ int positionDecimals(const AxisScale& scale) {
     return qBound(0, static_cast<int>(std::ceil(-std::log10(scale.position(1.0)))), kMost);
 }
 
-namespace {
-/// Always so many decimals, the whole part grouped.
-QString fixed(double value, int decimals) {
-    const QString digits = QLocale::c().toString(std::abs(value), 'f', decimals).remove(u',');
-    const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());
-    const QString fraction = digits.section(u'.', 1);
-    const QString text = fraction.isEmpty() ? whole : whole + QLocale().decimalPoint() + fraction;
-    return value < 0 ? QChar(0x2212) + text : text;
-}
-}  // namespace
-
 QString fixedPosition(const AxisScale& scale, double counts) {
     return fixed(scale.position(counts), positionDecimals(scale));
 }

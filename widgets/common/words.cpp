@@ -332,6 +332,15 @@ QString grouped(qint64 value) {
     return value < 0 ? QChar(0x2212) + digits : digits;
 }
 
+QString fixed(double value, int decimals) {
+    const QString digits = QLocale::c().toString(std::abs(value), 'f', decimals).remove(u',');
+    const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());
+    const QString fraction = digits.section(u'.', 1);
+    const QString text = fraction.isEmpty() ? whole : whole + QLocale().decimalPoint() + fraction;
+    const bool zero = digits.count(u'0') + digits.count(u'.') == digits.size();
+    return value < 0 && !zero ? QChar(0x2212) + text : text;
+}
+
 QString readout(double value, int significant) {
     if (!std::isfinite(value))
         return u"–"_s;

@@ -2,12 +2,11 @@
 #include "widgets/scope/axislabels.h"
 
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/words.h"
+#include "widgets/scope/scopewords.h"
 
 namespace nmc {
 
@@ -15,21 +14,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// As many decimals as the interval has, so that no 0.30000000004 appears.
-int decimalsOf(double interval) {
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(interval) - 1e-6)), 0, 9);
-}
-
-QString numberText(double value, double interval) {
-    const int decimals = decimalsOf(interval);
-    if (decimals == 0)
-        return texts::grouped(std::llround(value));
-    const double rounded = std::round(value / interval) * interval;
-    return QLocale().toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
-}
-
 QString timeText(double seconds, double interval) {
-    return numberText(seconds, interval) + u" s"_s;
+    return texts::numberAt(seconds, interval) + u" s"_s;
 }
 
 }  // namespace
@@ -77,8 +63,8 @@ double AxisLabels::gap() const {
 
 int AxisLabels::widthNeeded() const {
     const QFontMetricsF metrics(m_font);
-    const double widest = std::max(metrics.horizontalAdvance(numberText(m_bottom, m_valueInterval)),
-                                   metrics.horizontalAdvance(numberText(m_top, m_valueInterval)));
+    const double widest = std::max(metrics.horizontalAdvance(texts::numberAt(m_bottom, m_valueInterval)),
+                                   metrics.horizontalAdvance(texts::numberAt(m_top, m_valueInterval)));
     return static_cast<int>(std::ceil(widest + gap()));
 }
 
@@ -95,7 +81,7 @@ void AxisLabels::paintValues(QPainter& painter) const {
         const double y = m_area.bottom() - (n * m_valueInterval - m_bottom) * perUnit;
         const QRectF place(m_area.left() - widthNeeded(), y - height / 2, widthNeeded() - gap(), height);
         painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         numberText(n * m_valueInterval, m_valueInterval));
+                         texts::numberAt(n * m_valueInterval, m_valueInterval));
     }
 }
 

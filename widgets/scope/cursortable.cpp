@@ -2,6 +2,8 @@
 #include "widgets/scope/cursortable.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/common/look.h"
@@ -11,9 +13,15 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 4, parent) {
+namespace {
+constexpr int kMostRows = 7;  ///< without scrolling
+const QString kNothing = u"–"_s;
+}  // namespace
+
+CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 9, parent) {
     look::name(this, u"scopeCursorTable"_s, tr("What the cursors read"));
-    setHorizontalHeaderLabels({tr("Signal"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference")});
+    setHorizontalHeaderLabels({tr("Signal"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference"), tr("Mean"),
+                               tr("RMS"), tr("Peak to peak"), tr("Slope, per s"), tr("Frequency")});
     verticalHeader()->hide();
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
@@ -21,14 +29,16 @@ CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     setFont(look::tabular(look::scaled(font(), 0.9)));
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
 QSize CursorTable::sizeHint() const {
     int width = 2 * frameWidth();
     for (int column = 0; column < columnCount(); ++column)
         width += columnWidth(column);
-    return {width, fontMetrics().height() * 6};
+    const int rows = std::clamp(rowCount(), 1, kMostRows) * verticalHeader()->defaultSectionSize();
+    const int bar = width > this->width() ? horizontalScrollBar()->sizeHint().height() : 0;
+    return {width, horizontalHeader()->sizeHint().height() + rows + 2 * frameWidth() + bar};
 }
 
 void CursorTable::setCell(int row, int column, const QString& text) {
@@ -43,48 +53,111 @@ void CursorTable::setCell(int row, int column, const QString& text) {
         cell->setText(text);
 }
 
-void CursorTable::showReadings(const ScopeStrips& strips, const History& history) {
-    if (!strips.cursors() || !history.zero())
-        return setRowCount(0);
-    const CursorTimes times = *strips.cursors();
+void CursorTable::make(Kept& kept, const DerivedSignals::Source& source, TimePoint zero) {
+    const auto [first, last] = std::minmax(kept.times[0], kept.times[1]);
+    const TimePoint from = zero + fromSeconds(first);
+    kept.figures.reset();
+    // Of what is only kept in a coarser form the extremes are known and no more.
+    if (const auto since = source.samples->keptSince();
+        !since || (*since > from && *source.samples->begin() < *since))
+        return;
+    m_points.clear();
+    bool known = false;
+    source.samples->visitKept(from, zero + fromSeconds(last), [&](const ScopeSample& sample) {
+        const auto value = valueOf(sample, source.signal);
+        if (value)
+            m_points.push_back(
+                {toSeconds(sample.time - zero), kept.scale(*value), known && !sample.gapBefore});
+        known = value.has_value();
+    });
+    kept.figures = figuresOf(m_points, std::abs(kept.scale.factor));
+}
+
+const std::optional<StretchFigures>& CursorTable::figures(const ScopePlot::Trace& trace,
+                                                          const CursorTimes& times,
+                                                          const DerivedSignals::Source& source,
+                                                          TimePoint zero) {
+    const ModuleSignal of{trace.module, trace.signal};
+    auto kept = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.of == of; });
+    if (kept == m_kept.end())
+        kept = m_kept.insert(kept, Kept{of, {}, {}});
+    // More samples matter only where there may be some in between.
+    const auto last = source.samples->last();
+    const bool open = !last || last->time < zero + fromSeconds(std::max(times[0], times[1]));
+    const std::uint64_t samples = open ? source.samples->count() : UINT64_MAX;
+    if (kept->scale == trace.scale && kept->times == times && kept->from == source.samples &&
+        kept->samples == samples)
+        return kept->figures;
+    if (m_made) {
+        m_upToDate = false;
+        return kept->figures;
+    }
+    m_made = true;
+    kept->scale = trace.scale;
+    kept->times = times;
+    kept->from = source.samples;
+    kept->samples = samples;
+    make(*kept, source, zero);
+    return kept->figures;
+}
+
+QString CursorTable::between(const CursorTimes& times) {
     const double between = times[1] - times[0];
+    return texts::stretch(between) +
+           (between == 0.0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between))));
+}
+
+bool CursorTable::showReadings(const ScopeStrips& strips, const History& history) {
+    if (!strips.cursors() || !history.zero()) {
+        setRowCount(0);
+        m_kept.clear();
+        return true;
+    }
+    m_made = false;
+    m_upToDate = true;
+    const TimePoint zero = *history.zero();
+    const CursorTimes times = *strips.cursors();
     int row = 0;
-    const auto add = [&](const QString& name, const QString& first, const QString& second,
-                         const QString& difference) {
+    const auto add = [&](const QStringList& cells) {
         if (row == rowCount())
             setRowCount(row + 1);
-        setCell(row, 0, name);
-        setCell(row, 1, first);
-        setCell(row, 2, second);
-        setCell(row, 3, difference);
+        for (int column = 0; column < columnCount(); ++column)
+            setCell(row, column, cells.value(column));
         ++row;
     };
-    const QString frequency =
-        between == 0.0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
-    add(tr("time"), tr("%1 s").arg(QLocale().toString(times[0], 'f', 4)),
-        tr("%1 s").arg(QLocale().toString(times[1], 'f', 4)), texts::stretch(between) + frequency);
+    constexpr double kTimeStep = 1e-4;
+    add({tr("time"), tr("%1 s").arg(texts::numberAt(times[0], kTimeStep)),
+         tr("%1 s").arg(texts::numberAt(times[1], kTimeStep)), between(times)});
     for (const ScopePlot* plot : strips.shownPlots()) {
         for (const ScopePlot::Trace& trace : plot->traces()) {
-            const ModuleHistory* samples = history.module(trace.module);
-            if (samples == nullptr)
+            const auto source = strips.derived().source(history, {trace.module, trace.signal});
+            if (source.samples == nullptr)
                 continue;
-            const ScopeModule& module = strips.modules()[trace.module.value()];
+            const double step = texts::signalStep(trace.signal, strips.modules()[trace.module.value()]);
             const auto read = [&](double seconds) {
-                const auto value = samples->valueAt(*history.zero() + fromSeconds(seconds), trace.signal);
+                const auto value = source.samples->valueAt(zero + fromSeconds(seconds), source.signal);
                 return value ? std::optional(trace.scale(*value)) : std::nullopt;
-            };
-            const auto text = [&](std::optional<double> value) {
-                return value ? texts::signalValue(*value, trace.signal, module) : u"–"_s;
             };
             const auto first = read(times[0]);
             const auto second = read(times[1]);
-            add(texts::signalName(trace.signal) + (trace.tag.isEmpty() ? QString() : u' ' + trace.tag),
-                text(first), text(second),
-                text(first && second ? std::optional(*second - *first) : std::nullopt));
+            QStringList cells{
+                texts::signalName(trace.signal) + (trace.tag.isEmpty() ? QString() : u' ' + trace.tag),
+                first ? texts::numberAt(*first, step) : kNothing,
+                second ? texts::numberAt(*second, step) : kNothing,
+                first && second ? texts::numberAt(*second - *first, step) : kNothing};
+            const auto& made = figures(trace, times, source, zero);
+            // An average tells more than one value does.
+            cells << (made ? texts::numberAt(made->mean, step / 10) : kNothing)
+                  << (made ? texts::numberAt(made->rms, step / 10) : kNothing)
+                  << (made ? texts::numberAt(made->peakToPeak, step) : kNothing)
+                  << (made && made->slope ? texts::readout(*made->slope) : kNothing)
+                  << (made && made->hertz ? tr("%1 Hz").arg(texts::readout(*made->hertz, 3)) : kNothing);
+            add(cells);
         }
     }
     setRowCount(row);
     updateGeometry();
+    return m_upToDate;
 }
 
 }  // namespace nmc

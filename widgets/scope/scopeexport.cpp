@@ -105,8 +105,13 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
     addAction(Kind::Png, u"scopeExportPngAction"_s, tr("&Picture (PNG)…"), tr("What is seen, as an image."));
     addAction(Kind::Svg, u"scopeExportSvgAction"_s, tr("&Vector picture (SVG)…"),
               tr("What is seen, in lines that stay sharp at any size."));
+    addAction(Kind::Pdf, u"scopeExportPdfAction"_s, tr("P&age (PDF)…"),
+              tr("What is seen, on a page for a printer or a report."));
+    m_menu->addSeparator();
     addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
               tr("What is seen, onto the clipboard; with its samples where these are few."));
+    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint"),
+              tr("What is seen, on a page of the printer that this computer uses unless told otherwise."));
 }
 
 void ScopeExport::addAction(Kind kind, const QString& objectName, const QString& text,
@@ -118,9 +123,12 @@ void ScopeExport::addAction(Kind kind, const QString& objectName, const QString&
 }
 
 void ScopeExport::choose(Kind kind) {
-    if (kind == Kind::Clipboard)
+    if (kind == Kind::Clipboard || kind == Kind::Printer)
         return want({kind});
-    const QString suffix = kind == Kind::Csv ? u"csv"_s : kind == Kind::Png ? u"png"_s : u"svg"_s;
+    const QString suffix = kind == Kind::Csv   ? u"csv"_s
+                           : kind == Kind::Png ? u"png"_s
+                           : kind == Kind::Svg ? u"svg"_s
+                                               : u"pdf"_s;
     QFileDialog* dialog =
         newFileDialog(m_panel, u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"),
                       {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), tr("All files (*)")}, m_folder);
@@ -156,6 +164,12 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
             break;
         case Kind::Svg:
             emit saveRequested(wanted.path, [svg = scopeSvg(strips, caption)] { return svg.toStdString(); });
+            break;
+        case Kind::Pdf:
+            emit saveRequested(wanted.path, [pdf = scopePdf(strips, caption)] { return pdf.toStdString(); });
+            break;
+        case Kind::Printer:
+            emit printRequested(scopePdf(strips, caption));
             break;
         case Kind::Clipboard:
             copy(scopeImage(strips, caption), fewSamples(seenOf(strips, history), strips.modules(), origin));

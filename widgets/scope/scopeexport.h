@@ -19,8 +19,8 @@ class ScopeStrips;
 /// What a file is to hold. May take a second to make, and be made in any thread.
 using FileContent = std::function<std::string()>;
 
-/// Takes what is seen out of the scope: samples as CSV, a picture as PNG or SVG, or onto the clipboard. It
-/// asks for the file, and takes the picture in the next frame.
+/// Takes what is seen out of the scope: samples as CSV, a picture as PNG, SVG or a page of PDF, onto the
+/// clipboard or to a printer. It asks for the file, and takes the picture in the next frame.
 class ScopeExport : public QObject {
     Q_OBJECT
 
@@ -35,9 +35,10 @@ signals:
     /// take() is to be called soon.
     void frameWanted();
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    void printRequested(const QByteArray& pdf);
 
 private:
-    enum class Kind : std::uint8_t { Csv, Png, Svg, Clipboard };
+    enum class Kind : std::uint8_t { Csv, Png, Svg, Pdf, Clipboard, Printer };
     struct Wanted {
         Kind kind = Kind::Csv;
         QString path{};

@@ -43,6 +43,7 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
     connect(m_openingRow.button, &QPushButton::clicked, this, &ScopeFiles::openingCancelled);
     connect(&m_export, &ScopeExport::saveRequested, this, &ScopeFiles::saveRequested);
+    connect(&m_export, &ScopeExport::printRequested, this, &ScopeFiles::printRequested);
 
     m_record->setObjectName(u"scopeRecordAction"_s);
     m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));

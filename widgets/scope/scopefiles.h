@@ -48,6 +48,8 @@ signals:
     void openRequested(const QString& path);
     void openingCancelled();
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// One page, by the system's usual printer.
+    void printRequested(const QByteArray& pdf);
 
 private:
     struct Row {

@@ -24,7 +24,14 @@ struct ScopeModule {
     [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
         if (signal == ScopeSignal::Analog)
             return {analog.perCount, analog.atZero};
+        if (signal == ScopeSignal::Pwm)
+            return {};
         return {scale.position(1.0), 0.0};
+    }
+    /// A PIC-STEP follows its steps: it has no position error, no control filter, and its A/D value is no
+    /// motor current (DS-S 5.2).
+    [[nodiscard]] bool reports(ScopeSignal signal) const {
+        return identity.type != ModuleType::Step || (!isCalculated(signal) && signal != ScopeSignal::Analog);
     }
     /// What is drawn across the strip of a signal, in the unit it is shown in.
     [[nodiscard]] std::vector<double> limitsOf(ScopeSignal signal) const {

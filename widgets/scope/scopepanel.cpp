@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopepanel.h"
 
+#include <QBoxLayout>
 #include <QContextMenuEvent>
 #include <QDragEnterEvent>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "widgets/common/look.h"
-#include "widgets/scope/cursortable.h"
+#include "widgets/scope/cursorpanel.h"
 #include "widgets/scope/scopebar.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopemoves.h"
@@ -27,6 +27,8 @@ namespace {
 /// What is seen at first of what happened: "Show the last 2 s".
 constexpr double kBeforeEvent = 2.0;
 constexpr double kBehindEvent = 0.5;
+/// Lines of text: as high as strips and readings need below one another.
+constexpr int kEnoughRows = 32;
 }  // namespace
 
 ScopePanel::ScopePanel(QWidget* parent)
@@ -87,13 +89,41 @@ void ScopePanel::buildStrips() {
         m_everythingWanted = true;
         touch();
     });
-    m_table = new CursorTable(this);
-    m_table->hide();
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_strips, 1);
-    row->addWidget(m_table);
-    m_layout->addLayout(row, 1);
+    connect(m_strips, &ScopeStrips::heightsChosen, this, [this](const auto& heights) {
+        ScopeSetup setup = m_setup;
+        setup.heights = heights;
+        change(setup);
+    });
+    m_readings = new CursorPanel(this);
+    m_readings->setUnfolded(m_setup.readings);
+    m_readings->hide();
+    connect(m_readings, &CursorPanel::unfoldRequested, this, [this](bool unfolded) {
+        ScopeSetup setup = m_setup;
+        setup.readings = unfolded;
+        change(setup);
+    });
+    m_stripsAndReadings = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_stripsAndReadings->addWidget(m_strips, 1);
+    m_stripsAndReadings->addWidget(m_readings);
+    m_layout->addLayout(m_stripsAndReadings, 1);
+    placeReadings();
     applyModules();
+}
+
+/// Below the strips; beside them where these would become too low.
+void ScopePanel::placeReadings() {
+    if (m_readings == nullptr)
+        return;
+    const int room = parentWidget() != nullptr ? parentWidget()->height() : height();
+    const bool below = !m_setup.readings || room >= kEnoughRows * fontMetrics().height();
+    m_stripsAndReadings->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_readings->setBeside(!below);
+    m_readings->setMaximumWidth(below ? QWIDGETSIZE_MAX : width() * 2 / 5);  // the rest is scrolled to
+}
+
+void ScopePanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    placeReadings();
 }
 
 void ScopePanel::showEvent(QShowEvent* event) {
@@ -107,9 +137,13 @@ void ScopePanel::showEvent(QShowEvent* event) {
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     m_setup = setup;
     m_bar->showSetup(setup);
-    m_trigger->setWindow(setup.seconds);
-    if (m_strips != nullptr)
+    if (m_strips != nullptr) {
         m_strips->setSetup(setup);
+        m_readings->setUnfolded(setup.readings);
+        placeReadings();
+    } else {
+        m_trigger->setWindow(setup.seconds);
+    }
     touch();
 }
 
@@ -202,14 +236,18 @@ void ScopePanel::setPaused(bool paused) {
 void ScopePanel::setWidth(double seconds) {
     ScopeSetup setup = m_setup;
     setup.seconds = seconds;
-    if (m_strips != nullptr)
+    if (m_strips != nullptr) {
         m_strips->time().setWidth(seconds);
+        m_trigger->setWindow(seconds);
+    }
     change(setup);
 }
 
 /// The controls tell what the window of time has become.
 void ScopePanel::showTime() {
     m_bar->showTime(m_strips->time());
+    if (m_record == nullptr)
+        m_trigger->setWindow(m_strips->time().width());
     touch();
 }
 
@@ -221,7 +259,7 @@ void ScopePanel::setCursorsShown(bool shown) {
         shown ? std::optional(CursorTimes{time.left() + time.width() / 3, time.left() + time.width() * 2 / 3})
               : std::nullopt);
     m_bar->showCursors(shown);
-    m_table->setVisible(shown);
+    m_readings->setVisible(shown);
     touch();
 }
 
@@ -321,8 +359,9 @@ void ScopePanel::draw(const History& history, double now) {
         m_touched = false;
     }
     m_strips->showFrame(history, now);
-    if (m_table->isVisible())
-        m_table->showReadings(*m_strips, history);
+    const bool upToDate = !m_readings->isVisible() || m_readings->showReadings(*m_strips, history);
+    if (!upToDate || m_strips->isBehind())
+        touch();
     m_files->exporting().take(*m_strips, history, m_record && m_record->origin ? *m_record->origin : m_origin,
                               m_record ? m_record->title : QString());
 }

@@ -11,12 +11,13 @@
 #include "widgets/scope/scoperecord.h"
 #include "widgets/scope/scopesetup.h"
 
+class QBoxLayout;
 class QMenu;
 class QVBoxLayout;
 
 namespace nmc {
 
-class CursorTable;
+class CursorPanel;
 class ScopeBar;
 class ScopeFiles;
 class ScopeStrips;
@@ -55,6 +56,7 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -63,6 +65,7 @@ private:
     void connectBar();
     void addFileButtons();
     void buildStrips();
+    void placeReadings();
     void move(const std::function<void(ScopeStrips&)>& how);
     void setPaused(bool paused);
     void setWidth(double seconds);
@@ -86,7 +89,8 @@ private:
     TriggerControl* m_trigger;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
-    CursorTable* m_table = nullptr;
+    CursorPanel* m_readings = nullptr;
+    QBoxLayout* m_stripsAndReadings = nullptr;
     ScopeSetup m_setup = ScopeSetup::usual();
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;

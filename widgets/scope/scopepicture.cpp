@@ -2,8 +2,12 @@
 #include "widgets/scope/scopepicture.h"
 
 #include <QBuffer>
+#include <QPageSize>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QSvgGenerator>
+
+#include <algorithm>
 
 #include "widgets/common/look.h"
 #include "widgets/scope/scopestrips.h"
@@ -13,6 +17,8 @@ namespace nmc {
 namespace {
 
 constexpr double kSharpness = 2.0;  ///< pixels of a picture for one of the screen: it may be printed
+
+constexpr double kMargin = 10.0;  ///< mm of a page
 
 QSize sizeOf(const ScopeStrips& strips, const QStringList& caption) {
     const int unit = look::gridUnit(&strips);
@@ -59,6 +65,28 @@ QByteArray scopeSvg(ScopeStrips& strips, const QStringList& caption) {
     paint(painter, strips, caption);
     painter.end();
     return svg;
+}
+
+QByteArray scopePdf(ScopeStrips& strips, const QStringList& caption) {
+    QByteArray pdf;
+    QBuffer buffer(&pdf);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    // That of the screen: its fonts and lines have the size that they have there, and are vectors anyway.
+    writer.setResolution(strips.logicalDpiX());
+    const QPageSize usual(strips.locale().measurementSystem() == QLocale::ImperialUSSystem ? QPageSize::Letter
+                                                                                           : QPageSize::A4);
+    writer.setPageLayout(
+        {usual, QPageLayout::Landscape, {kMargin, kMargin, kMargin, kMargin}, QPageLayout::Millimeter});
+    writer.setTitle(caption.value(0));
+    QPainter painter(&writer);
+    const QSizeF room = painter.viewport().size();
+    const QSizeF size = sizeOf(strips, caption);
+    const double scale = std::min(room.width() / size.width(), room.height() / size.height());
+    painter.scale(scale, scale);
+    paint(painter, strips, caption);
+    painter.end();
+    return pdf;
 }
 
 }  // namespace nmc

@@ -9,6 +9,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
+#include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
 
 namespace nmc {
@@ -49,10 +50,10 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         TraceDrawing& drawing = m_drawings[i];
         drawing.colour =
             look::traceColour(static_cast<int>(m_traces.front().signal) + static_cast<int>(i), palette());
-        drawing.dashed = isCalculated(trace.signal);
+        drawing.dashed = trace.signal == ScopeSignal::Command;
         drawing.tag = trace.tag;
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
-        const QString label = drawing.dashed && trace.samplesPerSecond == 0
+        const QString label = isCalculated(trace.signal) && trace.samplesPerSecond == 0
                                   ? tr("%1 · not known now").arg(trace.label)
                                   : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});
@@ -64,14 +65,16 @@ void ScopePlot::setTimeLabels(bool shown) {
     m_timeLabels = shown;
 }
 
-void ScopePlot::showFrame(const View& view, const History& history, double now) {
+void ScopePlot::showFrame(const View& view, const History& history, double now,
+                          const DerivedSignals& derived) {
     m_view = view;
     m_geometry.area = plotArea();
     m_geometry.left = view.left;
     m_geometry.right = view.right;
     for (std::size_t i = 0; i < m_traces.size(); ++i) {
-        if (const ModuleHistory* module = history.module(m_traces[i].module))
-            m_drawings[i].take(*module, m_traces[i].signal, m_traces[i].scale, view.zero, m_geometry,
+        const auto source = derived.source(history, {m_traces[i].module, m_traces[i].signal});
+        if (source.samples != nullptr)
+            m_drawings[i].take(*source.samples, source.signal, m_traces[i].scale, view.zero, m_geometry,
                                devicePixelRatioF());
         else
             m_drawings[i].clear();
@@ -117,9 +120,9 @@ void ScopePlot::noteBand() {
     for (const TraceDrawing& drawing : m_drawings)
         if (drawing.lowestBand() < std::min(m_geometry.bottom, drawing.lowest()) ||
             drawing.highestBand() > std::max(m_geometry.top, drawing.highest()))
-            m_bandNotice =
-                tr("The band is wider than the strip: %1 to %2")
-                    .arg(texts::readout(drawing.lowestBand()), texts::readout(drawing.highestBand()));
+            m_bandNotice = tr("The band is wider than the strip: %1 to %2")
+                               .arg(texts::numberAt(drawing.lowestBand(), valueRange().step),
+                                    texts::numberAt(drawing.highestBand(), valueRange().step));
 }
 
 /// As many labels as there is room for.

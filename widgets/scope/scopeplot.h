@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/scope/derivedsignals.h"
 #include "widgets/scope/axisrange.h"
 #include "widgets/scope/chartbackdrop.h"
 #include "widgets/scope/scopemodule.h"
@@ -47,8 +48,8 @@ public:
     void setTraces(std::vector<Trace> traces);
     [[nodiscard]] const std::vector<Trace>& traces() const { return m_traces; }
     void setTimeLabels(bool shown);
-    /// One frame. `now` (s) paces the value axis while that fits itself.
-    void showFrame(const View& view, const History& history, double now);
+    /// One frame. `now` (s) paces the value axis while that fits itself; `derived` has what samples have not.
+    void showFrame(const View& view, const History& history, double now, const DerivedSignals& derived = {});
     /// Other data: the value axis may jump.
     void forget();
     void showCursors(const std::optional<CursorTimes>& cursors);

@@ -13,8 +13,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 // Words of the settings file: never translated, never changed.
-const std::array<QString, kScopeSignals> kSignalWords{u"position"_s, u"command"_s, u"error"_s, u"velocity"_s,
-                                                      u"analog"_s};
+const std::array<QString, kScopeSignals> kSignalWords{
+    u"position"_s, u"command"_s, u"error"_s, u"velocity"_s, u"analog"_s, u"acceleration"_s, u"pwm"_s};
+static_assert(kScopeSignals == 7, "each has a word");
 
 QString toWord(const SignalRef& signal) {
     const QString word = kSignalWords[static_cast<std::size_t>(signal.signal)];
@@ -63,6 +64,7 @@ ScopeSetup ScopeSetup::usual() {
     ScopeSetup setup;
     setup.strips[0] = {{std::nullopt, ScopeSignal::Position}, {std::nullopt, ScopeSignal::Command}};
     setup.strips[1] = {{std::nullopt, ScopeSignal::Error}};
+    setup.strips[2] = {{std::nullopt, ScopeSignal::Analog}};
     return setup;
 }
 
@@ -75,6 +77,11 @@ QString ScopeSetup::toText() const {
         parts << u"strip="_s + words.join(u',');
     }
     parts << u"lane="_s + (lane ? u"1"_s : u"0"_s) << u"seconds="_s + QString::number(seconds);
+    parts << u"readings="_s + (readings ? u"1"_s : u"0"_s);
+    QStringList shares;
+    for (const double height : heights)
+        shares << QString::number(height);
+    parts << u"heights="_s + shares.join(u',');
     for (const auto& [type, chosen] : bits)
         parts << (type == ModuleType::Step ? u"stepbits="_s : u"servobits="_s) + toWords(chosen);
     return parts.join(u';');
@@ -93,6 +100,14 @@ ScopeSetup ScopeSetup::fromText(const QString& text) {
             ++strip;
         } else if (key == u"lane"_s) {
             setup.lane = value == u"1"_s;
+        } else if (key == u"readings"_s) {
+            setup.readings = value != u"0"_s;
+        } else if (key == u"heights"_s) {
+            const QStringList shares = value.split(u',');
+            for (std::size_t i = 0; i < kStrips; ++i)
+                if (const double share = shares.value(static_cast<qsizetype>(i)).toDouble();
+                    share >= kLowest && share <= kHighest)
+                    setup.heights[i] = share;
         } else if (key == u"seconds"_s) {
             if (const double seconds = value.toDouble();
                 seconds >= TimeWindow::kShortest && seconds <= TimeWindow::kLongest)

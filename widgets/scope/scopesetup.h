@@ -15,14 +15,19 @@ namespace nmc {
 struct ScopeSetup {
     static constexpr std::size_t kStrips = 4;
 
+    /// Of a strip, against the others.
+    static constexpr double kLowest = 0.05, kHighest = 20;
+
     /// From the top; a strip without signals is not shown.
     std::array<std::vector<SignalRef>, kStrips> strips;
-    bool lane = false;  ///< of status bits
+    std::array<double, kStrips> heights{1.5, 1, 1.2, 1.2};  ///< in any unit
+    bool lane = false;                                      ///< of status bits
+    bool readings = true;                                   ///< unfolded, where there are cursors
     double seconds = 10;
     /// Of each kind of module, where they are not the usual ones.
     std::map<ModuleType, std::vector<ScopeBit>> bits{};
 
-    /// Position with its command, and the error below.
+    /// Position with its command, below them the error, and the current where it is reported.
     [[nodiscard]] static ScopeSetup usual();
     /// For the settings file.
     [[nodiscard]] QString toText() const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopestrips.h"
 
+#include <QEvent>
 #include <QPainter>
+#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -21,12 +23,16 @@ const std::array<QString, ScopeSetup::kStrips> kPlotNames{u"scopePlot1"_s, u"sco
 }  // namespace
 
 ScopeStrips::ScopeStrips(QWidget* parent)
-    : QWidget(parent), m_layout(new QVBoxLayout(this)), m_lane(new StatusLane(this)) {
+    : QWidget(parent), m_splitter(new QSplitter(Qt::Vertical, this)), m_lane(new StatusLane(this)) {
     look::name(this, u"scopeStrips"_s, tr("Plots; arrow keys move, plus and minus zoom"));
     setFocusPolicy(Qt::StrongFocus);
-    m_layout->setContentsMargins(2, 2, 2, 2);
-    m_layout->setSpacing(0);
-    m_layout->addWidget(m_lane);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->setSpacing(0);
+    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_lane);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setHandleWidth(look::gridUnit(this) / 2);
     m_turns.setInterval(kTurn);
     connect(&m_turns, &QTimer::timeout, this, &ScopeStrips::paintNext);
 }
@@ -36,7 +42,12 @@ ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
     auto* plot = new ScopePlot(this);
     const auto above = std::count_if(m_plots.begin(), m_plots.begin() + static_cast<std::ptrdiff_t>(strip),
                                      [](const ScopePlot* other) { return other != nullptr; });
-    m_layout->insertWidget(static_cast<int>(above), plot, strip == 0 ? 3 : 2);
+    m_splitter->insertWidget(static_cast<int>(above), plot);
+    for (int i = 0; i < m_splitter->count(); ++i) {
+        m_splitter->handle(i)->installEventFilter(this);
+        m_splitter->handle(i)->setToolTip(
+            tr("Drag it to resize the strips. A double click makes them equal."));
+    }
     look::name(plot, kPlotNames[strip], tr("Strip %1 of the scope").arg(strip + 1));
     connect(plot, &ScopePlot::paintWanted, this, [this, plot] { paintInTurn(plot); });
     connect(plot, &ScopePlot::timeZoomed, this, [this](double factor, double at) {
@@ -85,10 +96,21 @@ bool ScopeStrips::followsSelection() const {
     });
 }
 
+/// Of the selected module what it reports; of one that was chosen by name all that was asked for.
+std::vector<SignalRef> ScopeStrips::signalsOf(std::size_t strip) const {
+    std::vector<SignalRef> signalsShown = m_setup.strips[strip];
+    if (m_selected && m_selected->value() < m_modules.size())
+        std::erase_if(signalsShown, [this](const SignalRef& signal) {
+            return !signal.module && !m_modules[m_selected->value()].reports(signal.signal);
+        });
+    return signalsShown;
+}
+
 void ScopeStrips::arrange() {
     ScopePlot* lowest = nullptr;
     for (std::size_t i = 0; i < m_plots.size(); ++i) {
-        const bool shown = !m_setup.strips[i].empty();
+        m_signals[i] = signalsOf(i);
+        const bool shown = !m_signals[i].empty();
         if (shown && m_plots[i] == nullptr)
             m_plots[i] = newPlot(i);
         if (m_plots[i] != nullptr)
@@ -98,11 +120,47 @@ void ScopeStrips::arrange() {
     }
     for (ScopePlot* plot : shownPlots())
         plot->setTimeLabels(plot == lowest);
+    shareHeight();
     m_lane->setVisible(m_setup.lane);
     const ModuleType type = m_selected && m_selected->value() < m_modules.size()
                                 ? m_modules[m_selected->value()].identity.type
                                 : ModuleType::Servo;
     m_lane->setBits(type, m_setup.bitsOf(type));
+}
+
+void ScopeStrips::shareHeight() {
+    QList<int> sizes;
+    for (std::size_t i = 0; i < m_plots.size(); ++i)
+        if (m_plots[i] != nullptr)
+            sizes << qRound(1'000 * m_setup.heights[i]);
+    m_splitter->setSizes(sizes);  // which shares out what there is
+}
+
+/// As they are; a strip that is not seen keeps what it had.
+std::array<double, ScopeSetup::kStrips> ScopeStrips::heights() const {
+    std::array<double, ScopeSetup::kStrips> chosen = m_setup.heights;
+    const std::vector<ScopePlot*> shown = shownPlots();
+    double sum = 0;
+    for (const ScopePlot* plot : shown)
+        sum += plot->height();
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (!m_signals[i].empty() && sum > 0)
+            chosen[i] = std::clamp(
+                std::round(100 * m_plots[i]->height() * static_cast<double>(shown.size()) / sum) / 100,
+                ScopeSetup::kLowest, ScopeSetup::kHighest);
+    return chosen;
+}
+
+bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonDblClick) {
+        std::array<double, ScopeSetup::kStrips> equal{};
+        equal.fill(1);
+        emit heightsChosen(equal);
+        return true;
+    }
+    if (event->type() == QEvent::MouseButtonRelease)
+        emit heightsChosen(heights());
+    return QWidget::eventFilter(watched, event);
 }
 
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
@@ -120,7 +178,7 @@ void ScopeStrips::label(const History& history, double now) {
     const double from = m_time.rolls() ? now - kRateTime : m_time.left();
     for (std::size_t i = 0; i < m_plots.size(); ++i)
         if (m_plots[i] != nullptr)
-            m_plots[i]->setTraces(tracesOf(m_setup.strips[i], history, from, to));
+            m_plots[i]->setTraces(tracesOf(m_signals[i], history, from, to));
 }
 
 std::vector<ScopePlot::Trace> ScopeStrips::tracesOf(const std::vector<SignalRef>& strip,
@@ -138,22 +196,34 @@ std::vector<ScopePlot::Trace> ScopeStrips::tracesOf(const std::vector<SignalRef>
         ScopePlot::Trace trace{*index, signal.signal, module.scaleOf(signal.signal), labelOf(signal, module),
                                mixed ? QString::number(index->value() + 1) : QString()};
         trace.limits = module.limitsOf(signal.signal);
-        if (const ModuleHistory* samples = history.module(*index))
-            trace.samplesPerSecond = static_cast<double>(samples->countBetween(
-                                         zero + fromSeconds(from), zero + fromSeconds(to), signal.signal)) /
+        const auto source = m_derived.source(history, {*index, signal.signal});
+        if (source.samples != nullptr)
+            trace.samplesPerSecond = static_cast<double>(source.samples->countBetween(
+                                         zero + fromSeconds(from), zero + fromSeconds(to), source.signal)) /
                                      (to - from);
         traces.push_back(trace);
     }
     return traces;
 }
 
+std::vector<ModuleSignal> ScopeStrips::shownSignals() const {
+    std::vector<ModuleSignal> shown;
+    for (const auto& strip : m_signals)
+        for (const SignalRef& signal : strip)
+            if (const auto module = signal.module ? signal.module : m_selected)
+                shown.push_back({*module, signal.signal});
+    return shown;
+}
+
 void ScopeStrips::showFrame(const History& history, double now) {
     m_time.follow(now);
+    m_derived.want(shownSignals());
+    m_behind = !m_derived.follow(history);
     label(history, now);
     const ScopePlot::View view{history.zero().value_or(TimePoint{}), m_time.left(), m_time.right(),
                                m_time.division()};
     for (ScopePlot* plot : shownPlots()) {
-        plot->showFrame(view, history, now);
+        plot->showFrame(view, history, now, m_derived);
         std::optional<double> level;
         if (m_level)
             for (const ScopePlot::Trace& trace : plot->traces())
@@ -197,6 +267,7 @@ void ScopeStrips::align() {
 void ScopeStrips::forget() {
     for (ScopePlot* plot : findChildren<ScopePlot*>())
         plot->forget();
+    m_derived.forget();
     m_labelled.reset();
     m_time.roll();
     showMarker({});
@@ -243,7 +314,7 @@ void ScopeStrips::showEverything(const History& history) {
 std::vector<ScopePlot*> ScopeStrips::shownPlots() const {
     std::vector<ScopePlot*> shown;
     for (std::size_t i = 0; i < m_plots.size(); ++i)
-        if (!m_setup.strips[i].empty())
+        if (!m_signals[i].empty())
             shown.push_back(m_plots[i]);
     return shown;
 }
@@ -252,7 +323,7 @@ void ScopeStrips::renderTo(QPainter& painter) {
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const auto render = [&](auto* part) {
         painter.save();
-        painter.translate(part->pos());
+        painter.translate(part->mapTo(this, QPoint()));
         part->renderTo(painter);
         painter.restore();
     };

@@ -11,7 +11,7 @@
 #include "widgets/scope/scopesetup.h"
 #include "widgets/scope/timewindow.h"
 
-class QVBoxLayout;
+class QSplitter;
 
 namespace nmc {
 
@@ -51,6 +51,10 @@ public:
     [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
     [[nodiscard]] std::optional<ModuleIndex> selected() const { return m_selected; }
     [[nodiscard]] std::vector<ScopePlot*> shownPlots() const;
+    /// What samples have not, of the signals that are shown.
+    [[nodiscard]] const DerivedSignals& derived() const { return m_derived; }
+    /// There is more of them to come: another frame is wanted.
+    [[nodiscard]] bool isBehind() const { return m_behind; }
     void renderTo(QPainter& painter);
 
 signals:
@@ -59,8 +63,11 @@ signals:
     void everythingWanted();
     void cursorMoved(int cursor, double seconds);
     void resized();
+    /// The user has dragged a line between two strips, or wants them equal: in the order of the setup.
+    void heightsChosen(const std::array<double, nmc::ScopeSetup::kStrips>& heights);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -69,6 +76,10 @@ protected:
 private:
     [[nodiscard]] ScopePlot* newPlot(std::size_t strip);
     void arrange();
+    [[nodiscard]] std::vector<SignalRef> signalsOf(std::size_t strip) const;
+    [[nodiscard]] std::vector<ModuleSignal> shownSignals() const;
+    void shareHeight();
+    [[nodiscard]] std::array<double, ScopeSetup::kStrips> heights() const;
     [[nodiscard]] bool followsSelection() const;
     void label(const History& history, double now);
     /// `from`, `to`: over what time their rates are counted, s.
@@ -81,8 +92,11 @@ private:
     void paintInTurn(ScopePlot* plot);
     void paintNext();
 
-    QVBoxLayout* m_layout;
+    QSplitter* m_splitter;
     std::array<ScopePlot*, ScopeSetup::kStrips> m_plots{};
+    std::array<std::vector<SignalRef>, ScopeSetup::kStrips> m_signals;  ///< that are shown
+    DerivedSignals m_derived;
+    bool m_behind = false;
     StatusLane* m_lane;
     ScopeSetup m_setup;
     std::vector<ScopeModule> m_modules;

@@ -2,7 +2,6 @@
 #include "widgets/scope/scopewords.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 #include "widgets/common/unitwords.h"
@@ -39,6 +38,10 @@ QString signalName(ScopeSignal signal) {
             return Scope::tr("velocity");
         case ScopeSignal::Analog:
             return Scope::tr("A/D");
+        case ScopeSignal::Acceleration:
+            return Scope::tr("acceleration");
+        case ScopeSignal::Pwm:
+            return Scope::tr("PWM, calculated");
     }
     return {};
 }
@@ -53,19 +56,26 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
             return measuredVelocityUnitOf(module.scale);
         case ScopeSignal::Analog:
             return QString::fromStdString(module.analog.unit);
+        case ScopeSignal::Acceleration:
+            return Scope::tr("%1/s²").arg(unitOf(module.scale));
+        case ScopeSignal::Pwm:
+            return Scope::tr("of 255");
     }
     return {};
 }
 
-int signalDecimals(ScopeSignal signal, const ScopeModule& module) {
+double signalStep(ScopeSignal signal, const ScopeModule& module) {
     const double one = std::abs(module.scaleOf(signal).factor);
-    // A tenth of a count for what is calculated, whole counts for what was reported.
-    const double finest = isCalculated(signal) ? one / 10 : one;
-    return finest > 0 ? qBound(0, static_cast<int>(std::ceil(-std::log10(finest) - 1e-6)), 9) : 0;
+    // A tenth of a count for a calculated place, whole counts for what was reported or is whole by nature.
+    return signal == ScopeSignal::Command || signal == ScopeSignal::Error ? one / 10 : one;
 }
 
-QString signalValue(double value, ScopeSignal signal, const ScopeModule& module) {
-    return QLocale().toString(value, 'f', signalDecimals(signal, module));
+int decimalsAt(double step) {
+    return step > 0 ? qBound(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 9) : 0;
+}
+
+QString numberAt(double value, double step) {
+    return fixed(value, decimalsAt(step));
 }
 
 QString stretch(double seconds) {

@@ -13,10 +13,12 @@ namespace nmc::texts {
 [[nodiscard]] QString signalName(ScopeSignal signal);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);
-/// How many decimals of a value in that unit make sense.
-[[nodiscard]] int signalDecimals(ScopeSignal signal, const ScopeModule& module);
-/// A value that is already in that unit, with these.
-[[nodiscard]] QString signalValue(double value, ScopeSignal signal, const ScopeModule& module);
+/// The steps, in that unit, in which a value makes sense.
+[[nodiscard]] double signalStep(ScopeSignal signal, const ScopeModule& module);
+/// How many decimals a number has that goes in such steps.
+[[nodiscard]] int decimalsAt(double step);
+/// A number of a signal wherever one stands, at axes, cursors and in words: with the decimals of its step.
+[[nodiscard]] QString numberAt(double value, double step);
 /// "0.5 s", "12 ms": a stretch of time.
 [[nodiscard]] QString stretch(double seconds);
 

@@ -3,10 +3,12 @@
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/common/look.h"
 #include "widgets/scope/scopewords.h"
@@ -30,11 +32,15 @@ SignalRef signalOf(const QTreeWidgetItem& item) {
 
 SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeModule>& modules,
                              QWidget* parent)
-    : QDialog(parent), m_setup(setup), m_table(new QTreeWidget(this)) {
+    : QDialog(parent), m_setup(setup), m_filter(new QLineEdit(this)), m_table(new QTreeWidget(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Signals of the scope"));
     look::name(this, u"scopeSignalsDialog"_s, windowTitle());
     look::name(m_table, u"scopeSignalsTable"_s, tr("Signals, and the strips they stand in"));
+    look::name(m_filter, u"scopeSignalsFilter"_s, tr("Filter"));
+    m_filter->setPlaceholderText(tr("Filter: a module, a signal, or words of both"));
+    m_filter->setClearButtonEnabled(true);
+    connect(m_filter, &QLineEdit::textChanged, this, &SignalsDialog::filter);
     QStringList titles{tr("Signal")};
     for (std::size_t strip = 1; strip <= ScopeSetup::kStrips; ++strip)
         titles << tr("Strip %1").arg(strip);
@@ -50,14 +56,18 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     auto* usual = buttons->addButton(tr("&Usual signals"), QDialogButtonBox::ResetRole);
     look::name(usual, u"scopeUsualSignalsButton"_s, tr("Usual signals"));
-    usual->setToolTip(tr("Position with its command position, and the error below."));
+    usual->setToolTip(tr("Position with its command position, below them the error and the motor current."));
     connect(usual, &QPushButton::clicked, this, [this] {
         m_setup.strips = ScopeSetup::usual().strips;
         showSetup();
         emit setupChosen(m_setup);
     });
+    // Enter in the filter is no wish to leave.
+    for (QAbstractButton* button : buttons->buttons())
+        qobject_cast<QPushButton*>(button)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_filter);
     layout->addWidget(m_table);
     layout->addWidget(buttons);
     showSetup();
@@ -81,6 +91,26 @@ void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> mod
         }
     }
     group->setExpanded(used);
+}
+
+/// What has all of the words, in its own name or its module's.
+void SignalsDialog::filter(const QString& text) {
+    const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
+    for (int i = 0; i < m_table->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = m_table->topLevelItem(i);
+        bool any = false;
+        for (int k = 0; k < group->childCount(); ++k) {
+            const QString name = group->text(0) + u' ' + group->child(k)->text(0);
+            const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                return name.contains(word, Qt::CaseInsensitive);
+            });
+            group->child(k)->setHidden(!found);
+            any = any || found;
+        }
+        group->setHidden(!any);
+        if (any && !words.isEmpty())
+            group->setExpanded(true);
+    }
 }
 
 void SignalsDialog::showSetup() {

@@ -6,6 +6,7 @@
 
 #include "widgets/scope/scopesetup.h"
 
+class QLineEdit;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -25,8 +26,10 @@ private:
     void addRows(const QString& title, std::optional<ModuleIndex> module);
     void take(QTreeWidgetItem* item, int column);
     void showSetup();
+    void filter(const QString& text);
 
     ScopeSetup m_setup;
+    QLineEdit* m_filter;
     QTreeWidget* m_table;
 };
 

@@ -48,7 +48,7 @@ struct LinearScale {
 class TraceDrawing {
 public:
     QColor colour;
-    bool dashed = false;  ///< calculated
+    bool dashed = false;  ///< commanded
     QString tag;          ///< written at its end, where hue alone does not tell traces apart
 
     /// Takes what is to be seen in `geometry`'s time; the values of its axis do not matter yet.
@@ -74,7 +74,11 @@ private:
         bool joined;               ///< to the one before
     };
     [[nodiscard]] static double dashesPerSecond(const PlotGeometry& geometry);
+    /// Each line that is seen, clipped, from one time to another.
+    template <typename Add>
+    void visitLines(const PlotGeometry& geometry, Add&& add) const;
     void paintLines(QPainter& painter, const PlotGeometry& geometry) const;
+    void paintPath(QPainter& painter, const PlotGeometry& geometry) const;
     void paintDense(QPainter& painter, const PlotGeometry& geometry) const;
     void paintBand(QPainter& painter, const PlotGeometry& geometry) const;
     void paintTag(QPainter& painter, const PlotGeometry& geometry) const;

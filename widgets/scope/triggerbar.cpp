@@ -171,8 +171,9 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
         m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
     };
     for (std::size_t i = 0; i < kScopeSignals; ++i) {
-        const auto signal = static_cast<ScopeSignal>(i);
-        add({module, signal}, texts::signalName(signal));
+        // It looks at samples.
+        if (const auto signal = static_cast<ScopeSignal>(i); !isDerived(signal))
+            add({module, signal}, texts::signalName(signal));
     }
     for (const ScopeBit& bit : laneBits(of.identity.type))
         add({module, bit}, texts::bitName(bit, of.identity.type));
@@ -204,7 +205,7 @@ void TriggerBar::takeSource() {
         const ScopeModule& module = m_modules[sourceModule()->value()];
         m_unit->setText(texts::signalUnit(*signal(), module));
         m_level->setWords(tr("Level"), m_unit->text());
-        m_level->setDecimals(texts::signalDecimals(*signal(), module));
+        m_level->setDecimals(texts::decimalsAt(texts::signalStep(*signal(), module)));
     }
     m_level->setVisible(signal() != nullptr);
     m_unit->setVisible(signal() != nullptr);

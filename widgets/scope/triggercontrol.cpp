@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/triggercontrol.h"
 
+#include <cmath>
+
 namespace nmc {
 
 using namespace Qt::StringLiterals;
@@ -18,8 +20,14 @@ void TriggerControl::setShown(bool shown) {
 }
 
 void TriggerControl::setWindow(double seconds) {
+    constexpr double kSame = 1e-9;  // it was moved along, and rounded
+    if (std::abs(seconds - m_window) <= kSame * m_window)
+        return;
     m_window = seconds;
-    apply();
+    if (m_trigger.state() == ScopeTrigger::State::Armed) {
+        takeWindow();
+        m_trigger.arm(m_now);
+    }
 }
 
 void TriggerControl::showModules(const std::vector<ScopeModule>& modules,
@@ -31,12 +39,13 @@ void TriggerControl::showModules(const std::vector<ScopeModule>& modules,
 /// Another wish begins anew.
 void TriggerControl::apply() {
     auto wanted = m_bar->settings();
-    if (wanted)
-        wanted->window = m_window;
     const bool off = m_trigger.state() == ScopeTrigger::State::Off;
+    if (wanted)
+        wanted->window = m_trigger.settings().window;
     if (wanted ? !off && *wanted == m_trigger.settings() : off)
         return;
     if (wanted) {
+        wanted->window = m_window;
         m_trigger.set(*wanted);
         return arm();
     }
@@ -46,8 +55,18 @@ void TriggerControl::apply() {
 
 void TriggerControl::arm() {
     m_completeSince.reset();
+    takeWindow();
     m_trigger.arm(m_now);
     emit restarted();
+}
+
+/// As long as what is seen by now.
+void TriggerControl::takeWindow() {
+    TriggerSettings settings = m_trigger.settings();
+    if (settings.window == m_window)
+        return;
+    settings.window = m_window;
+    m_trigger.set(settings);
 }
 
 void TriggerControl::follow(const History& history, TimePoint now, const QDateTime& zero) {
@@ -57,7 +76,10 @@ void TriggerControl::follow(const History& history, TimePoint now, const QDateTi
         m_completeSince = now;
     if (m_completeSince && now - *m_completeSince >= kShown) {
         m_completeSince.reset();
-        m_trigger.rearm(now);
+        if (m_trigger.settings().mode == TriggerSettings::Mode::Normal) {
+            takeWindow();
+            m_trigger.arm(now);
+        }
     }
     showState(zero, history.zero().value_or(TimePoint{}));
 }

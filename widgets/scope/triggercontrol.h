@@ -21,7 +21,7 @@ public:
     [[nodiscard]] TriggerBar& bar() { return *m_bar; }
     /// Out of sight it is off.
     void setShown(bool shown);
-    /// s; how long a picture is.
+    /// s; how long a picture is: the next one, where one is there already.
     void setWindow(double seconds);
     void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
     /// Once a frame, whatever is seen. `zero`: when the history's zero was.
@@ -42,6 +42,7 @@ private:
 
     void apply();
     void arm();
+    void takeWindow();
     void feed(const History& history);
     void showState(const QDateTime& zero, TimePoint historyZero);
 

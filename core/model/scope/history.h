@@ -40,9 +40,13 @@ public:
     template <typename Visit>
     void visit(TimePoint from, TimePoint to, Duration widest, Visit&& visit) const;
 
-    /// What has come since there were `count` samples, as far as it is still kept one by one.
+    /// What has come since there were `count` samples, as far as it is still kept one by one, and at most so
+    /// many of them. Returns the `count` to go on from.
     template <typename Visit>
-    void visitSince(std::uint64_t count, Visit&& visit) const;
+    std::uint64_t visitSince(std::uint64_t count, Visit&& visit, std::uint64_t most = UINT64_MAX) const;
+    /// The samples in [from, to] that are still kept one by one.
+    template <typename Visit>
+    void visitKept(TimePoint from, TimePoint to, Visit&& visit) const;
     /// The samples in [from, to] that are still kept one by one.
     [[nodiscard]] std::vector<ScopeSample> samples(TimePoint from, TimePoint to) const;
     /// The kept samples around `time`: the last not after it, the first after it.
@@ -137,9 +141,19 @@ void ModuleHistory::visit(TimePoint from, TimePoint to, Duration widest, Visit&&
 }
 
 template <typename Visit>
-void ModuleHistory::visitSince(std::uint64_t count, Visit&& visit) const {
-    for (std::uint64_t number = std::max(count, m_firstSample); number < m_count; ++number)
+std::uint64_t ModuleHistory::visitSince(std::uint64_t count, Visit&& visit, std::uint64_t most) const {
+    std::uint64_t number = std::max(count, m_firstSample);
+    for (; number < m_count && most > 0; ++number, --most)
         visit(m_samples[number - m_firstSample]);
+    return number;
+}
+
+template <typename Visit>
+void ModuleHistory::visitKept(TimePoint from, TimePoint to, Visit&& visit) const {
+    auto sample = std::lower_bound(m_samples.begin(), m_samples.end(), from,
+                                   [](const ScopeSample& one, TimePoint time) { return one.time < time; });
+    for (; sample != m_samples.end() && sample->time <= to; ++sample)
+        visit(*sample);
 }
 
 }  // namespace nmc

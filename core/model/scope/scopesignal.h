@@ -16,17 +16,24 @@ enum class ScopeSignal : std::uint8_t {
     Command,  ///< calculated command position
     Error,    ///< calculated position error
     Velocity,
-    Analog  ///< A/D: motor current where the sense resistor is fitted (DS-V 3)
+    Analog,        ///< A/D: motor current where the sense resistor is fitted (DS-V 3)
+    Acceleration,  ///< from positions
+    Pwm            ///< calculated: what the control filter makes of the calculated error (DS-V 4.3)
 };
 
-inline constexpr std::size_t kScopeSignals = 5;
+inline constexpr std::size_t kScopeSignals = 7;
 
-/// Calculated from what was sent, because the chip does not report it: drawn dashed.
+/// Calculated from what was sent, because the chip does not report it: sometimes not known.
 [[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
-    return signal == ScopeSignal::Command || signal == ScopeSignal::Error;
+    return signal == ScopeSignal::Command || signal == ScopeSignal::Error || signal == ScopeSignal::Pwm;
 }
 
-/// Counts, counts/s or A/D counts; nothing if unknown.
+/// No sample has it: it is made of several of them, and only for as long as it is looked at (DerivedSignals).
+[[nodiscard]] constexpr bool isDerived(ScopeSignal signal) {
+    return signal == ScopeSignal::Acceleration || signal == ScopeSignal::Pwm;
+}
+
+/// Counts, counts/s or A/D counts; nothing if unknown, or derived.
 [[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
     double value = 0;
     switch (signal) {
@@ -45,6 +52,9 @@ inline constexpr std::size_t kScopeSignals = 5;
         case ScopeSignal::Analog:
             value = sample.analog;
             break;
+        case ScopeSignal::Acceleration:
+        case ScopeSignal::Pwm:
+            return std::nullopt;
     }
     if (std::isnan(value))
         return std::nullopt;

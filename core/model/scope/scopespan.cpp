@@ -79,8 +79,12 @@ ScopeSpan::Extremes ScopeSpan::extremes(ScopeSignal signal) const {
             return {static_cast<double>(velocityLow), static_cast<double>(velocityHigh), order};
         case ScopeSignal::Analog:
             return {static_cast<double>(analogLow), static_cast<double>(analogHigh), order};
+        case ScopeSignal::Acceleration:
+        case ScopeSignal::Pwm:
+            break;
     }
-    return {};
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {kUnknown, kUnknown, false};
 }
 
 }  // namespace nmc

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/pwmoutput.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/time.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr double kRounding = 1.0;        ///< counts, of the difference of two whole numbers
+constexpr unsigned kOvercurrent = 0x04;  ///< of the status byte, sticky (DS-V 5.3)
+constexpr unsigned kServoOn = 0x04;      ///< of the auxiliary byte
+
+double sumLimit(const servo::SetGain& gains) {
+    return 256.0 * gains.il;
+}
+
+/// s; a divisor of 0 is none.
+double servoTick(const servo::SetGain& gains) {
+    return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
+}
+
+double toAmplifier(const servo::SetGain& gains, double output) {
+    double magnitude = std::min(std::trunc(std::abs(output) / 256), static_cast<double>(gains.ol));
+    if (magnitude > 0)
+        magnitude = std::min(magnitude + gains.db.value_or(0), 255.0);
+    return output < 0 ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
+                                                const std::optional<servo::SetGain>& gains) {
+    if (!gains || !sample.errorKnown() || (sample.aux & kServoOn) == 0) {
+        const auto made = finished({});
+        m_last.reset();
+        m_gap = true;
+        return made;
+    }
+    if (m_last && !sample.gapBefore && sample.time > m_last->sample.time) {
+        const double ticks = toSeconds(sample.time - m_last->sample.time) / servoTick(*gains);
+        const double change =
+            (static_cast<double>(sample.error) - static_cast<double>(m_last->sample.error)) / ticks;
+        const auto made = finished(change);
+        m_last = Known{sample, *gains, advanced(*m_last, sample, ticks), change};
+        return made;
+    }
+    const auto made = finished({});
+    m_gap = true;
+    m_last = Known{sample, *gains, {-sumLimit(*gains), 0, sumLimit(*gains)}};
+    return made;
+}
+
+/// The error goes on a straight line from one sample to the next.
+PwmOutput::Range PwmOutput::advanced(const Known& before, const ScopeSample& to, double ticks) {
+    const double limit = sumLimit(before.gains);
+    const auto add = [&](double sum, float first, float second) {
+        const double mean = (static_cast<double>(first) + static_cast<double>(second)) / 2;
+        return std::clamp(sum + ticks * mean, -limit, limit);
+    };
+    return {add(before.sum.low, before.sample.errorLow, to.errorLow),
+            add(before.sum.likely, before.sample.error, to.error),
+            add(before.sum.high, before.sample.errorHigh, to.errorHigh)};
+}
+
+std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<double> changeAfter) {
+    if (!m_last || !(m_last->changeBefore || changeAfter))
+        return std::nullopt;
+    const ScopeSample& sample = m_last->sample;
+    const servo::SetGain& gains = m_last->gains;
+    const double before = m_last->changeBefore.value_or(changeAfter.value_or(0));
+    const double after = changeAfter.value_or(before);
+    const double rounding = before == 0 && after == 0 ? 0.0 : kRounding;
+    const auto output = [&](double error, double change, double sum) {
+        return toAmplifier(gains, gains.kp * error + gains.kd * change + gains.ki * std::trunc(sum / 256));
+    };
+    Value made{
+        sample.time, output(static_cast<double>(sample.error), (before + after) / 2, m_last->sum.likely),
+        output(static_cast<double>(sample.errorLow), std::min(before, after) - rounding, m_last->sum.low),
+        output(static_cast<double>(sample.errorHigh), std::max(before, after) + rounding, m_last->sum.high),
+        m_gap};
+    if (gains.cl != 0 && (sample.status & kOvercurrent) != 0) {
+        made.low = std::min(made.low, 0.0);
+        made.high = std::max(made.high, 0.0);
+    }
+    m_gap = false;
+    return made;
+}
+
+}  // namespace nmc

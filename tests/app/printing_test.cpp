@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page from the scope to the system's printer, with the whole program; the print system is a script.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+
+#include "panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace testing_support;
+
+class PrintingProgram : public testing::Test {
+protected:
+    PrintingProgram() {
+        qputenv("PATH", directory.path().toLocal8Bit() + ":" + path);
+        panel.start();
+        panel.connectTo(QStringLiteral("simulator=servo"));
+        EXPECT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
+    }
+    ~PrintingProgram() override { qputenv("PATH", path); }
+
+    /// A program of this name that does what the script says.
+    void install(const QByteArray& script) {
+        QFile file(directory.filePath(QStringLiteral("lp")));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("#!/bin/sh\n" + script + "\n");
+        file.close();
+        ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+    }
+    void print() { panel.window().findChild<QAction*>(QStringLiteral("scopePrintAction"))->trigger(); }
+    bool told(const char* words) {
+        return panel.waitFor([&] { return panel.count(QLatin1String(words)) > 0; });
+    }
+
+    const QByteArray path = qgetenv("PATH");
+    QTemporaryDir directory;
+    IntentPanel panel;
+};
+
+TEST_F(PrintingProgram, ThePrinterGetsThePage) {
+    const QString page = directory.filePath(QStringLiteral("page.pdf"));
+    install("cat > " + page.toLocal8Bit());
+    print();
+    ASSERT_TRUE(told("The page is on its way to the printer."));
+    QFile file(page);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray content = file.readAll();
+    EXPECT_TRUE(content.startsWith("%PDF-"));
+    EXPECT_TRUE(content.trimmed().endsWith("%%EOF"));
+}
+
+TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
+    install("exec sleep 60");
+    print();
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(QLatin1String("The page")), 0);
+}
+
+TEST_F(PrintingProgram, WhatThePrintSystemRefusesIsSaid) {
+    install("echo 'no default destination' >&2; exit 1");
+    print();
+    EXPECT_TRUE(told("The page was not printed."));
+}
+
+}  // namespace
+}  // namespace nmc
