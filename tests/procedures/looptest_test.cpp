@@ -6,9 +6,9 @@
 #include <complex>
 #include <numbers>
 
+#include "model/frequency/frequencyresponse.h"
 #include "model/intent/looptestplan.h"
 #include "model/response/edgefold.h"
-#include "model/response/frequencyresponse.h"
 #include "model/tuning/predict.h"
 #include "tests/procedures/procedurebench.h"
 #include "tests/support/tunedservo.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a frequency response comes to, against closed forms.
-#include "model/response/frequencyresponse.h"
+#include "model/frequency/frequencyresponse.h"
 
 #include <gtest/gtest.h>
 

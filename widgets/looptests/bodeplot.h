@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/response/frequencyresponse.h"
+#include "model/frequency/frequencyresponse.h"
 
 namespace nmc {
 

@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <span>
 
-#include "model/response/frequencyresponse.h"
+#include "model/frequency/frequencyresponse.h"
 
 /// Tests of the loop in words.
 namespace nmc::texts {

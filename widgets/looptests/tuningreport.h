@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/response/frequencypoint.h"
+#include "model/frequency/frequencypoint.h"
 #include "model/response/steprunfile.h"
 
 namespace nmc {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "model/frequency/frequencyresponse.h"
 #include "model/intent/looptestplan.h"
-#include "model/response/frequencyresponse.h"
 
 namespace nmc {
 

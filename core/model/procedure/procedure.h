@@ -8,10 +8,10 @@
 
 #include "base/time.h"
 #include "bus/types.h"
+#include "model/frequency/frequencypoint.h"
 #include "model/intent/steptaken.h"
 #include "model/module/modulestate.h"
 #include "model/procedure/directionfound.h"
-#include "model/response/frequencypoint.h"
 
 namespace nmc {
 

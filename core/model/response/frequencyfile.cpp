@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "model/frequency/frequencyresponse.h"
 #include "model/recording/numbertext.h"
-#include "model/response/frequencyresponse.h"
 
 namespace nmc {
 

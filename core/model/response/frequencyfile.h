@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "model/response/frequencypoint.h"
+#include "model/frequency/frequencypoint.h"
 
 namespace nmc {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bus/types.h"
-#include "model/response/frequencypoint.h"
+#include "model/frequency/frequencypoint.h"
 
 namespace nmc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/response/frequencyresponse.h"
+#include "model/frequency/frequencyresponse.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
