@@ -27,7 +27,8 @@ TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
     KeptRun b = ramp(60);
     b.run.taken.from = 500;
     plot.showRuns(&a, &b);
-    plot.grab();  // lays it out
+    QTest::mouseDClick(&plot, Qt::LeftButton);  // the whole record
+    plot.grab();                                // lays it out
     const QImage picture = plot.grab().toImage();
     const QColor colourA = look::traceColour(0, plot.palette());
     const QColor colourB = look::traceColour(1, plot.palette());
@@ -67,6 +68,7 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
         point.position = point.seconds > 0.01 ? 560 : point.position;
     setBand(run.run, kFirstBand);
     plot.showRuns(&run, nullptr);
+    QTest::mouseDClick(&plot, Qt::LeftButton);
     plot.grab();
     const QImage picture = plot.grab().toImage();
     const QColor colour = look::traceColour(0, plot.palette());

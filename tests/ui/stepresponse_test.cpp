@@ -251,17 +251,20 @@ TEST_F(StepResponses, TellWhatARunComesTo) {
     // The parabola through 108, 120 and 120 is 1.5 above them; that and half a count is the doubt.
     EXPECT_EQ(result(2), u"21.5 ± 2.0 %"_s);
     EXPECT_EQ(result(3), u"not in this record"_s);
-    EXPECT_EQ(result(4), u"\u221220.0 ± 0.5 counts"_s);
-    EXPECT_EQ(result(5), u"not known"_s) << "the error before the step is not";
-    EXPECT_EQ(result(6), u"1 ms"_s);
+    // 117.5 of 120 counts, at 12 a millisecond; known to half a sample and two half ticks.
+    EXPECT_EQ(result(4), u"9.8 ± 1.1 ms"_s);
+    EXPECT_EQ(listed(0, 9), u"9.8 ± 1.1 ms, off its goal"_s);
+    EXPECT_EQ(result(5), u"\u221220.0 ± 0.5 counts"_s);
+    EXPECT_EQ(result(6), u"not known"_s) << "the error before the step is not";
+    EXPECT_EQ(result(7), u"1 ms"_s);
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
     KeptRun limited = ramp();
     limited.run.pwm = PwmDemand{429, 255};
     window->showStepRun(limited);
-    EXPECT_EQ(result(5), u"limited to 255"_s);
+    EXPECT_EQ(result(6), u"limited to 255"_s);
     limited.run.pwm = PwmDemand{23, 255};
     window->showStepRun(limited);
-    EXPECT_EQ(result(5), u"at least 23"_s);
+    EXPECT_EQ(result(6), u"at least 23"_s);
 }
 
 TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {

@@ -55,9 +55,9 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
     // As long again as it takes to settle, so that it is seen to stay.
-    const auto& settling = kept.run.metrics.settling;
+    const auto& atRest = kept.run.metrics.settlingAtRest;
     curve.transient =
-        settling ? std::clamp(2 * settling->value, kShortest * taken.record, taken.record) : taken.record;
+        atRest ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record) : taken.record;
     curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(scale));
     return curve;
 }

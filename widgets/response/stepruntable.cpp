@@ -71,7 +71,7 @@ void StepRunTable::showRun(int row, const KeptRun& kept, const ShownRuns& shown)
     cell(row, Kd)->setText(QString::number(gains.kd));
     cell(row, Ki)->setText(QString::number(gains.ki));
     cell(row, Overshoot)->setText(texts::stepOvershoot(kept.run.metrics.overshoot));
-    cell(row, Settling)->setText(texts::stepTime(kept.run.metrics.settling));
+    cell(row, Settling)->setText(texts::stepSettling(kept.run.metrics));
 }
 
 void StepRunTable::showRuns(const std::vector<KeptRun>& runs, const ShownRuns& shown) {

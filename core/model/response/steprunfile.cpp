@@ -42,7 +42,9 @@ std::string_view wayText(StepWay way) {
 void appendMetrics(Comments& comments, const StepRun& run) {
     comments.add("rise from 10 to 90 %", run.metrics.rise, "s");
     comments.add("overshoot", run.metrics.overshoot, "% of the step");
-    comments.add("settling to within " + textOf(run.band()) + " counts", run.metrics.settling, "s");
+    const std::string within = "settling to within " + textOf(run.band()) + " counts of ";
+    comments.add(within + "the goal", run.metrics.settling, "s");
+    comments.add(within + "where it stays", run.metrics.settlingAtRest, "s");
     comments.add("steady-state error", run.metrics.steadyError, "counts");
     if (run.pwm)
         comments.add("peak PWM demand", (run.pwm->limited() ? "limited to " : "at least ") +
