@@ -150,6 +150,27 @@ public:
             if (is(key, value->items[i], JsonValue::Kind::Text, Wanted::Text))
                 take(key, value->items[i], names[i]);
     }
+    /// Many of them, in one text.
+    void numbers(std::string_view key, std::vector<double>& numbers, std::size_t most) {
+        const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
+        if (value == nullptr)
+            return;
+        const char* place = value->text.data();
+        const char* const end = place + value->text.size();
+        while (place != end) {
+            double number = 0;
+            const auto [next, error] = std::from_chars(place, end, number);
+            const bool apart = next == end || *next == ' ';
+            if (error != std::errc() || !apart || !std::isfinite(number))
+                return refuse(key, *value,
+                              {.kind = Kind::NotANumber,
+                               .found = quoted(std::string(place, std::find(place, end, ' ')))});
+            if (numbers.size() == most)
+                return refuse(key, *value, {.kind = Kind::TooMany, .max = static_cast<double>(most)});
+            numbers.push_back(number);
+            place = next == end ? end : next + 1;
+        }
+    }
     void module(std::string_view key, std::optional<ModuleIndex>& module) {
         std::optional<std::uint8_t> number;
         whole(key, number, {1, static_cast<double>(kMaxAxes)});

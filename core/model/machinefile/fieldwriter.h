@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/machinefile/machinelayout.h"
+#include "model/recording/numbertext.h"
 
 namespace nmc::layout {
 
@@ -115,6 +116,15 @@ public:
         Json& items = at(key) = Json::array();
         for (const std::string& name : names)
             items.push_back(withoutControls(name));
+    }
+    void numbers(std::string_view key, const std::vector<double>& numbers, std::size_t /*most*/) {
+        std::string text;
+        for (const double number : numbers) {
+            if (!text.empty())
+                text += ' ';
+            appendNumber(text, number);
+        }
+        at(key) = text;
     }
     void module(std::string_view key, const std::optional<ModuleIndex>& module) {
         if (module)

@@ -13,6 +13,8 @@ public:
     Comments(std::string& out, int run) : m_out(out), m_prefix("# run " + textOf(run) + ' ') {}
 
     void add(std::string_view key, std::string_view value) {
+        if (value.empty())
+            return;
         m_out.append(m_prefix).append(key).append(": ");
         // One line without a comma, whatever a module is called: no spreadsheet tears it.
         for (const char c : value)
@@ -54,6 +56,8 @@ void appendMetrics(Comments& comments, const StepRun& run) {
 void appendRun(std::string& out, const KeptRun& kept) {
     const StepTaken& taken = kept.run.taken;
     Comments comments(out, kept.number);
+    comments.add("name", kept.name);
+    comments.add("note", kept.note);
     comments.add("started", kept.startedAt);
     comments.add("port", kept.port);
     comments.add("simulated", kept.simulated ? "yes (no real motor moved)" : "no");
