@@ -174,6 +174,7 @@ void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
     kept.run = takeRun(index, samples, taken, kFirstBand);
     kept.startedAt = isoDate(started).toStdString();
     kept.moduleName = texts::moduleName(index).toStdString();
+    kept.axisName = m_machine.machine().axis(index).name;
     kept.scale = scaleOf(module, m_machine.machine().axis(index));
     kept.port = m_store.link().port;
     kept.simulated = m_store.link().simulated;

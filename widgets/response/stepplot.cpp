@@ -58,7 +58,10 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     const auto& atRest = kept.run.metrics.settlingAtRest;
     curve.transient =
         atRest ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record) : taken.record;
-    curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(scale));
+    const QString run = kept.name.empty()
+                            ? QString::number(kept.number)
+                            : u"%1 \"%2\""_s.arg(kept.number).arg(QString::fromStdString(kept.name));
+    curve.label = tr("run %1, %2").arg(run, texts::unitOf(scale));
     return curve;
 }
 

@@ -81,7 +81,7 @@ void fields(Form& form, T& kept) {
 
 template <typename Form, As<Runs> T>
 void fields(Form& form, T& file) {
-    form.list("runs", file.runs, kMostRuns);
+    form.list("runs", file.runs, kMostKeptRuns);
 }
 
 }  // namespace layout
@@ -131,9 +131,9 @@ std::string idOf(const KeptRun& run) {
     return run.startedAt + ' ' + run.port + ' ' + textOf(run.run.module.value());
 }
 
-void keepMostRuns(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun&)>& needed) {
+void keepMost(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun&)>& needed) {
     const auto free = [&](const KeptRun& run) { return !needed || !needed(run); };
-    while (runs.size() > kMostRuns) {
+    while (runs.size() > kMostKeptRuns) {
         auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) {
             return free(run) && run.name.empty() && run.note.empty();
         });
@@ -162,7 +162,7 @@ std::vector<KeptRun> together(std::vector<KeptRun> ours, const std::vector<KeptR
     }
     std::stable_sort(ours.begin(), ours.end(),
                      [](const KeptRun& a, const KeptRun& b) { return a.number < b.number; });
-    keepMostRuns(ours);
+    keepMost(ours);
     return ours;
 }
 
