@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QAction>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDateTime>
 #include <QFileDialog>
@@ -496,6 +497,49 @@ TEST_F(StepResponses, ExportIsReadableWhateverTheLocale) {
     EXPECT_EQ(lines.at(first + 1), u"1,-0.01,500,0"_s);
     EXPECT_EQ(lines.at(first + 1 + 15), u"1,0.005,560,60"_s);
     EXPECT_EQ(lines.size(), first + 1 + 111 + 1);
+}
+
+TEST_F(StepResponses, CursorsStandBesideThePlotWhileTheyAreWanted) {
+    openWith();
+    window->showStepRun(ramp(100));
+    auto* readings = window->findChild<QTableWidget*>(u"stepCursorTable"_s);
+    EXPECT_FALSE(readings->isVisible());
+    click(u"stepCursorsButton"_s);
+    EXPECT_TRUE(readings->isVisible());
+    EXPECT_EQ(readings->rowCount(), 2);
+    window->showStepRun(ramp(110));
+    EXPECT_EQ(readings->rowCount(), 3) << "time, A and B";
+    find(u"stepPlot"_s)->setFocus();
+    QTest::keyClick(find(u"stepPlot"_s), Qt::Key_C);
+    EXPECT_FALSE(readings->isVisible());
+}
+
+TEST_F(StepResponses, PicturesGoToFilesAndOntoTheClipboard) {
+    openWith();
+    KeptRun run = ramp(100);
+    run.name = "stiffer";
+    window->showStepRun(run);
+    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    for (const auto& [kind, magic] :
+         {std::pair{u"Png"_s, "\x89PNG"}, std::pair{u"Svg"_s, "<?xml"}, std::pair{u"Pdf"_s, "%PDF"}}) {
+        window->findChild<QAction*>(u"step%1Action"_s.arg(kind))->trigger();
+        auto* dialog = window->findChild<QFileDialog*>(u"stepPicture%1Dialog"_s.arg(kind.toLower()));
+        ASSERT_NE(dialog, nullptr) << kind.toStdString();
+        EXPECT_FALSE(dialog->isModal());
+        emit dialog->fileSelected(u"/home/anna/step."_s + kind.toLower());
+        dialog->close();
+        const std::string content = saves.takeFirst()[1].value<FileContent>()();
+        EXPECT_TRUE(content.starts_with(magic)) << kind.toStdString();
+        if (kind == u"Svg"_s) {
+            EXPECT_NE(content.find("stiffer"), std::string::npos);
+            EXPECT_NE(content.find("Kp 100 Kd 1000"), std::string::npos);
+            EXPECT_NE(content.find("time since the step (s)"), std::string::npos);
+            EXPECT_NE(content.find("position from the start (counts)"), std::string::npos);
+        }
+    }
+    QGuiApplication::clipboard()->clear();
+    window->findChild<QAction*>(u"stepCopyAction"_s)->trigger();
+    EXPECT_GT(QGuiApplication::clipboard()->image().width(), 100);
 }
 
 TEST_F(StepResponses, ShowingEmitsNothing) {

@@ -19,6 +19,7 @@
 #include "widgets/response/stepform.h"
 #include "widgets/response/stepplot.h"
 #include "widgets/response/stepresults.h"
+#include "widgets/response/stepview.h"
 
 namespace nmc {
 
@@ -33,7 +34,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
       m_form(new StepForm(this)),
       m_results(new StepResults(this)),
       m_model(new ModelBox(m_kept, this)),
-      m_plot(new StepPlot(this)),
+      m_view(new StepView(this)),
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
@@ -56,6 +57,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     connect(m_use, &QPushButton::clicked, this, &StepResponsePage::useGains);
     connect(m_remove, &QPushButton::clicked, this, &StepResponsePage::removeChosen);
     connect(m_save, &QPushButton::clicked, this, &StepResponsePage::chooseFile);
+    connect(m_view, &StepView::saveRequested, this, &StepResponsePage::saveRequested);
     refreshRuns();
 }
 
@@ -76,6 +78,7 @@ QWidget* StepResponsePage::newRunsPart() {
     look::name(m_all, u"stepAllRunsBox"_s, tr("All runs of this module in the plot"));
     m_all->setToolTip(tr("Draws the other runs of this module as well, the older the paler."));
     connect(m_all, &QCheckBox::toggled, this, &StepResponsePage::refreshRuns);
+    m_view->addControl(m_all);
     auto* part = new QWidget(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
@@ -83,7 +86,6 @@ QWidget* StepResponsePage::newRunsPart() {
     buttons->addWidget(m_remove);
     buttons->addWidget(m_putBack);
     buttons->addStretch(1);
-    buttons->addWidget(m_all);
     buttons->addWidget(m_save);
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -131,7 +133,7 @@ void StepResponsePage::lay() {
     if (m_lent != nullptr) {
         left->addWidget(m_findings);
         left->addWidget(m_runs, 1);
-        right->addWidget(m_plot);
+        right->addWidget(m_view);
     } else {
         left->addWidget(m_form);
         left->addWidget(m_findings);
@@ -139,7 +141,7 @@ void StepResponsePage::lay() {
         // A line is always left to it, so that the plot does not jump with every step.
         m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
         right->addWidget(m_form->stateLabel());
-        right->addWidget(m_plot, 3);
+        right->addWidget(m_view, 3);
         right->addWidget(m_runs, 2);
     }
     m_form->show();
@@ -257,7 +259,7 @@ void StepResponsePage::refreshRuns() {
     const KeptRun* b = find(m_shown[1]);
     m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
-    m_plot->showRuns(a, b, others());
+    m_view->showRuns(a, b, others());
     showModelCurves();
     refreshButtons();
 }
@@ -283,7 +285,7 @@ void StepResponsePage::showModelCurves() {
                shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
     };
     const bool drawn = about != nullptr && (alike(find(m_shown[0])) || alike(find(m_shown[1])));
-    m_plot->showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
+    m_view->plot().showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
 }
 
 QString StepResponsePage::whyNotUsable(const KeptRun* run) const {

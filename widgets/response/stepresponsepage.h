@@ -19,8 +19,8 @@ class QTabWidget;
 namespace nmc {
 
 class StepForm;
-class StepPlot;
 class StepResults;
+class StepView;
 
 /// Step responses of the selected servo: asks for them, keeps those that were made, and compares two.
 class StepResponsePage : public QWidget {
@@ -63,7 +63,7 @@ signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
     /// runs() has changed, and not by showKept() or clearRuns(): it is to be kept.
     void runsChanged();
-    /// All runs.
+    /// All runs, or a picture of those that are shown.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
@@ -91,7 +91,7 @@ private:
     StepResults* m_results;
     ModelBox* m_model;
     QTabWidget* m_findings = nullptr;
-    StepPlot* m_plot;
+    StepView* m_view;
     StepRunTable* m_table;
     QWidget* m_runs = nullptr;  ///< the table and its buttons
     QWidget* m_lent = nullptr;  ///< the form, elsewhere
