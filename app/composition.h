@@ -102,7 +102,7 @@ private:
     void keepArmed(const ModuleState& module);
     /// Not again before what it was told last can show. What it is told now counts.
     [[nodiscard]] bool mayTell(ModuleIndex axis);
-    bus::OperationId submit(std::vector<bus::Step> steps);
+    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {});
     void showProcedure(const ProcedureReport& report);
     void showSequence(const SequenceReport& report);
     /// Before a stop of all motors, or an end of the connection that stops them.
@@ -112,6 +112,9 @@ private:
     /// Gives the window the run when it is over.
     void followStepResponse(const ProcedureReport& report);
     void keepRun(const ModuleState& module, const StepTaken& taken);
+    /// Gives the window each edge when the next one begins.
+    void followSquareWave(const ProcedureReport& report);
+    [[nodiscard]] std::optional<KeptRun> recordOf(const ModuleState& module, const StepTaken& taken) const;
     void act(const Message& message, MessageAction action);
     /// What other sessions have left, and is over.
     void endLeft(const QStringList& files);
@@ -166,7 +169,7 @@ private:
     BusStore m_store{m_worker};
     MainWindow m_window;
     ProcedureController m_procedures{
-        m_store, [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); }, this};
+        m_store, [this](Procedure::Send send) { return submit(std::move(send.steps), send.sine); }, this};
     SequenceController m_sequences{m_store, m_procedures,
                                    [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); },
                                    this};
@@ -191,6 +194,7 @@ private:
     std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_troublePort;           ///< where motors' states became unknown
+    std::map<ModuleIndex, StepTaken> m_edges;       ///< of the square waves that run, the last of each
     std::map<ModuleIndex, TimePoint> m_axisToldAt;  ///< the last time that watchAxes() told it something
     bool m_quitWhenClosed = false;
     bool m_scanWhenIdle = false;  ///< as soon as no procedure and no sequence runs any more

@@ -13,6 +13,9 @@
 #include "model/response/steprunfile.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
+#include "widgets/looptests/frequencypage.h"
+#include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/squarewavepage.h"
 #include "widgets/scope/scoperecord.h"
 
 namespace nmc {
@@ -45,6 +48,9 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return;
     if (std::holds_alternative<intent::KeepGains>(intent))
         return m_procedures.keep(index);
+    if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
+        gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains))
+        return m_machine.noteSent(index, intent);
     const bool stops = isStop(intent);
     if (!std::holds_alternative<intent::AskAnew>(intent))
         m_sequences.takeOver(index, stops);
@@ -133,7 +139,7 @@ void Composition::keepWithinTravel(const ModuleState& module) {
     m_messages.tellOf(texts::stoppedBeforeLimit(index));
 }
 
-bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
+bus::OperationId Composition::submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine) {
     const bus::OperationId id(++m_lastOperation);
     std::vector<ModuleIndex> moved;
     for (const bus::Step& step : steps)
@@ -141,7 +147,7 @@ bus::OperationId Composition::submit(std::vector<bus::Step> steps) {
             moved.push_back(step.module);
     if (!moved.empty())
         m_motionMarker.asked(id, moved);
-    m_worker.submit({id, std::move(steps)});
+    m_worker.submit({id, std::move(steps), sine});
     return id;
 }
 
@@ -162,11 +168,32 @@ void Composition::followStepResponse(const ProcedureReport& report) {
         keepRun(*module, *report.step);
 }
 
+void Composition::followSquareWave(const ProcedureReport& report) {
+    const ModuleState* module = m_store.module(report.module);
+    const auto last = m_edges.find(report.module);
+    const bool next = last == m_edges.end() || report.step != last->second;
+    if (last != m_edges.end() && module != nullptr && (next || report.stage == ProcedureStage::Stopping))
+        if (auto edge = recordOf(*module, last->second))
+            m_window.loopTests().squareWave().showEdge(std::move(*edge));
+    if (report.over() || report.stage == ProcedureStage::Stopping) {
+        m_edges.erase(report.module);
+    } else if (report.step) {
+        if (last == m_edges.end())
+            m_window.loopTests().squareWave().clear();
+        m_edges[report.module] = *report.step;
+    }
+}
+
 void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
+    if (auto run = recordOf(module, taken))
+        m_window.showStepRun(*run);
+}
+
+std::optional<KeptRun> Composition::recordOf(const ModuleState& module, const StepTaken& taken) const {
     const ModuleIndex index = module.info.index;
     const ModuleHistory* history = m_store.history().module(index);
     if (history == nullptr)
-        return;
+        return std::nullopt;
     const auto samples = history->samples(taken.at - kBeforeStep, taken.at + fromSeconds(taken.record));
     const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(monotonicNow() - taken.at);
     const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
@@ -178,15 +205,19 @@ void Composition::keepRun(const ModuleState& module, const StepTaken& taken) {
     kept.scale = scaleOf(module, m_machine.machine().axis(index));
     kept.port = m_store.link().port;
     kept.simulated = m_store.link().simulated;
-    m_window.showStepRun(kept);
+    return kept;
 }
 
 void Composition::showProcedure(const ProcedureReport& report) {
     m_window.showProcedure(report);
-    if (report.kind == ProcedureKind::StepResponse || report.kind == ProcedureKind::TryGains)
+    if (isTest(report.kind))
         focusOn(report);
     if (report.kind == ProcedureKind::StepResponse)
         followStepResponse(report);
+    if (report.kind == ProcedureKind::SquareWave)
+        followSquareWave(report);
+    if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())
+        m_window.loopTests().frequency().showReport(report);
     const ModuleState* module = m_store.module(report.module);
     if (!report.over() || module == nullptr)
         return;

@@ -71,6 +71,11 @@ void ProcedureController::keep(ModuleIndex module) {
     advance();
 }
 
+bool ProcedureController::take(ModuleIndex module, const servo::SetGain& gains) {
+    const auto found = m_runs.find(module);
+    return found != m_runs.end() && found->second.procedure->take(gains);
+}
+
 void ProcedureController::overtake(ModuleIndex module) {
     const auto found = m_runs.find(module);
     if (found == m_runs.end())
@@ -134,7 +139,7 @@ void ProcedureController::advance() {
 }
 
 void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now, bool& over) {
-    if (run.operation)
+    if (run.operation && !run.procedure->interruptible())
         return;
     Procedure::Next next = run.procedure->next(asOfPanel(module), now);
     if (auto* send = std::get_if<Procedure::Send>(&next)) {
@@ -143,7 +148,7 @@ void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now
         if (send->steps.empty())
             run.procedure->onFinished(bus::Outcome::Done);
         else
-            run.operation = m_submit(std::move(send->steps));
+            run.operation = m_submit(std::move(*send));
     }
     over = std::holds_alternative<Procedure::End>(next);
     tell(run);
@@ -169,7 +174,7 @@ bool ProcedureController::finished(const bus::OperationFinished& finished) {
     for (auto& [module, run] : m_runs)
         if (run.operation == finished.id) {
             run.operation.reset();
-            run.procedure->onFinished(finished.outcome);
+            run.procedure->onFinished(finished.outcome, finished.sine);
             return true;
         }
     return false;

@@ -23,7 +23,7 @@ class ProcedureController : public QObject {
 
 public:
     /// Submits one operation.
-    using Submit = std::function<bus::OperationId(std::vector<bus::Step>)>;
+    using Submit = std::function<bus::OperationId(Procedure::Send)>;
 
     ProcedureController(BusStore& store, Submit submit, QObject* parent = nullptr);
 
@@ -37,6 +37,8 @@ public:
     void cancelAll();
     /// What is being tried with it stays.
     void keep(ModuleIndex module);
+    /// Other gains for the procedure that runs with it. False: it has no use for them.
+    [[nodiscard]] bool take(ModuleIndex module, const servo::SetGain& gains);
     /// The motor has been stopped or switched off by somebody else.
     void overtake(ModuleIndex module);
     /// A stop of all motors begins; until stopFinished() nothing is sent.

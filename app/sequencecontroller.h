@@ -23,7 +23,7 @@ class SequenceController : public QObject {
     Q_OBJECT
 
 public:
-    using Submit = ProcedureController::Submit;
+    using Submit = std::function<bus::OperationId(std::vector<bus::Step>)>;
 
     SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
                        QObject* parent = nullptr);

@@ -20,7 +20,7 @@ OperationFinished rejected(const Operation& operation, Outcome outcome) {
 }
 
 bool CommandLane::submit(Operation operation) {
-    return push({operation.id, std::move(operation.steps), std::nullopt});
+    return push({operation.id, std::move(operation.steps), std::nullopt, operation.sine});
 }
 
 bool CommandLane::submit(GroupOperation operation) {
@@ -31,6 +31,8 @@ bool CommandLane::push(Waiting waiting) {
     if (m_waiting.size() == kCapacity)
         return false;
     m_waiting.push_back(std::move(waiting));
+    if (m_waiting.size() == 1)
+        beginFront();
     return true;
 }
 
@@ -41,11 +43,27 @@ const GroupOperation* CommandLane::group() const {
 }
 
 void CommandLane::beginStep(TimePoint now) {
-    if (!std::exchange(m_begun, true))
-        m_began = now;
+    if (std::exchange(m_begun, true))
+        return;
+    m_began = now;
+    if (m_sine)
+        m_waiting.front().steps.front().command = m_sine->commandAt(now);
 }
 
-std::optional<Event> CommandLane::accepted() {
+std::optional<TimePoint> CommandLane::due() const {
+    if (empty())
+        return std::nullopt;
+    return m_sine && !m_begun && !sineOver() ? m_sine->due() : TimePoint{};
+}
+
+std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {
+    if (m_sine) {
+        m_sine->note(end);
+        m_begun = false;
+        if (!m_sine->over(m_began) && !sineOver())
+            return std::nullopt;
+        return finish(m_sine->over(m_began) ? Outcome::Done : Outcome::Cancelled);
+    }
     if (m_step + 1 == m_waiting.front().steps.size())
         return finish(Outcome::Done);
     ++m_step;
@@ -94,6 +112,8 @@ Event CommandLane::finish(Outcome outcome) {
     const Step& last = step();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
+    if (m_sine)
+        event.sine = m_sine->takeRecord();
     next();
     return event;
 }
@@ -123,6 +143,13 @@ void CommandLane::next() {
     m_waiting.pop_front();
     m_step = 0;
     m_begun = false;
+    beginFront();
+}
+
+void CommandLane::beginFront() {
+    m_sine.reset();
+    if (!empty() && m_waiting.front().sine)
+        m_sine.emplace(*m_waiting.front().sine, m_waiting.front().steps.front().command);
 }
 
 }  // namespace nmc::bus

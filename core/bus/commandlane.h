@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bus/sinerun.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
@@ -29,12 +30,25 @@ public:
 
     /// The step to carry out now, and when it became that. The lane must not be empty.
     [[nodiscard]] const Step& step() const { return m_waiting.front().steps[m_step]; }
-    /// Notes that somebody looks at the step for the first time; later calls change nothing.
+    /// Notes that somebody looks at the step for the first time; later calls change nothing. A sine goes to
+    /// where it is now.
     void beginStep(TimePoint now);
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
 
-    /// The step was accepted: on to the next. The event of the end when it was the last.
-    [[nodiscard]] std::optional<Event> accepted();
+    /// The operation to carry out now is a sine.
+    [[nodiscard]] bool swings() const { return m_sine.has_value(); }
+    /// A poll told of a position of that module.
+    void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
+        if (m_sine && step().module == module)
+            m_sine->notePosition(latched, counts);
+    }
+    /// The operation to carry out now is a sine, and something else is asked for.
+    [[nodiscard]] bool sineOver() const { return m_sine && m_waiting.size() > 1; }
+    /// When there is something to do; at once, but between two steps of a sine.
+    [[nodiscard]] std::optional<TimePoint> due() const;
+    /// The step was accepted: on to the next. The event of the end when it was the last. `end`: of its
+    /// exchange.
+    [[nodiscard]] std::optional<Event> accepted(const ReplyEnd& end);
     /// The step ended the operation.
     [[nodiscard]] Event failed(Outcome outcome);
     /// The operation of groups has ended.
@@ -53,15 +67,18 @@ private:
         OperationId id;
         std::vector<Step> steps;
         std::optional<GroupOperation> group;
+        std::optional<Sine> sine{};
     };
     [[nodiscard]] static bool concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules);
     [[nodiscard]] bool push(Waiting waiting);
     Event finish(Outcome outcome);
     [[nodiscard]] std::vector<GroupMember> membersOfChange(Outcome outcome) const;
     void next();
+    void beginFront();
 
     std::deque<Waiting> m_waiting;
     std::size_t m_step = 0;
+    std::optional<SineRun> m_sine;  ///< of the operation to carry out now
     bool m_begun = false;
     TimePoint m_began;
 };

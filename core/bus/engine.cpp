@@ -129,6 +129,8 @@ bool Engine::busy() const {
 void Engine::hold(const HoldToMove& hold, TimePoint now) {
     if (!accepting() || !m_chain.has(hold.module))
         return m_hold.refuse(hold);
+    if (m_operations.swings(hold.module) && m_operations.cancelFor({hold.module}))
+        dropOperation();
     m_hold.hold(hold, now);
     proceed(now);
 }
@@ -207,8 +209,10 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     consider(m_hold.expiry());
     if (m_line.idle()) {
         consider(m_owed.due());
-        if (m_connected)
+        if (m_connected) {
+            consider(m_operations.due());
             consider(m_polls.due());
+        }
     }
     return first;
 }

@@ -41,6 +41,10 @@ bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
 Next OperationTask::next(TimePoint now) {
     if (m_verification)
         return verifyStep();
+    if (m_commands.sineOver()) {
+        m_events.emplace_back(m_commands.failed(Outcome::Cancelled));
+        return Again{};
+    }
     if (m_commands.group() != nullptr)
         if (auto next = m_group.next(now))
             return std::move(*next);
@@ -112,7 +116,7 @@ Next OperationTask::verifyStep() {
             belief.onExecuted(step.command);
             m_events.emplace_back(
                 CommandExecuted{step.module, verification.end.latched, step.command, verification.end.late});
-            accept();
+            accept(verification.end);
             return Again{};
         case Carried::NotOut:
             if (verification.attempts < kRepeatsAfterLook) {
@@ -143,7 +147,7 @@ Line::Script OperationTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint
 
 void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted)
-        return accept();
+        return accept(end);
     const bool looks = end.result == ReplyResult::Refused ? isStart(ask) : canVerify(*ask.command);
     if (looks && m_chain.answers(*ask.module)) {
         m_verification = Verification{end, m_positionBefore, m_attempts};
@@ -152,9 +156,9 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     fail(end);
 }
 
-void OperationTask::accept() {
+void OperationTask::accept(const ReplyEnd& end) {
     m_attempts = 0;
-    if (auto finished = m_commands.accepted())
+    if (auto finished = m_commands.accepted(end))
         m_events.emplace_back(std::move(*finished));
 }
 

@@ -27,11 +27,22 @@ public:
     void cancel();
     /// The same of those that are for one of these modules, or for a group. True when one was under way.
     bool cancelFor(const std::vector<ModuleIndex>& modules);
+    /// A poll told of a position of that module.
+    void notePosition(ModuleIndex module, TimePoint latched, std::int32_t counts) {
+        m_commands.notePosition(module, latched, counts);
+    }
+    /// A sine is under way with it.
+    [[nodiscard]] bool swings(ModuleIndex module) const {
+        return m_commands.swings() && m_commands.isFor({module});
+    }
     [[nodiscard]] bool empty() const { return m_commands.empty(); }
     /// Half a group has started: its members have to be stopped. Once.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return m_group.takeHalfStarted(); }
 
-    [[nodiscard]] bool wants(TimePoint /*now*/) const override { return !m_commands.empty(); }
+    [[nodiscard]] bool wants(TimePoint now) const override {
+        return m_verification || (!m_commands.empty() && *m_commands.due() <= now);
+    }
+    [[nodiscard]] std::optional<TimePoint> due() const override { return m_commands.due(); }
     [[nodiscard]] bool pipelines() const override { return m_commands.group() == nullptr; }
     [[nodiscard]] Next next(TimePoint now) override;
     void onAnswer(const Ask& ask, const ReplyEnd& end) override;
@@ -42,7 +53,7 @@ private:
     [[nodiscard]] Next look(ModuleIndex module) const { return m_chain.look(Purpose::Check, module); }
     [[nodiscard]] Next verifyStep();
     void onStepEnd(const Ask& ask, const ReplyEnd& end);
-    void accept();
+    void accept(const ReplyEnd& end);
     void fail(const ReplyEnd& end);
 
     Chain& m_chain;

@@ -26,11 +26,33 @@ struct Step {
     ModuleCommand command;
 };
 
+/// A command position that swings about one place by Stop Here, to see how a servo follows it (DS-V 5.2).
+struct Sine {
+    double amplitude = 0.0;  ///< counts
+    double frequency = 0.0;  ///< Hz
+    Duration lasts{};
+};
+
+/// A command position that a module was told, or a position that it told.
+struct SinePoint {
+    TimePoint time;  ///< when the module latched it, +-half a tick
+    std::int32_t counts = 0;
+};
+/// What came of a sine, in the order of time.
+struct SineRecord {
+    std::vector<SinePoint> commands;
+    std::vector<SinePoint> answers;  ///< positions in the answers to the commands, latched when these were
+    std::vector<SinePoint> polls;    ///< positions from between the commands
+};
+
 /// What one click asks for: steps that run in order, each after the one before was answered without the
 /// communication-error bit. The first failure ends it, so "load, check, start" never starts on a doubt.
 struct Operation {
     OperationId id;
     std::vector<Step> steps;
+    /// The only step is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
+    /// with polls between. Whatever else is asked for ends it, as Cancelled.
+    std::optional<Sine> sine{};
 };
 
 /// The group that a module listens to besides its own address (DS-V 4.1). The leader answers for all.
@@ -201,6 +223,7 @@ struct OperationFinished {
     Outcome outcome;
     ModuleIndex module;            ///< of the step that ended it
     std::uint8_t commandByte = 0;  ///< of that step
+    SineRecord sine{};             ///< of Operation::sine
 };
 
 enum class MemberOutcome : std::uint8_t {

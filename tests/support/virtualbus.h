@@ -105,9 +105,9 @@ public:
         const auto ended = [&] { return (outcome = outcomeOf(id)).has_value(); };
         return runUntil(ended, std::chrono::seconds(10)) ? outcome : std::nullopt;
     }
-    bus::OperationId submit(std::vector<bus::Step> steps) {
+    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {}) {
         const bus::OperationId id(++m_lastId);
-        engine.submit({id, std::move(steps)}, now);
+        engine.submit({id, std::move(steps), sine}, now);
         pump();
         return id;
     }

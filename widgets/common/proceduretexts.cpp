@@ -18,6 +18,12 @@ struct Words {
     Severity severity = Severity::Attention;
 };
 
+/// The motor is free to turn, or nobody knows what it does.
+bool freeOrUnknown(ProcedureFailure failure) {
+    using enum ProcedureFailure;
+    return failure == WentOff || failure == Unstable || failure == ModuleSilent;
+}
+
 /// `who`: "Module 1".
 Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
     switch (*report.failure) {
@@ -273,6 +279,10 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = homingFailed(report, who, scale);
         else if (report.kind == ProcedureKind::StepResponse)
             words = stepResponseFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::SquareWave || report.kind == ProcedureKind::FrequencyResponse)
+            words = {Texts::tr("%1: the test of its loop has ended early.").arg(who),
+                     loopTestFailure(*report.failure),
+                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
         else if (report.kind == ProcedureKind::TryGains)
             words = tryFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::DirectionCheck)
@@ -304,6 +314,15 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         message.body = Texts::tr("It rests %1 off its home, and is zero there.")
                            .arg(position(scale, std::abs(report.offHome)));
     return message;
+}
+
+QString loopTestFailure(ProcedureFailure failure) {
+    if (failure != ProcedureFailure::TravelLimit)
+        return procedureFailure(failure);
+    return Texts::tr(
+        "The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, "
+        "or "
+        "choose gentler gains.");
 }
 
 QString procedureStage(const ProcedureReport& report) {

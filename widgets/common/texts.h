@@ -111,6 +111,8 @@ namespace texts {
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why it ended, one sentence.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+/// The same of a square wave or a frequency response.
+[[nodiscard]] QString loopTestFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.
 [[nodiscard]] QString directionFound(const DirectionFound& found);
 

@@ -238,6 +238,8 @@ QString refusal(Refusal refusal) {
                 "The current limit CL is 0 or unknown, so the current would never stop the motor.");
         case Refusal::RecordTime:
             return Texts::tr("A record takes from 0.02 s to 3 s.");
+        case Refusal::TestOutOfRange:
+            return Texts::tr("A value of this test is out of its range.");
         case Refusal::NotAStepper:
             return Texts::tr("This module is not a PIC-STEP.");
         case Refusal::ParametersUnknown:

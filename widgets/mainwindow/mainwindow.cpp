@@ -15,6 +15,7 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
+#include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/connectionbar.h"
@@ -250,6 +251,7 @@ void MainWindow::showPhase(LinkPhase before) {
     if (before == LinkPhase::Disconnected && m_session.isOpen()) {
         m_panel->forgetModules();
         m_stepResponse->forgetModules();
+        m_loopTests->forgetModules();
     }
     if (before != link.phase && link.phase == LinkPhase::Connecting) {
         m_panel->resetSpeeds();
@@ -330,9 +332,11 @@ void MainWindow::showSelected() {
         const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
         m_stepResponse->showModule(view);
+        m_loopTests->showModule(view);
     } else {
         m_panel->showNothing(nothingText());
         m_stepResponse->showNothing();
+        m_loopTests->showNothing();
     }
     m_simulator->showSelected(selectedModule());
     showPendant();

@@ -47,6 +47,8 @@ class Pendant;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
+class LoopTestsDock;
+struct TuningReport;
 class SequencesDock;
 class SimulatorDock;
 class StepResponseDock;
@@ -111,6 +113,7 @@ public:
     /// Points and sequences: edited, foreseen, run.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
     [[nodiscard]] StepResponseDock& stepResponses() { return *m_stepResponse; }
+    [[nodiscard]] LoopTestsDock& loopTests() { return *m_loopTests; }
     /// All axes at once.
     [[nodiscard]] AxesDock& axes() { return *m_axes; }
     /// Recording, opening a recording, and what is exported.
@@ -194,6 +197,9 @@ private:
     void addStepResponseDock(QDockWidget& scope, QDockWidget& messages);
     void makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines);
     void makeRoomForSequences(QDockWidget& messages);
+    [[nodiscard]] std::optional<TuningReport> tuningReport();
+    void chooseReportFile();
+    void addLoopTestsDock(QDockWidget& scope, QDockWidget& messages);
     void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
     void showAllAxes();
     void makeRoomForSimulator();
@@ -243,6 +249,7 @@ private:
     SimulatorDock* m_simulator = nullptr;
     MonitorDock* m_monitor = nullptr;
     StepResponseDock* m_stepResponse = nullptr;
+    LoopTestsDock* m_loopTests = nullptr;
     SequencesDock* m_sequences = nullptr;
     AxesDock* m_axes = nullptr;
     LinkBar* m_linkBar = nullptr;

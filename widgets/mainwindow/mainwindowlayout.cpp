@@ -11,6 +11,7 @@
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/looptests/looptestsdock.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/monitorplace.h"
@@ -74,6 +75,8 @@ void MainWindow::buildDocks() {
     m_docks.append(m_monitor);
     addStepResponseDock(*m_scopeDock, *messages);
     m_docks.append(m_stepResponse);
+    addLoopTestsDock(*m_scopeDock, *messages);
+    m_docks.append(m_loopTests);
     addMotionDocks(*m_scopeDock, *messages);
     m_layouts = new Layouts(*this, m_settings, [this](Layouts::Kind kind) { arrangeDocks(kind); });
     connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);
@@ -104,6 +107,22 @@ void MainWindow::addStepResponseDock(QDockWidget& scope, QDockWidget& messages) 
     connect(m_stepResponse, &StepResponseDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_stepResponse, &StepResponseDock::asked, this,
             [this](ModuleIndex module, const Intent& intent) { emit intentRequested(module, intent); });
+}
+
+void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
+    m_loopTests = new LoopTestsDock(this);
+    tabifyDockWidget(&scope, m_loopTests);
+    m_loopTests->hide();
+    // Queued: until then the layout does not know that it is there.
+    connect(
+        m_loopTests, &LoopTestsDock::roomWanted, this,
+        [this, &messages] { makeRoomBeside(messages, *m_loopTests, kStepResponseWidth); },
+        Qt::QueuedConnection);
+    connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
+    connect(m_loopTests, &LoopTestsDock::runKept, this, [this](const KeptRun& run) { showStepRun(run); });
+    connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
+    connect(m_loopTests, &LoopTestsDock::saveRequested, this, &MainWindow::saveRequested);
+    connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
 }
 
 /// Behind the scope's tab, closed.
@@ -240,13 +259,16 @@ void MainWindow::resetLayout() {
 /// At the left, above one another; what is opened besides comes to the right of the gains.
 void MainWindow::giveRoomToPlots() {
     for (QDockWidget* dock : m_docks)
-        if (dock != m_scopeDock && dock != m_stepResponse) {
+        if (dock != m_scopeDock && dock != m_stepResponse && dock != m_loopTests) {
             const bool shown = !dock->isHidden();
             addDockWidget(Qt::RightDockWidgetArea, dock);
             dock->setVisible(shown);
         }
     addDockWidget(Qt::LeftDockWidgetArea, m_scopeDock);
     splitDockWidget(m_scopeDock, m_stepResponse, Qt::Vertical);
+    const bool testing = !m_loopTests->isHidden();
+    tabifyDockWidget(m_stepResponse, m_loopTests);
+    m_loopTests->setVisible(testing);
     const int column = fontMetrics().height() * kColumn;
     resizeDocks({m_scopeDock}, {qMax(column, width() - column)}, Qt::Horizontal);
     resizeDocks({m_scopeDock, m_stepResponse}, {height() * 2, height() * 3}, Qt::Vertical);

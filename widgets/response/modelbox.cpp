@@ -207,6 +207,11 @@ void ModelBox::refresh() {
     showWords();
 }
 
+QStringList ModelBox::motorWords() const {
+    const Found* found = this->found();
+    return found != nullptr && found->motor ? texts::motorFound(*found->motor) : QStringList();
+}
+
 void ModelBox::showWords() {
     const Found* found = this->found();
     look::setText(m_motor, m_looking && m_looking->module == m_servo ? tr("Looking for the motor…")

@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const std::vector<StepPoint>& predictedPoints() const;
     /// How the motor that was found explains that last one.
     [[nodiscard]] const std::vector<StepPoint>& fittedPoints() const { return m_fitted; }
+    /// The motor that was found, a line each; empty: none was.
+    [[nodiscard]] QStringList motorWords() const;
     /// The number of that last one.
     [[nodiscard]] std::optional<int> about() const { return m_about; }
 

@@ -54,6 +54,8 @@ public:
     void step();
 
     [[nodiscard]] const std::vector<KeptRun>& runs() const { return m_kept; }
+    /// What was found of the motor that is shown; empty for nothing.
+    [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);

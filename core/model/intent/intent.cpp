@@ -5,6 +5,7 @@
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/looptestplan.h"
 #include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/stepresponseplan.h"
@@ -176,6 +177,10 @@ struct Planner {
         const auto refusal = whyNot(response, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
     }
+    Plan operator()(const AnyOf<intent::SquareWave, intent::FrequencyResponse> auto& test) const {
+        const auto refusal = whyNot(test, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
     Plan operator()(const intent::TryGains& wanted) const {
         const auto refusal = whyNot(wanted, module);
         return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
@@ -233,11 +238,12 @@ bool isStop(const Intent& intent) {
                 intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
                 intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
                 intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
-                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::TryGains,
-                intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
-                stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
+                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave,
+                intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
+                intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy,
+                stepintent::GoHome> auto&) { return false; },
         },
         intent);
 }

@@ -89,6 +89,22 @@ struct StepResponse {
     double record = 0.0;                    ///< s, from the step on
     std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: it has those that are wanted
 };
+/// The command position jumps to and fro about the one that is held, half of `counts` to either side
+/// (looptestplan.h). A procedure, which takes other gains for the edges after them.
+struct SquareWave {
+    std::int32_t counts = 0;  ///< from side to side
+    double period = 0.0;      ///< s
+    unsigned rounds = 0;
+    std::int32_t excursion = 0;  ///< counts beyond either side; farther than that ends it
+    StepWay way = StepWay::StopHere;
+};
+/// Sines of the command position about the one that is held, one frequency after the other (looptestplan.h).
+/// A procedure.
+struct FrequencyResponse {
+    std::int32_t amplitude = 0;  ///< counts
+    double from = 0.0;           ///< Hz
+    double to = 0.0;             ///< Hz; not reached where the line is too slow for it
+};
 /// Gains for a while, after which those from before are back, unless they are kept (gainsplan.h). A
 /// procedure.
 struct TryGains {
@@ -128,11 +144,11 @@ using Intent =
                  intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
-                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::TryGains,
-                 intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                 intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                 stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
-                 stepintent::StepBy, stepintent::GoHome>;
+                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave,
+                 intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
+                 intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                 intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -172,6 +188,7 @@ enum class Refusal : std::uint8_t {
     NoCurrentLimit,  ///< CL is 0, so the current never exceeds it
     CommandUnknown,  ///< which position the servo holds, to the count
     RecordTime,      ///< none, or longer than the bus can be given to one module
+    TestOutOfRange,  ///< times, frequencies or travel of a test of the loop
     // PIC-STEP
     NotAStepper,
     ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set

@@ -80,10 +80,11 @@ struct CourseOf {
         const auto motion = motionOf(home, module);
         return motion ? of(*motion, true) : std::nullopt;
     }
-    std::optional<Course> operator()(const intent::StepResponse& step) const {
-        const auto from = module.goal();
-        return from ? std::optional(Course{.goal = std::int64_t{*from} + step.counts, .from = from})
-                    : std::nullopt;
+    std::optional<Course> operator()(const intent::StepResponse& step) const { return about(step.counts); }
+    /// To its farther side; whyNot() looks at both.
+    std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
+    std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
+        return about(sines.amplitude);
     }
     std::optional<Course> operator()(const stepintent::Move& move) const { return of(move.motion, true); }
     std::optional<Course> operator()(const stepintent::LoadMove& load) const { return of(load.motion); }
@@ -101,6 +102,11 @@ struct CourseOf {
     }
 
 private:
+    [[nodiscard]] std::optional<Course> about(std::int32_t counts) const {
+        const auto from = module.goal();
+        return from ? std::optional(Course{.goal = std::int64_t{*from} + counts, .from = from})
+                    : std::nullopt;
+    }
     [[nodiscard]] std::optional<Course> of(const Rounds& moves, double velocity) const {
         const auto position = positionOf(module);
         if (!position)

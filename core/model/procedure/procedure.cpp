@@ -12,6 +12,10 @@ Procedure::Procedure(ModuleIndex module, ProcedureKind kind) {
 }
 
 Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
+    if (interruptible()) {
+        whileSwinging(module);
+        m_inFlight = !m_end;
+    }
     if (m_inFlight)
         return Wait{};
     if (m_report.over())
@@ -33,8 +37,9 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
     return rest;
 }
 
-void Procedure::onFinished(bus::Outcome outcome) {
+void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine) {
     m_inFlight = false;
+    m_swung = std::move(sine);
     if (outcome == bus::Outcome::Cancelled)
         m_mayRun = false;  // whoever did that has stopped the motor, or switched it off
     if (m_end || outcome == bus::Outcome::Done)
@@ -58,7 +63,14 @@ void Procedure::cancel() {
 
 Procedure::Next Procedure::send(std::vector<bus::Step> steps) {
     m_inFlight = true;
+    m_swings = false;
     return Send{std::move(steps)};
+}
+
+Procedure::Next Procedure::swing(bus::Step centre, const bus::Sine& sine) {
+    m_inFlight = true;
+    m_swings = true;
+    return Send{{std::move(centre)}, sine};
 }
 
 Procedure::Next Procedure::finish() {

@@ -11,6 +11,7 @@
 #include "model/intent/steptaken.h"
 #include "model/module/modulestate.h"
 #include "model/procedure/directionfound.h"
+#include "model/response/frequencypoint.h"
 
 namespace nmc {
 
@@ -19,10 +20,18 @@ enum class ProcedureKind : std::uint8_t {
     StepBy,        ///< moves by N, as often as asked for
     ChangeMotion,  ///< PIC-STEP: stop, wait, go
     StepResponse,
+    SquareWave,
+    FrequencyResponse,
     DirectionCheck,
     Approach,  ///< a move that takes up the backlash on its way
     TryGains,
 };
+
+/// It looks at how the servo follows, and wants the bus's focus.
+[[nodiscard]] constexpr bool isTest(ProcedureKind kind) {
+    using enum ProcedureKind;
+    return kind == StepResponse || kind == SquareWave || kind == FrequencyResponse || kind == TryGains;
+}
 
 /// Where a procedure is; not every kind has every stage.
 enum class ProcedureStage : std::uint8_t {
@@ -71,7 +80,8 @@ struct ProcedureReport {
     std::int32_t offHome = 0;                   ///< counts that it rests off its home, of Done and NotAtHome
     unsigned round = 0;                         ///< of `rounds`, where the kind has them; from 1
     unsigned rounds = 0;
-    std::optional<StepTaken> step{};            ///< of StepResponse, once it was taken
+    std::optional<StepTaken> step{};  ///< of StepResponse, once it was taken; of SquareWave the last edge
+    std::vector<FrequencyPoint> frequencies{};  ///< of FrequencyResponse, those that were measured
     std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
     bool kept = false;                          ///< of TryGains: they stay
 
@@ -96,6 +106,7 @@ public:
     struct Wait {};
     struct Send {
         std::vector<bus::Step> steps;
+        std::optional<bus::Sine> sine{};  ///< as in bus::Operation
     };
     struct End {};
     using Next = std::variant<Wait, Send, End>;
@@ -106,13 +117,18 @@ public:
 
     /// After every news of the module, and at least ten times a second.
     [[nodiscard]] Next next(const ModuleState& module, TimePoint now);
-    void onFinished(bus::Outcome outcome);
+    /// `sine`: as in bus::OperationFinished.
+    void onFinished(bus::Outcome outcome, bus::SineRecord sine = {});
+    /// What is in flight is a sine, and next() may have something to send that ends it.
+    [[nodiscard]] bool interruptible() const { return m_inFlight && m_swings; }
     /// An exchange with this module went wrong, or the link's health is not good any more.
     void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
     void cancel();
     /// What it tries is to stay; of the other kinds nothing is tried.
     virtual void keep() {}
+    /// Other gains, from its next edge on. False: it has no use for them.
+    [[nodiscard]] virtual bool take(const servo::SetGain& /*gains*/) { return false; }
     [[nodiscard]] const ProcedureReport& report() const { return m_report; }
 
 protected:
@@ -127,7 +143,14 @@ protected:
         return End{};
     }
 
+    /// While a sine is in flight: fail() ends it.
+    virtual void whileSwinging(const ModuleState& /*module*/) {}
+
     [[nodiscard]] Next send(std::vector<bus::Step> steps);
+    /// About the Stop Here that is the only step.
+    [[nodiscard]] Next swing(bus::Step centre, const bus::Sine& sine);
+    /// What came of the last one.
+    [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
     /// The goal is reached.
     [[nodiscard]] Next finish();
     /// It ends for that reason; next() gives up at once. The first reason counts.
@@ -141,6 +164,8 @@ private:
     [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     bool m_inFlight = false;
+    bool m_swings = false;  ///< what is in flight
+    bus::SineRecord m_swung;
     bool m_lastWordSent = false;
     std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once all has been said
 };

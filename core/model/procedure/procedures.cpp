@@ -7,7 +7,9 @@
 #include "model/procedure/approach.h"
 #include "model/procedure/changemotion.h"
 #include "model/procedure/directioncheck.h"
+#include "model/procedure/frequencyrun.h"
 #include "model/procedure/homingrun.h"
+#include "model/procedure/squarewave.h"
 #include "model/procedure/stepby.h"
 #include "model/procedure/stepresponse.h"
 #include "model/procedure/trygains.h"
@@ -57,6 +59,10 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<StepByRun>(*stepBy, module) : nullptr;
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return plan(intent, module) ? std::make_unique<StepResponseRun>(*step, module) : nullptr;
+    if (const auto* wave = std::get_if<intent::SquareWave>(&intent))
+        return plan(intent, module) ? std::make_unique<SquareWaveRun>(*wave, module) : nullptr;
+    if (const auto* sines = std::get_if<intent::FrequencyResponse>(&intent))
+        return plan(intent, module) ? std::make_unique<FrequencyRun>(*sines, module) : nullptr;
     if (const auto* wanted = std::get_if<intent::TryGains>(&intent))
         return plan(intent, module) ? std::make_unique<TryGainsRun>(*wanted, module) : nullptr;
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))

@@ -96,6 +96,11 @@ struct TickOfMotor {
 
 }  // namespace
 
+Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, double hertz) {
+    const double tick = servoTickOf(gains);
+    return openLoop(tickOf(motor, tick), gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick));
+}
+
 LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) {
     constexpr double kDegrees = 180 / std::numbers::pi;
     constexpr double kLowest = 0.01;  // Hz

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <complex>
 #include <cstdint>
 
 #include "model/response/steprun.h"
@@ -16,6 +17,10 @@ struct LoopMargins {
     double crossover = 0.0;  ///< Hz; 0 where the gain never reaches 1
     bool stable = false;     ///< every pole of the closed loop is inside the unit circle
 };
+
+/// What the same loop makes of its error at a frequency below half the servo rate.
+[[nodiscard]] std::complex<double> openLoopAt(const MotorConstants& motor, const servo::SetGain& gains,
+                                              double hertz);
 
 [[nodiscard]] LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains);
 

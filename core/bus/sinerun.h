@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "bus/exchange.h"
+#include "bus/types.h"
+
+namespace nmc::bus {
+
+/// A sine that is being commanded: where it is, when it is to be told again, and what came of it. Between two
+/// commands the wire is left to the polls for as long as an exchange takes, so the others stay in sight. No
+/// two times between commands are alike: at a steady rate the steps of the command would be mistaken for the
+/// motor's answer to a slower sine. Pure.
+class SineRun {
+public:
+    static constexpr Duration kShortest = std::chrono::milliseconds(5);
+    static constexpr Duration kSpread = std::chrono::microseconds(1500);
+
+    /// `centre`: a Stop Here.
+    SineRun(const Sine& sine, const ModuleCommand& centre);
+
+    /// The first call begins it.
+    [[nodiscard]] ModuleCommand commandAt(TimePoint now);
+    [[nodiscard]] TimePoint due() const { return m_due; }
+    /// It has lasted long enough.
+    [[nodiscard]] bool over(TimePoint now) const { return m_began && now - *m_began >= m_sine.lasts; }
+    /// The command was carried out; `end`: of its exchange.
+    void note(const ReplyEnd& end);
+    /// A poll told of a position.
+    void notePosition(TimePoint latched, std::int32_t counts) { m_record.polls.push_back({latched, counts}); }
+    [[nodiscard]] SineRecord takeRecord() { return std::exchange(m_record, {}); }
+
+private:
+    Sine m_sine;
+    servo::StopMotor m_command;
+    std::int32_t m_centre;
+    std::optional<TimePoint> m_began;
+    TimePoint m_due{};
+    SineRecord m_record;
+};
+
+}  // namespace nmc::bus

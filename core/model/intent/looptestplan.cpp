@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/looptestplan.h"
+
+#include <cstdlib>
+
+#include "bus/standstill.h"
+#include "model/intent/stepresponseplan.h"
+#include "model/intent/travel.h"
+
+namespace nmc {
+
+bool wouldTrip(std::int64_t counts, std::int64_t errorLimit) {
+    return counts + counts / 10 + kStillCounts > errorLimit;
+}
+
+std::optional<Refusal> whyNotTest(const ModuleState& module, const std::optional<servo::SetGain>& gains,
+                                  std::int64_t error, std::int64_t low, std::int64_t high) {
+    if (const auto refusal = whyNot(Request::Move, module))
+        return refusal;
+    if (!gains)
+        return Refusal::GainsUnknown;
+    if (!module.latest->position)
+        return Refusal::PositionUnknown;
+    if (!module.goal())
+        return Refusal::CommandUnknown;
+    if (error == 0)
+        return Refusal::StepTooShort;
+    if (error > kLongestStep)
+        return Refusal::StepTooLong;
+    if (wouldTrip(error, gains->el))
+        return Refusal::StepWouldTrip;
+    for (const std::int64_t off : {low, high}) {
+        const std::int64_t goal = *module.goal() + off;
+        if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)
+            return Refusal::GoalOutOfRange;
+        if (const auto problem = travelProblem(intent::StepResponse{static_cast<std::int32_t>(off)}, module))
+            return problem->refusal;
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleState& module) {
+    const std::int64_t counts = wanted.counts;
+    if (const auto refusal =
+            whyNotTest(module, module.gains, std::abs(counts), counts / 2 - counts, counts / 2))
+        return refusal;
+    if (wanted.way == StepWay::StopHere && module.info.identity.version < servo::kStopHereVersion)
+        return Refusal::VersionLacksIt;
+    const bool inRange = wanted.period >= kShortestPeriod && wanted.period <= kLongestPeriod &&
+                         wanted.rounds >= 1 && wanted.rounds <= kMostPeriods && wanted.excursion > 0;
+    return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
+}
+
+/// Where the motor is half a turn behind the command, the error is twice the amplitude.
+std::optional<Refusal> whyNot(const intent::FrequencyResponse& wanted, const ModuleState& module) {
+    const std::int64_t amplitude = wanted.amplitude;
+    if (const auto refusal = whyNotTest(module, module.gains, 2 * std::abs(amplitude), -amplitude, amplitude))
+        return refusal;
+    if (module.info.identity.version < servo::kStopHereVersion)
+        return Refusal::VersionLacksIt;
+    const bool inRange = amplitude >= 1 && amplitude <= kWidestSine && wanted.from >= kSlowestSine &&
+                         wanted.to > wanted.from && wanted.to <= kFastestSine;
+    return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
+}
+
+}  // namespace nmc

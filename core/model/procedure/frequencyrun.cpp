@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/frequencyrun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+#include "model/intent/looptestplan.h"
+#include "model/response/frequencyresponse.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr double kPerDecade = 12.0;
+/// Of each frequency; the longer counts. The first period is for the motor to get used to it.
+constexpr double kPeriods = 5.0;
+constexpr double kShortest = 1.0;  ///< s
+/// Of its amplitude, to either side: the highest resonance that is still measured.
+constexpr std::int64_t kTooFar = 4;
+
+}  // namespace
+
+FrequencyRun::FrequencyRun(const intent::FrequencyResponse& wanted, const ModuleState& module)
+    : LoopTest(ProcedureKind::FrequencyResponse, module), m_wanted(wanted) {
+    const double ratio = wanted.to / wanted.from;
+    const auto steps = std::max(1L, std::lround(std::log10(ratio) * kPerDecade));
+    for (long i = 0; i <= steps; ++i)
+        m_frequencies.push_back(wanted.from *
+                                std::pow(ratio, static_cast<double>(i) / static_cast<double>(steps)));
+    m_report.rounds = static_cast<unsigned>(m_frequencies.size());
+}
+
+FrequencyRun::Next FrequencyRun::begin(const ModuleState& module) {
+    if (whyNot(m_wanted, module))
+        return fail(ProcedureFailure::Refused);
+    m_tick = toSeconds(kServoTick) * std::max<int>(module.gains->sr, 1);
+    return swingNext(module);
+}
+
+FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
+    const double hertz = m_frequencies[m_report.round++];
+    bus::Sine sine;
+    sine.amplitude = m_wanted.amplitude;
+    sine.frequency = hertz;
+    sine.lasts = fromSeconds(std::max(kPeriods / hertz, kShortest));
+    return swing(jump(module, from(), StepWay::StopHere).front(), sine);
+}
+
+FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now*/) {
+    const double hertz = m_frequencies[m_report.round - 1];
+    const auto point = measureFrequency(swung(), hertz, m_tick);
+    if (!point)
+        return fail(ProcedureFailure::LinkSuspect);
+    m_report.frequencies.push_back(*point);
+    const bool last = m_report.round == m_frequencies.size();
+    if (last || m_frequencies[m_report.round] * kCommandsPerPeriod > commandsPerSecond(swung().commands))
+        return conclude(module, from());
+    return swingNext(module);
+}
+
+void FrequencyRun::whileSwinging(const ModuleState& module) {
+    if (module.silent)
+        std::ignore = fail(ProcedureFailure::ModuleSilent);
+    else if (!module.servoOn())
+        std::ignore = fail(ProcedureFailure::WentOff);
+    else if (std::abs(std::int64_t{countsBetween(stood(), *module.latest->position)}) >
+             kTooFar * m_wanted.amplitude + kStillCounts)
+        std::ignore = fail(ProcedureFailure::TravelLimit);
+}
+
+}  // namespace nmc

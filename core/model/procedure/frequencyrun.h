@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "model/intent/intent.h"
+#include "model/procedure/looptest.h"
+
+namespace nmc {
+
+/// How the loop of a PIC-SERVO follows sines of the command position, from slow to fast, and where the
+/// position is after each (DS-V 4.3; bus::Sine). Ends before the frequency that the line is too slow for: one
+/// of which it carries fewer than kCommandsPerPeriod commands. A motor that swings by several amplitudes has
+/// gone too far.
+class FrequencyRun : public LoopTest {
+public:
+    static constexpr double kCommandsPerPeriod = 4.0;
+
+    /// `wanted` is possible now.
+    FrequencyRun(const intent::FrequencyResponse& wanted, const ModuleState& module);
+
+private:
+    [[nodiscard]] Next begin(const ModuleState& module) override;
+    [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
+    void whileSwinging(const ModuleState& module) override;
+    [[nodiscard]] Next swingNext(const ModuleState& module);
+
+    intent::FrequencyResponse m_wanted;
+    std::vector<double> m_frequencies;  ///< Hz, ascending
+    double m_tick = 0.0;                ///< s
+};
+
+}  // namespace nmc

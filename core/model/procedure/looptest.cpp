@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/looptest.h"
+
+#include <utility>
+
+namespace nmc {
+
+namespace {
+
+/// Of velocity and acceleration: the profile is at the goal of the longest step in one tick. The highest that
+/// can be loaded would do the same, but their sum would not fit into the chip's 32 bits.
+constexpr std::uint32_t kAtOnce = 4'096U << 16U;
+/// For the motor to stand still, before the test and after it.
+constexpr Duration kStillWithin = std::chrono::seconds(2);
+/// For a hold to calm a motor that has gone too far.
+constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
+
+}  // namespace
+
+LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
+    if (module.silent)
+        return fail(ProcedureFailure::ModuleSilent);
+    if (!module.servoOn())
+        return fail(ProcedureFailure::WentOff);
+    if (m_report.stage == ProcedureStage::Preparing)
+        return prepare(module, now);
+    return m_report.stage == ProcedureStage::Moving ? goOn(module, now) : settle(module, now);
+}
+
+LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
+    if (auto next = beforeStandstill(module))
+        return std::move(*next);
+    if (!stands(module, now))
+        return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
+    // Something may have changed while it was waited for standstill.
+    if (!module.goal() || !module.gains)
+        return fail(ProcedureFailure::Refused);
+    m_stood = *module.latest->position;
+    m_from = *module.goal();
+    Next next = begin(module);
+    if (!std::holds_alternative<Send>(next))
+        return next;
+    m_report.stage = ProcedureStage::Moving;
+    m_mayRun = true;
+    return next;
+}
+
+std::vector<bus::Step> LoopTest::jump(const ModuleState& module, std::int32_t goal, StepWay way) const {
+    if (way == StepWay::StopHere)
+        return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
+    servo::LoadTrajectory load;
+    load.position = Counts(goal);
+    load.velocity = CountsPerTick(kAtOnce);
+    load.acceleration = CountsPerTickSquared(kAtOnce);
+    return steps({load, StartMotion{}});
+}
+
+LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {
+    m_report.stage = ProcedureStage::Stopping;
+    m_since.reset();
+    std::vector<bus::Step> both = hold(module);
+    if (module.info.identity.version >= servo::kStopHereVersion)
+        both.push_back(jump(module, goal, StepWay::StopHere).front());
+    return send(std::move(both));
+}
+
+LoopTest::Next LoopTest::giveWay() {
+    m_mayRun = false;
+    cancel();
+    return Wait{};
+}
+
+LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
+    if (stands(module, now))
+        return finish();
+    if (now - *m_since <= kStillWithin)
+        return Wait{};
+    m_mayRun = false;  // it has been told
+    return fail(ProcedureFailure::NotStill);
+}
+
+std::vector<bus::Step> LoopTest::lastWord(const ModuleState& module) const {
+    // To a servo that is off the hold would be what switches it on.
+    return m_mayRun && module.servoOn() ? hold(module) : std::vector<bus::Step>{};
+}
+
+/// What a hold does not calm the servo itself keeps going.
+LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now) {
+    if (!m_mayRun || !module.servoOn() || m_report.failure != ProcedureFailure::TravelLimit)
+        return End{};
+    if (!std::exchange(m_calming, true))
+        m_since.reset();
+    if (stands(module, now))
+        return End{};
+    if (now - *m_since < kCalmWithin)
+        return Wait{};
+    m_mayRun = false;
+    m_report.failure = ProcedureFailure::Unstable;
+    return send(steps({servo::StopMotor{false, servo::StopManner::MotorOff, {}}}));
+}
+
+std::vector<bus::Step> LoopTest::hold(const ModuleState& module) const {
+    return steps({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
+}
+
+std::vector<bus::Step> LoopTest::steps(std::vector<ServoCommand> commands) const {
+    std::vector<bus::Step> steps;
+    for (ServoCommand& command : commands)
+        steps.push_back({m_report.module, std::move(command)});
+    return steps;
+}
+
+bool LoopTest::stands(const ModuleState& module, TimePoint now) {
+    if (!m_since) {
+        m_since = now;
+        m_standstill.reset();
+    }
+    return module.latestTime > *m_since &&
+           m_standstill.look(module.latestTime, *module.latest->position, module.moving());
+}
+
+}  // namespace nmc

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bus/standstill.h"
+#include "model/intent/steptaken.h"
+#include "model/procedure/procedure.h"
+
+namespace nmc {
+
+/// What the tests of a PIC-SERVO's loop have in common (DS-V 4.3): each begins at rest at the position that
+/// the servo holds, and ends with a stop, by which the chip forgets a step's velocity (an acceleration every
+/// motion brings along itself), and a Stop Here where it is to stay, so that this is held to the count;
+/// version 1 has no Stop Here.
+///
+/// A motor that goes too far is told to hold; if that does not calm it the servo itself keeps it going, and
+/// is switched off. Any stop ends it. Wants the bus's focus while it runs.
+class LoopTest : public Procedure {
+protected:
+    LoopTest(ProcedureKind kind, const ModuleState& module) : Procedure(module.info.index, kind) {}
+
+    /// Before the motor is looked at for standing still; nothing.
+    [[nodiscard]] virtual std::optional<Next> beforeStandstill(const ModuleState& /*module*/) { return {}; }
+    /// It stands: the first command.
+    [[nodiscard]] virtual Next begin(const ModuleState& module) = 0;
+    /// Stage Moving, nothing in flight.
+    [[nodiscard]] virtual Next goOn(const ModuleState& module, TimePoint now) = 0;
+
+    /// Counts, that the servo held when it began.
+    [[nodiscard]] std::int32_t from() const { return m_from; }
+    /// Counts, where the shaft stood then.
+    [[nodiscard]] std::int32_t stood() const { return m_stood; }
+    /// The command position goes there in one tick.
+    [[nodiscard]] std::vector<bus::Step> jump(const ModuleState& module, std::int32_t goal,
+                                              StepWay way) const;
+    /// The test is over: it is held at `goal`.
+    [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
+    /// Its motion is somebody else's now.
+    [[nodiscard]] Next giveWay();
+    [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;
+
+private:
+    [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
+    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const final;
+    [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) final;
+    [[nodiscard]] Next prepare(const ModuleState& module, TimePoint now);
+    [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
+    [[nodiscard]] std::vector<bus::Step> hold(const ModuleState& module) const;
+    [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
+
+    std::int32_t m_from = 0;
+    std::int32_t m_stood = 0;
+    bool m_calming = false;
+    std::optional<TimePoint> m_since;  ///< when it was first looked at for standing still
+    Standstill m_standstill;
+};
+
+}  // namespace nmc

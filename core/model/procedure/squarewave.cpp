@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "model/procedure/squarewave.h"
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "model/intent/gainsplan.h"
+#include "model/intent/looptestplan.h"
+
+namespace nmc {
+
+namespace {
+/// Polls come in a rhythm that every edge would begin anew, and all edges were sampled at the same times. So
+/// one question comes first, of which the answer is each time a little longer.
+constexpr std::array kFirstQuestions{
+    StatusItems(StatusItems::Analog),
+    StatusItems(StatusItems::Velocity),
+    StatusItems(StatusItems::Velocity | StatusItems::Analog),
+    StatusItems(StatusItems::Position),
+    StatusItems(StatusItems::Position | StatusItems::Analog),
+    StatusItems(StatusItems::Position | StatusItems::Velocity),
+    StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux),
+};
+}  // namespace
+
+SquareWaveRun::SquareWaveRun(const intent::SquareWave& wanted, const ModuleState& module)
+    : LoopTest(ProcedureKind::SquareWave, module), m_wanted(wanted) {
+    m_report.rounds = wanted.rounds;
+}
+
+bool SquareWaveRun::take(const servo::SetGain& gains) {
+    if (wouldTrip(std::abs(std::int64_t{m_wanted.counts}), gains.el))
+        return false;
+    m_next = gains;
+    return true;
+}
+
+SquareWaveRun::Next SquareWaveRun::begin(const ModuleState& module) {
+    if (whyNot(m_wanted, module))
+        return fail(ProcedureFailure::Refused);
+    m_taken.goal = from();
+    m_taken.gains = *module.gains;
+    return edge(module);
+}
+
+/// The first goes from the middle to one side, all others from side to side.
+SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
+    const std::int32_t half = m_wanted.counts / 2;
+    const std::int32_t goal = m_edges % 2 == 0 ? from() + half : from() + half - m_wanted.counts;
+    std::vector<bus::Step> sent;
+    if (m_next) {
+        m_taken.gains = gainsFor(module, *std::exchange(m_next, std::nullopt));
+        sent = steps({m_taken.gains});
+    }
+    m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.way, m_taken.gains};
+    m_told = false;
+    ++m_edges;
+    m_report.round = (m_edges + 1) / 2;
+    for (bus::Step& step : jump(module, goal, m_wanted.way))
+        sent.push_back(std::move(step));
+    sent.push_back(steps({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
+    return send(std::move(sent));
+}
+
+SquareWaveRun::Next SquareWaveRun::goOn(const ModuleState& module, TimePoint now) {
+    if (!std::exchange(m_told, true)) {
+        m_taken.at = module.motionCommandedAt;
+        if (m_edges > 1)
+            m_report.step = m_taken;
+    }
+    if (module.motionCommandedAt != m_taken.at)  // something else moves or has stopped it
+        return giveWay();
+    if (goneTooFar(module))
+        return fail(ProcedureFailure::TravelLimit);
+    if (toSeconds(now - m_taken.at) < m_taken.record)
+        return Wait{};
+    // The first edge is but half of one.
+    return m_edges <= 2 * m_wanted.rounds ? edge(module) : conclude(module, from());
+}
+
+bool SquareWaveRun::goneTooFar(const ModuleState& module) const {
+    const std::int64_t reach = std::abs(m_wanted.counts / 2) + std::int64_t{m_wanted.excursion};
+    return std::abs(std::int64_t{countsBetween(stood(), *module.latest->position)}) > reach + kStillCounts;
+}
+
+}  // namespace nmc

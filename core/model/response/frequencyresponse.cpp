@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "model/response/frequencyresponse.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "base/time.h"
+
+namespace nmc {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+struct Reading {
+    double seconds = 0.0;
+    double value = 0.0;
+};
+
+struct Fit {
+    Complex phasor;
+    double doubt = 0.0;
+};
+
+/// a cos + b sin + c + d t: the phasor is a - ib, and its doubt one standard deviation, where `samples` of
+/// the readings are independent.
+[[nodiscard]] Fit fitSine(const std::vector<Reading>& readings, double hertz, std::size_t samples) {
+    const auto rows = static_cast<Eigen::Index>(readings.size());
+    Eigen::MatrixXd basis(rows, 4);
+    Eigen::VectorXd values(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const Reading& reading = readings[static_cast<std::size_t>(i)];
+        const double angle = 2 * std::numbers::pi * hertz * reading.seconds;
+        basis.row(i) << std::cos(angle), std::sin(angle), 1.0, reading.seconds;
+        values[i] = reading.value;
+    }
+    const Eigen::LDLT<Eigen::Matrix4d> normal(basis.transpose() * basis);
+    const Eigen::Vector4d found = normal.solve(basis.transpose() * values);
+    const double free = std::max(1.0, static_cast<double>(samples) - 4);
+    const double missed = (values - basis * found).squaredNorm() / free;
+    const Eigen::Matrix4d covariance = normal.solve(Eigen::Matrix4d::Identity()) * missed;
+    return {{found[0], -found[1]}, std::sqrt(std::max(covariance(0, 0), covariance(1, 1)))};
+}
+
+/// What a servo sees that looks at the command once a tick.
+[[nodiscard]] std::vector<Reading> commandsOf(const bus::SineRecord& record, double since, double tick) {
+    std::vector<Reading> readings;
+    const auto seconds = [&](std::size_t i) {
+        return toSeconds(record.commands[i].time - record.commands.front().time);
+    };
+    for (std::size_t i = 0; i + 1 < record.commands.size(); ++i)
+        for (double t = seconds(i); t < seconds(i + 1); t += tick)
+            if (t + tick >= since)
+                readings.push_back({t + tick, static_cast<double>(record.commands[i].counts)});
+    return readings;
+}
+
+/// Once a tick as well, on straight lines between what was told. The samples by themselves lie always at the
+/// same places of the command's steps, and would make the motor as early or late as these are.
+[[nodiscard]] std::vector<Reading> positionsOf(const std::vector<Reading>& told, double since, double tick) {
+    std::vector<Reading> readings;
+    for (std::size_t i = 0; i + 1 < told.size(); ++i) {
+        const Reading& from = told[i];
+        const Reading& to = told[i + 1];
+        const double slope = (to.value - from.value) / (to.seconds - from.seconds);
+        for (double t = from.seconds; t < to.seconds; t += tick)
+            if (t >= since)
+                readings.push_back({t, from.value + slope * (t - from.seconds)});
+    }
+    return readings;
+}
+
+/// In the order of time, no two at the same.
+[[nodiscard]] std::vector<Reading> told(const bus::SineRecord& record) {
+    std::vector<Reading> told;
+    for (const auto* points : {&record.answers, &record.polls})
+        for (const bus::SinePoint& point : *points)
+            told.push_back(
+                {toSeconds(point.time - record.commands.front().time), static_cast<double>(point.counts)});
+    std::sort(told.begin(), told.end(),
+              [](const Reading& a, const Reading& b) { return a.seconds < b.seconds; });
+    told.erase(std::unique(told.begin(), told.end(),
+                           [](const Reading& a, const Reading& b) { return a.seconds == b.seconds; }),
+               told.end());
+    return told;
+}
+
+/// From one value to another, with `part` of the way between them.
+[[nodiscard]] double between(double from, double to, double part) {
+    return from + part * (to - from);
+}
+
+}  // namespace
+
+std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz, double tick) {
+    const double since = 1 / hertz;
+    if (record.commands.empty())
+        return std::nullopt;
+    const std::vector<Reading> samples = told(record);
+    if (samples.size() < kFewestPoints)
+        return std::nullopt;
+    const std::vector<Reading> commands = commandsOf(record, since, tick);
+    const std::vector<Reading> positions = positionsOf(samples, since, tick);
+    if (positions.size() < kFewestPoints || commands.size() < kFewestPoints)
+        return std::nullopt;
+    const Fit command = fitSine(commands, hertz, samples.size());
+    const Fit position = fitSine(positions, hertz, samples.size());
+    const double size = std::abs(command.phasor);
+    if (size <= 0)
+        return std::nullopt;
+    return FrequencyPoint{hertz, position.phasor / command.phasor, position.doubt / size};
+}
+
+double commandsPerSecond(std::span<const bus::SinePoint> commands) {
+    if (commands.size() < 2)
+        return 0.0;
+    const double seconds = toSeconds(commands.back().time - commands.front().time);
+    return seconds > 0 ? static_cast<double>(commands.size() - 1) / seconds : 0.0;
+}
+
+double decibels(Complex value) {
+    return 20 * std::log10(std::abs(value));
+}
+
+std::vector<double> phases(std::span<const Complex> values) {
+    std::vector<double> phases;
+    for (const Complex& value : values) {
+        const double own = std::arg(value) * kDegrees;
+        phases.push_back(phases.empty() ? own : phases.back() + std::remainder(own - phases.back(), 360.0));
+    }
+    return phases;
+}
+
+FrequencyFigures figuresOf(std::span<const FrequencyPoint> points) {
+    FrequencyFigures figures;
+    std::vector<Complex> open;
+    for (const FrequencyPoint& point : points)
+        open.push_back(point.open());
+    const std::vector<double> turned = phases(open);
+    // Where a value falls through a level between two points, on a straight line: the part of the way there.
+    const auto falls = [](double before, double after, double level) -> std::optional<double> {
+        if (before < level || after >= level)
+            return std::nullopt;
+        return (before - level) / (before - after);
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double closed = decibels(points[i].closed);
+        figures.resonance = i == 0 ? closed : std::max(figures.resonance, closed);
+        if (i == 0)
+            continue;
+        const auto hertz = [&](double part) {
+            return std::exp(between(std::log(points[i - 1].hertz), std::log(points[i].hertz), part));
+        };
+        const double decibelsBefore = decibels(open[i - 1]);
+        const double decibelsAfter = decibels(open[i]);
+        constexpr double kHalfPower = -3.0103;
+        if (const auto part = falls(decibels(points[i - 1].closed), closed, kHalfPower);
+            part && !figures.bandwidth)
+            figures.bandwidth = hertz(*part);
+        if (const auto part = falls(decibelsBefore, decibelsAfter, 0.0); part && !figures.crossover) {
+            figures.crossover = hertz(*part);
+            figures.phaseMargin = 180 + between(turned[i - 1], turned[i], *part);
+        }
+        if (const auto part = falls(turned[i - 1], turned[i], -180.0); part && !figures.gainMargin)
+            figures.gainMargin = std::pow(10, -between(decibelsBefore, decibelsAfter, *part) / 20);
+    }
+    return figures;
+}
+
+}  // namespace nmc

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bus/types.h"
+#include "model/response/frequencypoint.h"
+
+namespace nmc {
+
+/// What the positions tell of that frequency: command and position are each fitted by cosine, sine, mean and
+/// drift (least squares), without the first period, which the motor takes to get used to it. The command is a
+/// staircase; the chip sees each of its steps one servo tick after it was latched, `tick` seconds. Nothing
+/// for fewer than kFewestPoints positions. Pure.
+[[nodiscard]] std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz,
+                                                             double tick);
+inline constexpr std::size_t kFewestPoints = 12;
+
+/// What the line carried; 0 for fewer than two.
+[[nodiscard]] double commandsPerSecond(std::span<const bus::SinePoint> commands);
+
+/// What a frequency response comes down to. Frequencies ascend; straight lines between points, over the
+/// logarithm of the frequency. What lies outside of what was measured is not there.
+struct FrequencyFigures {
+    std::optional<double> bandwidth;    ///< Hz, where |T| falls below -3 dB
+    std::optional<double> crossover;    ///< Hz, where |L| falls below 1
+    std::optional<double> phaseMargin;  ///< degrees, there
+    std::optional<double> gainMargin;   ///< times, where L is half a turn behind
+    double resonance = 0.0;             ///< dB, the highest |T|
+};
+[[nodiscard]] FrequencyFigures figuresOf(std::span<const FrequencyPoint> points);
+
+[[nodiscard]] double decibels(std::complex<double> value);
+/// Degrees, each within half a turn of the one before, so that a phase goes on beyond -180; from the first
+/// one's own.
+[[nodiscard]] std::vector<double> phases(std::span<const std::complex<double>> values);
+
+}  // namespace nmc

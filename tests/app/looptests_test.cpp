@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Square waves, frequency responses and the report, in the whole program: by its buttons, against nmcsim.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include "tests/app/panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class TestsOfTheLoop : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.window().resize(1500, 1100);
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        panel.window().findChild<QAction*>(u"tuneLayoutAction"_s)->trigger();
+        ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
+        ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+        QTest::keyClick(&panel.window(), Qt::Key_F9, Qt::ControlModifier);
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.window().findChild<QWidget*>(u"squareWavePage"_s) != nullptr; }));
+    }
+    void TearDown() override { texts::setModuleNames({}); }
+    [[nodiscard]] QString text(const char* name) {
+        return panel.window().findChild<QLabel*>(QLatin1String(name))->text();
+    }
+    void type(const char* name, const QString& value) {
+        auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
+        ASSERT_NE(field, nullptr) << name;
+        testing_support::turnTo(*field);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, value);
+    }
+    [[nodiscard]] bool ended(const char* startButton) {
+        auto* start = panel.window().findChild<QAbstractButton*>(QLatin1String(startButton));
+        return panel.waitFor([&] { return start->isEnabled(); });
+    }
+    [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
+    NmcsimProcess sim{u"servo"_s};
+    IntentPanel panel;
+};
+
+TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
+    ASSERT_NO_FATAL_FAILURE(type("squareWavePeriodField", u"0.3"_s));
+    ASSERT_NO_FATAL_FAILURE(type("squareWaveRoundsField", u"12"_s));
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveStartButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return text("squareWaveResults").startsWith(u"4"_s); }));
+    ASSERT_NO_FATAL_FAILURE(type("kdField", u"2000"_s));
+    auto* field = panel.window().findChild<QLineEdit*>(u"kdField"_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kd == 2'000; }));
+    EXPECT_EQ(text("squareWaveState").left(6), u"Moving"_s) << "it goes on";
+    ASSERT_TRUE(ended("squareWaveStartButton")) << text("squareWaveState").toStdString();
+    EXPECT_TRUE(text("squareWaveResults").contains(u"Rise"_s));
+    EXPECT_NEAR(position(), 0, 5);
+    EXPECT_TRUE(panel.module().servoOn());
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveKeepButton"));
+    EXPECT_EQ(panel.window().findChild<QTableWidget*>(u"stepRunTable"_s)->rowCount(), 1);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
+    ASSERT_NO_FATAL_FAILURE(type("frequencyFromField", u"12"_s));
+    ASSERT_NO_FATAL_FAILURE(type("frequencyToField", u"25"_s));
+    ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return text("frequencyFigures").startsWith(u"2 "_s); }));
+    ASSERT_TRUE(ended("frequencyStartButton")) << text("frequencyState").toStdString();
+    EXPECT_TRUE(text("frequencyFigures").contains(u"Resonance"_s)) << text("frequencyFigures").toStdString();
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_NEAR(position(), 0, 5);
+    QTemporaryDir directory;
+    for (const QString& name : {u"report.html"_s, u"report.pdf"_s}) {
+        ASSERT_NO_FATAL_FAILURE(panel.click("tuningReportButton"));
+        auto* dialog = panel.window().findChild<QFileDialog*>(u"reportFileDialog"_s);
+        ASSERT_NE(dialog, nullptr);
+        dialog->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(directory.filePath(name));
+        QTest::keyClick(dialog->findChild<QLineEdit*>(u"fileNameEdit"_s), Qt::Key_Return);
+        ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(directory.filePath(name)); }));
+    }
+    QFile html(directory.filePath(u"report.html"_s));
+    ASSERT_TRUE(html.open(QIODevice::ReadOnly));
+    const QString page = QString::fromUtf8(html.readAll());
+    for (const QString& part : {u"Tuning of Module 1"_s, u"PIC-SERVO, version 4, address 1"_s, u">1000<"_s,
+                                u"Resonance"_s, u"data:image/png"_s})
+        EXPECT_TRUE(page.contains(part)) << part.toStdString();
+    QFile pdf(directory.filePath(u"report.pdf"_s));
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    const QByteArray bytes = pdf.readAll();
+    EXPECT_TRUE(bytes.startsWith("%PDF"));
+    EXPECT_TRUE(bytes.contains("/Count 1\n")) << "one page";
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(TestsOfTheLoop, EscEndsSinesForGood) {
+    ASSERT_NO_FATAL_FAILURE(type("frequencyFromField", u"0.5"_s));
+    ASSERT_NO_FATAL_FAILURE(type("frequencyToField", u"1"_s));
+    ASSERT_NO_FATAL_FAILURE(type("frequencyAmplitudeField", u"200"_s));
+    ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
+    QTest::keyClick(&panel.window(), Qt::Key_Escape);
+    ASSERT_TRUE(ended("frequencyStartButton"));
+    const int command = sim.state(1)[u"command_position"_s].toInt();
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_EQ(sim.state(1)[u"command_position"_s].toInt(), command);
+    EXPECT_TRUE(panel.module().servoOn()) << "a stop keeps holding";
+}
+
+TEST_F(TestsOfTheLoop, EndItHoldsTheMotor) {
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveStartButton"));
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return panel.window().findChild<QAbstractButton*>(u"squareWaveEndButton"_s)->isEnabled(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveEndButton"));
+    ASSERT_TRUE(ended("squareWaveStartButton"));
+    EXPECT_TRUE(panel.module().servoOn());
+    ASSERT_TRUE(panel.answersFor(0.8));
+    EXPECT_FALSE(panel.module().moving());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Square waves and sines of the command position: what is sent, what they find, and how they end. Engine and
+// simulator in virtual time; the truth is the simulator's, and the analytic loop.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "model/intent/looptestplan.h"
+#include "model/response/edgefold.h"
+#include "model/response/frequencyresponse.h"
+#include "model/tuning/predict.h"
+#include "tests/procedures/procedurebench.h"
+#include "tests/support/tunedservo.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr servo::SetGain kGains{200, 2'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
+
+/// The motor of the simulator, with almost no friction: what is linear can be reckoned.
+[[nodiscard]] MotorConstants linearMotor() {
+    sim::MotorParameters motor;
+    motor.coulombNm = 0;
+    return testing_support::physics(motor);
+}
+
+class LoopTests : public testing::Test {
+protected:
+    [[nodiscard]] bool hold(std::uint32_t friction = 0) {
+        bench.set(sim::Input::Friction, friction);
+        return bench.connect() && bench.perform(intent::ApplyGains{kGains}) &&
+               bench.perform(intent::Enable{}) && bench.perform(intent::StopHere{});
+    }
+    [[nodiscard]] std::optional<Refusal> refusal(const Intent& wanted) {
+        const auto steps = plan(wanted, bench.module());
+        return steps ? std::nullopt : std::optional(steps.error());
+    }
+    /// The commands that the servo has seen while the procedure ran.
+    void watchCommands() {
+        lowest = highest = bench.truth().commandPosition;
+        bench.bus.onTime = [this] {
+            lowest = std::min(lowest, bench.truth().commandPosition);
+            highest = std::max(highest, bench.truth().commandPosition);
+        };
+    }
+    static constexpr intent::SquareWave kWave{100, 0.4, 3, 200, StepWay::StopHere};
+    ServoBench bench;
+    double lowest = 0, highest = 0;
+};
+
+TEST_F(LoopTests, AWaveJumpsToAndFroAndEndsWhereItBegan) {
+    for (const StepWay way : {StepWay::StopHere, StepWay::Profile}) {
+        LoopTests::SetUp();
+        ASSERT_TRUE(hold());
+        const double from = bench.truth().commandPosition;
+        watchCommands();
+        std::vector<StepTaken> edges;
+        bench.onTurn = [&](Procedure& procedure) {
+            const auto& edge = procedure.report().step;
+            if (edge && (edges.empty() || edges.back() != *edge))
+                edges.push_back(*edge);
+        };
+        intent::SquareWave wave = kWave;
+        wave.way = way;
+        const ProcedureReport report = bench.run(wave);
+        EXPECT_EQ(report.stage, ProcedureStage::Done);
+        EXPECT_EQ(lowest, from - 50);
+        EXPECT_EQ(highest, from + 50);
+        EXPECT_EQ(bench.truth().commandPosition, from);
+        ASSERT_EQ(edges.size(), 6U) << "three periods; half an edge leads there";
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            EXPECT_EQ(edges[i].goal - edges[i].from, i % 2 == 0 ? -100 : 100);
+            if (i > 0) {
+                EXPECT_GE(toSeconds(edges[i].at - edges[i - 1].at), 0.2);
+                EXPECT_LE(toSeconds(edges[i].at - edges[i - 1].at), 0.26) << "a turn, and two commands";
+            }
+        }
+        EXPECT_TRUE(bench.truth().servoOn);
+        bench.bus.expectNoViolations();
+    }
+}
+
+TEST_F(LoopTests, AWaveTakesGainsBeforeItsNextEdge) {
+    ASSERT_TRUE(hold());
+    bench.begin(kWave);
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    servo::SetGain other = kGains;
+    other.kp = 300;
+    EXPECT_TRUE(bench.procedure->take(other));
+    EXPECT_EQ(bench.truth().gains.kp, 200);
+    const TimePoint told = bench.bus.now;
+    bool seen = false;
+    bench.onTurn = [&](Procedure& procedure) {
+        const auto& edge = procedure.report().step;
+        if (edge && edge->at > told && edge->gains.kp == 300)
+            seen = true;
+    };
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Done);
+    EXPECT_TRUE(seen);
+    EXPECT_EQ(bench.truth().gains.kp, 300);
+    other.el = 100;
+    bench.begin(kWave);
+    EXPECT_FALSE(bench.procedure->take(other)) << "its edges would trip";
+}
+
+TEST_F(LoopTests, AWaveThatIsLeftByMoreThanItsExcursionEndsInAHold) {
+    ASSERT_TRUE(hold());
+    intent::SquareWave wave = kWave;
+    wave.excursion = 20;
+    bench.begin(wave);
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.set(sim::Input::Load, 0.15);  // pulls it some 60 counts off
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
+    const double command = bench.truth().commandPosition;
+    bench.bus.runFor(2s);
+    EXPECT_EQ(bench.truth().commandPosition, command) << "nothing jumps any more";
+}
+
+TEST_F(LoopTests, AreRefusedBeforeAnythingIsSent) {
+    const intent::FrequencyResponse sines{20, 1.0, 40.0};
+    ASSERT_TRUE(bench.connect());
+    EXPECT_TRUE(refusal(kWave));
+    EXPECT_TRUE(refusal(sines));
+    ASSERT_TRUE(hold());
+    EXPECT_EQ(refusal(kWave), std::nullopt);
+    EXPECT_EQ(refusal(sines), std::nullopt);
+    EXPECT_EQ(refusal(intent::SquareWave{0, 0.4, 3, 200}), Refusal::StepTooShort);
+    EXPECT_EQ(refusal(intent::SquareWave{4'000, 0.4, 3, 200}), Refusal::StepTooLong);
+    EXPECT_EQ(refusal(intent::SquareWave{100, 0.01, 3, 200}), Refusal::TestOutOfRange);
+    EXPECT_EQ(refusal(intent::SquareWave{100, 0.4, 0, 200}), Refusal::TestOutOfRange);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 10.0, 5.0}), Refusal::TestOutOfRange);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 400.0}), Refusal::TestOutOfRange);
+    servo::SetGain narrow = kGains;
+    narrow.el = 42;
+    ASSERT_TRUE(bench.perform(intent::ApplyGains{narrow}));
+    EXPECT_EQ(refusal(kWave), Refusal::StepWouldTrip);
+    EXPECT_EQ(refusal(sines), Refusal::StepWouldTrip) << "half a turn behind it is 40 counts off";
+}
+
+TEST_F(LoopTests, LimitsOfTravelHoldOnBothSides) {
+    ASSERT_TRUE(hold());
+    ModuleState& module = bench.module();
+    module.travel.lowest = -1'000;
+    module.travel.highest = 30;
+    module.home.declare(module.latestTime);
+    EXPECT_EQ(refusal(kWave), Refusal::BeyondTravel);
+    module.travel.lowest = -30;
+    module.travel.highest = 1'000;
+    EXPECT_EQ(refusal(kWave), Refusal::BeyondTravel);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 40.0}), std::nullopt);
+}
+
+/// N edges at 1.5 ms are sampled N times as finely, and no finer than a tick.
+TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
+    ASSERT_TRUE(hold());
+    std::vector<StepRun> edges;
+    std::vector<ScopeSample> samples;
+    StepTaken last;
+    bench.onTurn = [&](Procedure& procedure) {
+        const auto& edge = procedure.report().step;
+        if (edge && edge->at != last.at) {
+            if (last.at != TimePoint{})
+                edges.push_back(takeRun(ModuleIndex(0), samples, last, kFirstBand));
+            last = *edge;
+        }
+        samples.clear();
+        for (const bus::Sample& sample : bench.bus.all<bus::Sample>())
+            if (sample.report.position) {
+                samples.emplace_back();
+                samples.back().time = sample.time;
+                samples.back().position = *sample.report.position;
+            }
+    };
+    intent::SquareWave wave = kWave;
+    wave.rounds = 12;
+    ASSERT_EQ(bench.run(wave).stage, ProcedureStage::Done);
+    ASSERT_GE(edges.size(), 20U);
+    const auto one = std::count_if(edges.front().points.begin(), edges.front().points.end(),
+                                   [](const StepPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
+    const std::vector<FoldedPoint> folded = foldEdges(edges, true);
+    const auto all = std::count_if(folded.begin(), folded.end(),
+                                   [](const FoldedPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
+    EXPECT_GT(all, 2 * one);
+    EXPECT_LE(all, static_cast<long>(0.05 / 512e-6) + 1);
+    // The step of this motor by its own model, in the same places.
+    const StepRun reckoned = reckonStep(linearMotor(), kGains, 0, 100, 0.2, kFirstBand);
+    for (const FoldedPoint& point : folded) {
+        if (point.seconds < 0.002 || point.seconds > 0.15)
+            continue;
+        EXPECT_LE(point.low, point.position);
+        EXPECT_GE(point.high, point.position);
+        const auto i = static_cast<std::size_t>(point.seconds / 512e-6);
+        const double early = reckoned.points[i - 1].position;
+        const double late = reckoned.points[i + 1].position;
+        // By the tick that a time is uncertain by, and the counts of two encoders.
+        EXPECT_GE(point.position, std::min(early, late) - 4) << point.seconds;
+        EXPECT_LE(point.position, std::max(early, late) + 4) << point.seconds;
+    }
+}
+
+TEST_F(LoopTests, SinesFindTheLoopWithinADecibelAndFiveDegrees) {
+    ASSERT_TRUE(hold());
+    const ProcedureReport report = bench.run(intent::FrequencyResponse{20, 1.0, 40.0}, 300.0);
+    ASSERT_EQ(report.stage, ProcedureStage::Done);
+    ASSERT_GE(report.frequencies.size(), 15U);
+    EXPECT_GT(report.frequencies.back().hertz, 30.0) << "at 115 200 Bd the line carries 40 Hz";
+    for (const FrequencyPoint& point : report.frequencies) {
+        const std::complex<double> open = openLoopAt(linearMotor(), kGains, point.hertz);
+        const std::complex<double> closed = open / (1.0 + open);
+        EXPECT_NEAR(decibels(point.closed), decibels(closed), 1.0) << point.hertz << " Hz";
+        EXPECT_NEAR(std::arg(point.closed / closed) * 180 / std::numbers::pi, 0.0, 5.0)
+            << point.hertz << " Hz";
+    }
+    EXPECT_TRUE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(LoopTests, ASineStaysWithinItsAmplitudeAndEndsAtItsCentre) {
+    ASSERT_TRUE(hold());
+    const double from = bench.truth().commandPosition;
+    watchCommands();
+    ASSERT_EQ(bench.run(intent::FrequencyResponse{20, 2.0, 4.0}).stage, ProcedureStage::Done);
+    EXPECT_EQ(lowest, from - 20);
+    EXPECT_EQ(highest, from + 20);
+    EXPECT_EQ(bench.truth().commandPosition, from);
+}
+
+TEST_F(LoopTests, ASineIsCancelledAtOnce) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.bus.runFor(500ms);
+    bench.procedure->cancel();
+    const TimePoint cancelled = bench.bus.now;
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    EXPECT_LT(bench.bus.now - cancelled, 1s) << "its first frequency alone lasts ten";
+    const double command = bench.truth().commandPosition;
+    bench.bus.runFor(1s);
+    EXPECT_EQ(bench.truth().commandPosition, command);
+}
+
+TEST_F(LoopTests, AStopOfAllEndsASineForGood) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.bus.runFor(500ms);
+    bench.bus.engine.stopAll(bench.bus.now);
+    bench.bus.runFor(500ms);
+    const double command = bench.truth().commandPosition;
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    bench.bus.runFor(1s);
+    EXPECT_EQ(bench.truth().commandPosition, command);
+}
+
+TEST_F(LoopTests, AMotorThatASineSwingsTooFarIsHeld) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::FrequencyResponse{5, 0.5, 1.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.bus.runFor(200ms);
+    bench.set(sim::Input::Load, 0.15);
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
+}
+
+TEST_F(LoopTests, WhateverElseIsAskedForEndsASine) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.bus.runFor(500ms);
+    const TimePoint asked = bench.bus.now;
+    ASSERT_EQ(bench.bus.perform(*plan(intent::StopAbruptly{}, bench.module())), bus::Outcome::Done);
+    EXPECT_LT(bench.bus.now - asked, 20ms) << "a stop waits for no more than the exchange on the wire";
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+}
+
+/// A slow line ends early, and what it has measured counts.
+TEST(LoopTestsOnASlowLine, SinesEndWhereTheLineIsTooSlowForThem) {
+    ProcedureBench bench(servos(1, 4), {}, 19'200);
+    bench.set(sim::Input::Friction, 0.0);
+    ASSERT_TRUE(bench.connect() && bench.perform(intent::ApplyGains{kGains}) &&
+                bench.perform(intent::Enable{}) && bench.perform(intent::StopHere{}));
+    const ProcedureReport report = bench.run(intent::FrequencyResponse{20, 1.0, 40.0}, 300.0);
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    ASSERT_GE(report.frequencies.size(), 8U);
+    EXPECT_LT(report.frequencies.back().hertz, 16.0) << "a command takes 13 ms, and so does a poll";
+    EXPECT_GT(report.frequencies.back().hertz, 5.0);
+    for (const FrequencyPoint& point : report.frequencies) {
+        const std::complex<double> open = openLoopAt(linearMotor(), kGains, point.hertz);
+        const std::complex<double> closed = open / (1.0 + open);
+        EXPECT_NEAR(decibels(point.closed), decibels(closed), 1.0) << point.hertz << " Hz";
+        EXPECT_NEAR(std::arg(point.closed / closed) * 180 / std::numbers::pi, 0.0, 5.0)
+            << point.hertz << " Hz";
+    }
+}
+
+}  // namespace
+}  // namespace nmc::test

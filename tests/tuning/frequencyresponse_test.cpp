@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a frequency response comes to, against closed forms.
+#include "model/response/frequencyresponse.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/time.h"
+#include "model/response/edgefold.h"
+#include "model/response/frequencyfile.h"
+
+namespace nmc {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kTick = 512e-6;
+
+/// Twelve a decade from 0.01 Hz on, of L(s).
+template <typename Loop>
+[[nodiscard]] std::vector<FrequencyPoint> responseOf(Loop loop, double to) {
+    std::vector<FrequencyPoint> points;
+    for (double hertz = 0.01; hertz <= to; hertz *= std::pow(10, 1.0 / 12)) {
+        const Complex open = loop(Complex(0, 2 * std::numbers::pi * hertz));
+        points.push_back({hertz, open / (1.0 + open), 0.0});
+    }
+    return points;
+}
+
+/// L = w0 / s: T is of first order, with its corner at w0 and 90 degrees of margin there.
+TEST(FrequencyFigures, OfAnIntegratorAreItsCorner) {
+    const double corner = 5.0;
+    const auto points = responseOf([&](Complex s) { return 2 * std::numbers::pi * corner / s; }, 100.0);
+    const FrequencyFigures figures = figuresOf(points);
+    ASSERT_TRUE(figures.bandwidth && figures.crossover && figures.phaseMargin);
+    EXPECT_NEAR(*figures.bandwidth, corner, 0.02 * corner);
+    EXPECT_NEAR(*figures.crossover, corner, 0.02 * corner);
+    EXPECT_NEAR(*figures.phaseMargin, 90.0, 0.1);
+    EXPECT_FALSE(figures.gainMargin) << "its phase never comes to -180 degrees";
+    EXPECT_NEAR(figures.resonance, 0.0, 0.01);
+}
+
+/// L = k / (s (s + 1)^2), critical at k = 2 where w = 1: at k = 0.5 it could be four times higher.
+TEST(FrequencyFigures, TellTheGainMargin) {
+    const auto points = responseOf([](Complex s) { return 0.5 / (s * (s + 1.0) * (s + 1.0)); }, 2.0);
+    const FrequencyFigures figures = figuresOf(points);
+    ASSERT_TRUE(figures.gainMargin && figures.phaseMargin);
+    EXPECT_NEAR(*figures.gainMargin, 4.0, 0.1);
+    // |L| = 1 where w (1 + w^2) = 0.5: w = 0.4239; 90 - 2 atan w.
+    EXPECT_NEAR(*figures.phaseMargin, 90 - 2 * std::atan(0.4239) * 180 / std::numbers::pi, 1.0);
+}
+
+TEST(FrequencyFigures, SayNothingOfWhatWasNotMeasured) {
+    const auto points = responseOf([](Complex s) { return 2 * std::numbers::pi * 50.0 / s; }, 10.0);
+    const FrequencyFigures figures = figuresOf(points);
+    EXPECT_FALSE(figures.bandwidth);
+    EXPECT_FALSE(figures.crossover);
+    EXPECT_FALSE(figures.phaseMargin);
+}
+
+TEST(FrequencyFigures, PhasesGoOnBeyondHalfATurn) {
+    std::vector<Complex> turning;
+    for (int i = 0; i < 8; ++i)
+        turning.push_back(std::polar(1.0, -i * std::numbers::pi / 3));
+    const std::vector<double> turned = phases(turning);
+    for (std::size_t i = 0; i < turned.size(); ++i)
+        EXPECT_NEAR(turned[i], -60.0 * static_cast<double>(i), 1e-9);
+}
+
+/// A command once in 6 ms, told exactly; positions of a motor that is known, twice in between.
+class MeasuredSine : public testing::Test {
+protected:
+    void swing(double hertz, Complex answer, double seconds) {
+        const double omega = 2 * std::numbers::pi * hertz;
+        for (double t = 0; t < seconds; t += 0.006) {
+            record.commands.push_back({at(t), rounded(1'000 * std::sin(omega * t))});
+            for (const double later : {0.0, 0.002, 0.004}) {
+                // The fundamental of the staircase: later by half a step and a tick, and a little smaller.
+                const double half = omega * 0.003;
+                const double size = 1'000 * std::sin(half) / half * std::abs(answer);
+                const double phase = omega * (t + later - kTick) - half + std::arg(answer);
+                auto& points = later == 0.0 ? record.answers : record.polls;
+                points.push_back({at(t + later), rounded(size * std::sin(phase) + 500 + 20 * (t + later))});
+            }
+        }
+    }
+    [[nodiscard]] static TimePoint at(double seconds) { return TimePoint{} + fromSeconds(seconds); }
+    [[nodiscard]] static std::int32_t rounded(double counts) {
+        return static_cast<std::int32_t>(std::lround(counts));
+    }
+    bus::SineRecord record;
+};
+
+TEST_F(MeasuredSine, FindsMagnitudeAndPhase) {
+    for (const double hertz : {1.0, 4.0, 15.0}) {
+        record = {};
+        const Complex answer = std::polar(0.7, -0.9);
+        swing(hertz, answer, std::max(1.0, 5 / hertz));
+        const auto point = measureFrequency(record, hertz, kTick);
+        ASSERT_TRUE(point);
+        EXPECT_NEAR(decibels(point->closed / answer), 0.0, 0.3) << hertz;
+        EXPECT_NEAR(std::arg(point->closed / answer) * 180 / std::numbers::pi, 0.0, 2.0) << hertz;
+        EXPECT_LT(point->doubt, 0.05);
+    }
+}
+
+TEST_F(MeasuredSine, IsNothingWithoutPositions) {
+    EXPECT_FALSE(measureFrequency(record, 1.0, kTick));
+    swing(1.0, 1.0, 5.0);
+    record.polls.clear();
+    record.answers.clear();
+    EXPECT_FALSE(measureFrequency(record, 1.0, kTick));
+}
+
+TEST(FrequencyFile, HasARowForEachFrequency) {
+    const std::vector<FrequencyPoint> points{{1.0, {0.5, 0.0}, 0.25}, {2.0, {0.0, -0.5}, 0.25}};
+    const std::string text = frequencyCsv(points);
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg");
+    // T = 1/2: L = 1, 0 dB.
+    EXPECT_NE(text.find("\n1,-6.02"), std::string::npos);
+    EXPECT_NE(text.find(",0,0.25,0,0\n"), std::string::npos);
+    EXPECT_NE(text.find(",-90,0.25,"), std::string::npos);
+}
+
+[[nodiscard]] StepRun edge(std::int32_t from, std::int32_t goal, double late, std::uint16_t kp = 100) {
+    StepRun run;
+    run.taken.from = from;
+    run.taken.goal = goal;
+    run.taken.record = 0.2;
+    run.taken.gains.kp = kp;
+    run.bandPercent = kFirstBand;
+    for (double t = late; t < 0.2; t += 0.002)
+        run.points.push_back({t, from + (goal - from) * (1 - std::exp(-t / 0.02))});
+    return run;
+}
+
+TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
+    std::vector<StepRun> edges;
+    for (int i = 0; i < 4; ++i) {
+        edges.push_back(edge(-50, 50, i * 0.0005));
+        edges.push_back(edge(50, -50, i * 0.0005));
+    }
+    const std::vector<FoldedPoint> folded = foldEdges(edges, true);
+    unsigned samples = 0;
+    for (const FoldedPoint& point : folded) {
+        samples += point.samples;
+        EXPECT_NEAR(point.position, 100 * (1 - std::exp(-point.seconds / 0.02)), 2.0);
+        EXPECT_LE(point.low, point.high);
+    }
+    EXPECT_EQ(samples, 4 * 100U);
+    EXPECT_GE(folded.size(), 120U) << "one edge has 100 samples";
+    const auto run = foldedRun(edges, true);
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->taken.from, -50);
+    ASSERT_TRUE(run->metrics.rise);
+    // ln 9 time constants.
+    EXPECT_NEAR(run->metrics.rise->value, 0.02 * std::log(9.0), 0.001);
+    for (const FoldedPoint& point : foldEdges(edges, false))
+        EXPECT_LE(point.position, 0.0);
+}
+
+TEST(EdgeFold, LeavesOutEdgesWithOtherGains) {
+    const std::vector<StepRun> edges{edge(-50, 50, 0, 100), edge(-50, 50, 0, 300)};
+    unsigned samples = 0;
+    for (const FoldedPoint& point : foldEdges(edges, true))
+        samples += point.samples;
+    EXPECT_EQ(samples, 100U);
+    EXPECT_EQ(foldedRun(edges, true)->taken.gains.kp, 300);
+    EXPECT_FALSE(foldedRun(edges, false));
+    EXPECT_TRUE(foldEdges({}, true).empty());
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/looptests/frequencypage.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "model/intent/looptestplan.h"
+#include "model/response/frequencyfile.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/looptests/bodeplot.h"
+#include "widgets/looptests/looptestwords.h"
+#include "widgets/looptests/testform.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"frequencyPage"_s, tr("Frequency response"));
+    m_form = new TestForm(ProcedureKind::FrequencyResponse,
+                          {u"frequency"_s, tr("Measure"),
+                           tr("The motor swings about where it is held, slowly at first, then faster. "
+                              "Everything that turns with it must be free to.")},
+                          this);
+    m_amplitude = m_form->addDistance(u"frequencyAmplitudeField"_s, tr("Amplitude"), tr("The amplitude"));
+    m_amplitude->setNativeRange(1, kWidestSine);
+    m_amplitude->setMeaning(
+        tr("How far the command swings to either side. The motor may swing four times as "
+           "far before it is stopped."));
+    m_amplitude->showNative(kFirstSine);
+    m_from = m_form->addNumber(u"frequencyFromField"_s, tr("From"), tr("The lowest frequency"), tr("Hz"), 2);
+    m_from->setRange(kSlowestSine, kFastestSine);
+    m_from->showValue(1.0);
+    m_to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
+    m_to->setRange(kSlowestSine, kFastestSine);
+    m_to->setMeaning(
+        tr("It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and "
+           "at about 8 Hz at 19200 Bd."));
+    m_to->showValue(kFastestSine);
+    m_form->setWanted([this]() -> Intent {
+        return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),
+                                         *m_to->value()};
+    });
+    m_figures = new QLabel(this);
+    look::nameText(m_figures, u"frequencyFigures"_s, tr("What the frequency response comes to"));
+    m_figures->setTextFormat(Qt::PlainText);
+    m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_figures->setWordWrap(true);
+    m_figures->setMinimumHeight(6 * fontMetrics().lineSpacing());
+    m_save = new QPushButton(tr("Export CSV…"), this);
+    look::name(m_save, u"frequencyExportButton"_s, tr("Export the frequency response"));
+    m_plot = new BodePlot(this);
+    const int unit = look::gridUnit(this);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit);
+    left->addWidget(m_form);
+    left->addWidget(m_figures);
+    left->addWidget(m_save, 0, Qt::AlignLeft);
+    left->addStretch(1);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    row->setSpacing(unit);
+    row->addLayout(left);
+    row->addWidget(m_plot, 1);
+    connect(m_form, &TestForm::asked, this, &FrequencyPage::asked);
+    connect(m_save, &QPushButton::clicked, this, &FrequencyPage::chooseFile);
+    refresh();
+}
+
+void FrequencyPage::showModule(const PanelView& view) {
+    m_form->showModule(view);
+    m_shown = view.module.info.index;
+    refresh();
+}
+
+void FrequencyPage::showNothing() {
+    m_form->showNothing();
+    m_shown.reset();
+    refresh();
+}
+
+void FrequencyPage::forgetModules() {
+    m_found.clear();
+    refresh();
+}
+
+void FrequencyPage::showReport(const ProcedureReport& report) {
+    if (report.frequencies.empty())
+        return;
+    m_found[report.module] = {report.frequencies,
+                              report.stage == ProcedureStage::Done && report.round < report.rounds};
+    refresh();
+}
+
+const std::vector<FrequencyPoint>& FrequencyPage::points() const {
+    static const std::vector<FrequencyPoint> kNone;
+    const auto found = m_shown ? m_found.find(*m_shown) : m_found.end();
+    return found != m_found.end() ? found->second.points : kNone;
+}
+
+void FrequencyPage::refresh() {
+    const auto found = m_shown ? m_found.find(*m_shown) : m_found.end();
+    const bool early = found != m_found.end() && found->second.endedEarly;
+    m_plot->showPoints(points(), early ? points().back().hertz : 0.0);
+    QStringList lines = texts::frequencyFigures(points());
+    if (early)
+        lines << tr("The baud rate is too low for higher frequencies.");
+    look::setText(m_figures, lines.join(u'\n'));
+    look::setPossible(m_save, points().empty() ? tr("Nothing is measured yet.") : QString(),
+                      tr("Saves frequency, magnitude and phase of both loops."));
+}
+
+void FrequencyPage::chooseFile() {
+    QFileDialog* dialog = newFileDialog(this, u"frequencyFileDialog"_s, tr("Export the frequency response"),
+                                        {tr("CSV (*.csv)")}, QDir::homePath());
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"csv"_s);
+    dialog->selectFile(u"frequency-response"_s);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        emit saveRequested(path, [points = points()] { return frequencyCsv(points); });
+    });
+    dialog->show();
+}
+
+}  // namespace nmc

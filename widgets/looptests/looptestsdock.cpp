@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/looptests/looptestsdock.h"
+
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
+
+#include "widgets/common/focuskeeper.h"
+#include "widgets/common/look.h"
+#include "widgets/common/scrolled.h"
+#include "widgets/looptests/frequencypage.h"
+#include "widgets/looptests/squarewavepage.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+LoopTestsDock::LoopTestsDock(QWidget* parent)
+    : LazyDock(u"loopTestsDock"_s, tr("Loop tests"), Qt::CTRL | Qt::Key_F9, parent) {}
+
+void LoopTestsDock::build() {
+    if (m_tabs != nullptr)
+        return;
+    m_tabs = new QTabWidget(this);
+    look::name(m_tabs, u"loopTestsTabs"_s, tr("Tests of the loop"));
+    m_square = new SquareWavePage(m_tabs);
+    m_frequency = new FrequencyPage(m_tabs);
+    m_tabs->addTab(m_square, tr("Square wave"));
+    m_tabs->addTab(m_frequency, tr("Frequency response"));
+    keepFocusOnTabs(*m_tabs);
+    m_report = new QPushButton(tr("Report…"), m_tabs);
+    look::name(m_report, u"tuningReportButton"_s, tr("Save a report of the tuning"));
+    m_tabs->setCornerWidget(m_report);
+    connect(m_report, &QPushButton::clicked, this, &LoopTestsDock::reportWanted);
+    showReportPossible(false);
+    connect(m_square, &SquareWavePage::asked, this, &LoopTestsDock::asked);
+    connect(m_square, &SquareWavePage::runKept, this, &LoopTestsDock::runKept);
+    connect(m_frequency, &FrequencyPage::asked, this, &LoopTestsDock::asked);
+    connect(m_frequency, &FrequencyPage::saveRequested, this, &LoopTestsDock::saveRequested);
+    setWidget(scrolled(m_tabs));
+}
+
+SquareWavePage& LoopTestsDock::squareWave() {
+    build();
+    return *m_square;
+}
+
+FrequencyPage& LoopTestsDock::frequency() {
+    build();
+    return *m_frequency;
+}
+
+void LoopTestsDock::showModule(const PanelView& view) {
+    if (!seen())
+        return;
+    squareWave().showModule(view);
+    frequency().showModule(view);
+    showReportPossible(view.module.isServo());
+}
+
+void LoopTestsDock::forgetModules() {
+    if (m_frequency != nullptr)
+        m_frequency->forgetModules();
+}
+
+void LoopTestsDock::showNothing() {
+    if (!seen())
+        return;
+    squareWave().showNothing();
+    frequency().showNothing();
+    showReportPossible(false);
+}
+
+void LoopTestsDock::showReportPossible(bool servo) {
+    look::setPossible(
+        m_report, servo ? QString() : tr("Select a PIC-SERVO first."),
+        tr("One page, as PDF or HTML: gains, the last step response, the motor that was found and "
+           "the frequency response."));
+}
+
+}  // namespace nmc

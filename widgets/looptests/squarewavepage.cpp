@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/looptests/squarewavepage.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/intent/looptestplan.h"
+#include "model/intent/stepresponseplan.h"
+#include "model/response/edgefold.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/looptests/squareplot.h"
+#include "widgets/looptests/testform.h"
+#include "widgets/response/stepresponsewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr double kFirstPeriod = 0.6;  ///< s
+constexpr unsigned kFirstRounds = 20;
+constexpr std::int32_t kFirstExcursion = 200;
+
+[[nodiscard]] SquarePlot::Fold foldOf(std::span<const StepRun> edges) {
+    if (edges.empty())
+        return {};
+    SquarePlot::Fold fold;
+    fold.forward = foldEdges(edges, true);
+    fold.back = foldEdges(edges, false);
+    // What comes before the way back is the end of the way there.
+    std::erase_if(fold.back, [](const FoldedPoint& point) { return point.seconds < 0; });
+    const StepTaken& last = edges.back().taken;
+    fold.counts = static_cast<double>(std::abs(std::int64_t{last.goal} - last.from));
+    fold.half = last.record;
+    return fold;
+}
+}  // namespace
+
+SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
+    look::name(this, u"squareWavePage"_s, tr("Square wave"));
+    m_form =
+        new TestForm(ProcedureKind::SquareWave,
+                     {u"squareWave"_s, tr("Begin"),
+                      tr("The motor jumps to and fro about where it is held. Everything that turns with it "
+                         "must be free to.")},
+                     this);
+    m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));
+    m_counts->setNativeRange(1, kLongestStep);
+    m_counts->setMeaning(tr("From side to side, half of it to either side of where the motor is held."));
+    m_counts->showNative(kFirstStep);
+    m_period = m_form->addNumber(u"squareWavePeriodField"_s, tr("Period"), tr("The period"), tr("s"), 2);
+    m_period->setRange(kShortestPeriod, kLongestPeriod);
+    m_period->showValue(kFirstPeriod);
+    m_rounds =
+        m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("The number of periods"), {}, 0);
+    m_rounds->setRange(1, kMostPeriods);
+    m_rounds->showValue(kFirstRounds);
+    m_excursion = m_form->addDistance(u"squareWaveExcursionField"_s, tr("Excursion"), tr("The excursion"));
+    m_excursion->setNativeRange(1, kLongestStep);
+    m_excursion->setMeaning(tr("How far the motor may go beyond either side. Farther than that it is held."));
+    m_excursion->showNative(kFirstExcursion);
+    m_way = new QComboBox(this);
+    look::name(m_way, u"squareWaveWayBox"_s, tr("How the command is made to jump"));
+    for (const StepWay way : {StepWay::StopHere, StepWay::Profile})
+        m_way->addItem(texts::stepWay(way), static_cast<int>(way));
+    m_way->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_way->setMinimumContentsLength(12);
+    m_form->addRow(tr("Way"), m_way, nullptr);
+    m_form->setWanted([this]() -> Intent {
+        return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
+                                  static_cast<unsigned>(*m_rounds->value()),
+                                  static_cast<std::int32_t>(*m_excursion->native()),
+                                  static_cast<StepWay>(m_way->currentData().toInt())};
+    });
+    m_results = new QLabel(this);
+    look::nameText(m_results, u"squareWaveResults"_s, tr("What the edges come to"));
+    m_results->setTextFormat(Qt::PlainText);
+    m_results->setWordWrap(true);
+    m_results->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_results->setMinimumHeight(5 * fontMetrics().lineSpacing());
+    m_keep = new QPushButton(tr("Keep as a run"), this);
+    look::name(m_keep, u"squareWaveKeepButton"_s, tr("Keep the folded edge as a step response"));
+    m_plot = new SquarePlot(this);
+    const int unit = look::gridUnit(this);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(unit);
+    left->addWidget(m_form);
+    left->addWidget(m_results);
+    left->addWidget(m_keep, 0, Qt::AlignLeft);
+    left->addStretch(1);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
+    row->setSpacing(unit);
+    row->addLayout(left);
+    row->addWidget(m_plot, 1);
+    connect(m_form, &TestForm::asked, this, &SquareWavePage::asked);
+    connect(m_keep, &QPushButton::clicked, this, &SquareWavePage::keep);
+    refresh();
+}
+
+void SquareWavePage::showModule(const PanelView& view) {
+    m_form->showModule(view);
+}
+
+void SquareWavePage::showNothing() {
+    m_form->showNothing();
+}
+
+void SquareWavePage::clear() {
+    m_edges.clear();
+    refresh();
+}
+
+void SquareWavePage::showEdge(KeptRun edge) {
+    m_edges.push_back(edge.run);
+    m_labels = std::move(edge);
+    refresh();
+}
+
+std::optional<KeptRun> SquareWavePage::folded() const {
+    auto run = foldedRun(m_edges, true);
+    if (!run)
+        return std::nullopt;
+    KeptRun kept = m_labels;
+    kept.run = std::move(*run);
+    return kept;
+}
+
+void SquareWavePage::refresh() {
+    // Those with other gains than the last one's, from before they were changed.
+    const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const StepRun& edge) {
+        return edge.taken.gains != m_edges.back().taken.gains;
+    });
+    m_plot->showFold(foldOf(m_edges), foldOf({m_edges.begin(), changed.base()}), m_labels.scale);
+    QStringList lines;
+    const auto kept = folded();
+    if (kept) {
+        const StepMetrics& metrics = kept->run.metrics;
+        lines << tr("%n edge(s) with these gains", nullptr,
+                    static_cast<int>(std::distance(m_edges.rbegin(), changed)))
+              << tr("Rise %1").arg(texts::stepTime(metrics.rise))
+              << tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot))
+              << tr("Settling %1").arg(texts::stepTime(metrics.settling))
+              << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, kept->scale));
+    }
+    look::setText(m_results, lines.join(u'\n'));
+    look::setPossible(m_keep, kept ? QString() : tr("No edge is recorded yet."),
+                      tr("Puts the median of the edges towards higher counts into the list of step "
+                         "responses."));
+}
+
+void SquareWavePage::keep() {
+    if (const auto kept = folded())
+        emit runKept(*kept);
+}
+
+}  // namespace nmc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/response/steprunfile.h"
+#include "widgets/panels/panelview.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace nmc {
+
+class NumberField;
+class QuantityField;
+class SquarePlot;
+class TestForm;
+
+/// A square wave of the selected servo's command position: many edges, laid over one another, while its gains
+/// are changed.
+class SquareWavePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SquareWavePage(QWidget* parent = nullptr);
+
+    // Emit nothing.
+    void showModule(const PanelView& view);
+    void showNothing();
+    /// A wave begins: those of the one before are gone.
+    void clear();
+    void showEdge(KeptRun edge);
+
+    [[nodiscard]] const std::vector<StepRun>& edges() const { return m_edges; }
+
+signals:
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
+    /// The edges towards higher counts as one step response, to be compared with others.
+    void runKept(const nmc::KeptRun& run);
+
+private:
+    void refresh();
+    void keep();
+    [[nodiscard]] std::optional<KeptRun> folded() const;
+
+    TestForm* m_form;
+    QuantityField* m_counts;
+    NumberField* m_period;
+    NumberField* m_rounds;
+    QuantityField* m_excursion;
+    QComboBox* m_way;
+    SquarePlot* m_plot;
+    QLabel* m_results;
+    QPushButton* m_keep;
+    std::vector<StepRun> m_edges;
+    KeptRun m_labels;  ///< of the edges: where they come from
+};
+
+}  // namespace nmc

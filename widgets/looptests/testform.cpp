@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/looptests/testform.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/quantityfield.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
+    : QWidget(parent), m_kind(kind), m_meaning(words.meaning) {
+    look::name(this, words.objectName + u"Form"_s, words.start);
+    const int unit = look::gridUnit(this);
+    m_start = new QPushButton(icons::tinted(u"player-play"_s), words.start, this);
+    look::name(m_start, words.objectName + u"StartButton"_s, words.start);
+    m_end = new QPushButton(tr("End it"), this);
+    look::name(m_end, words.objectName + u"EndButton"_s, tr("End the test"));
+    m_state = look::newMutedLabel({}, this);
+    look::nameText(m_state, words.objectName + u"State"_s, tr("How the test goes"));
+    m_state->setWordWrap(true);
+    m_state->setMinimumHeight(3 * fontMetrics().height());
+    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(unit);
+    buttons->addWidget(m_start);
+    buttons->addWidget(m_end);
+    buttons->addStretch(1);
+    m_grid = new QGridLayout;
+    m_grid->setHorizontalSpacing(unit);
+    m_grid->setVerticalSpacing(unit / 3);
+    m_grid->setColumnStretch(3, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(unit / 2);
+    column->addLayout(m_grid);
+    column->addLayout(buttons);
+    column->addWidget(m_state);
+    connect(m_start, &QPushButton::clicked, this, &TestForm::start);
+    connect(m_end, &QPushButton::clicked, this, [this] {
+        if (m_module)
+            emit asked(m_module->info.index, intent::CancelProcedure{});
+    });
+}
+
+void TestForm::addRow(const QString& label, QWidget* field, QWidget* unit) {
+    auto* text = new QLabel(label, this);
+    text->setBuddy(field);
+    const int row = m_grid->rowCount();
+    m_grid->addWidget(text, row, 0);
+    m_grid->addWidget(field, row, 1, 1, unit != nullptr ? 1 : 3);
+    if (unit != nullptr)
+        m_grid->addWidget(unit, row, 2);
+}
+
+NumberField* TestForm::addNumber(const QString& objectName, const QString& label, const QString& name,
+                                 const QString& unit, int decimals) {
+    auto* field = new NumberField(decimals, this);
+    look::name(field, objectName, name);
+    field->setWords(name, unit);
+    field->setDigits(6);
+    addRow(label, field, unit.isEmpty() ? nullptr : new QLabel(unit, this));
+    m_fields.push_back(field);
+    connect(field, &NumberField::edited, this, &TestForm::refresh);
+    return field;
+}
+
+QuantityField* TestForm::addDistance(const QString& objectName, const QString& label, const QString& name) {
+    auto* field = new QuantityField(QuantityField::Kind::Position, this);
+    field->setName(objectName, name);
+    field->setQuantity(name);
+    field->setDigits(6);
+    field->otherView()->hide();
+    addRow(label, field, field->unitLabel());
+    m_fields.push_back(field);
+    connect(field, &QuantityField::nativeEdited, this, &TestForm::refresh);
+    return field;
+}
+
+void TestForm::showModule(const PanelView& view) {
+    m_module = view.module;
+    m_connected = view.connected;
+    m_report.reset();
+    if (view.procedure != nullptr && view.procedure->kind == m_kind)
+        m_report = *view.procedure;
+    for (NumberField* field : m_fields)
+        if (auto* distance = qobject_cast<QuantityField*>(field))
+            distance->setScale(view.scale());
+    refresh();
+}
+
+void TestForm::showNothing() {
+    m_module.reset();
+    m_report.reset();
+    m_connected = false;
+    refresh();
+}
+
+QString TestForm::whyNotNow() const {
+    if (!m_connected || !m_module)
+        return texts::refusal(Refusal::NotConnected);
+    if (running())
+        return tr("It runs already.");
+    for (const NumberField* field : m_fields)
+        if (const QString problem = field->problemText(); !problem.isEmpty())
+            return problem;
+    const auto steps = plan(m_wanted(), *m_module);
+    return steps ? QString() : texts::refusal(steps.error());
+}
+
+void TestForm::refresh() {
+    const QString reason = whyNotNow();
+    look::setPossible(m_start, reason, m_meaning);
+    look::setPossible(m_end, running() ? QString() : tr("It does not run."),
+                      tr("The motor is held where it is."));
+    const bool failed = reason.isEmpty() && m_report && m_report->failure;
+    look::setText(m_state, running() ? texts::procedureStage(*m_report)
+                           : failed  ? texts::loopTestFailure(*m_report->failure)
+                                     : reason);
+}
+
+void TestForm::start() {
+    if (whyNotNow().isEmpty())
+        emit asked(m_module->info.index, m_wanted());
+}
+
+}  // namespace nmc

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/looptests/tuningreport.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPdfWriter>
+#include <QPixmap>
+#include <QTextDocument>
+
+#include "widgets/common/words.h"
+#include "widgets/looptests/bodeplot.h"
+#include "widgets/looptests/looptestwords.h"
+#include "widgets/panels/gainsmeaning.h"
+#include "widgets/response/modelwords.h"
+#include "widgets/response/stepplot.h"
+#include "widgets/response/stepresponsewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class Report {
+    Q_DECLARE_TR_FUNCTIONS(Report)
+};
+
+constexpr QSize kStepPicture{380, 200};
+constexpr QSize kBodePicture{380, 290};
+constexpr double kSharp = 2.0;  ///< pixels of a picture for one of the page
+
+/// As on white paper, whatever the window looks like.
+QString picture(QWidget& plot, const QSize& size, const QString& what) {
+    QPalette paper(Qt::white);
+    paper.setColor(QPalette::Base, Qt::white);
+    paper.setColor(QPalette::Text, Qt::black);
+    paper.setColor(QPalette::WindowText, Qt::black);
+    plot.setAttribute(Qt::WA_DontShowOnScreen);
+    plot.setPalette(paper);
+    plot.resize(size);
+    plot.ensurePolished();
+    QPixmap image(size * kSharp);
+    image.setDevicePixelRatio(kSharp);
+    image.fill(Qt::white);
+    plot.render(&image);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return u"<img width=\"%1\" height=\"%2\" alt=\"%3\" src=\"data:image/png;base64,%4\">"_s.arg(size.width())
+        .arg(size.height())
+        .arg(what.toHtmlEscaped(), QString::fromLatin1(bytes.toBase64()));
+}
+
+QString lines(const QStringList& lines) {
+    QStringList escaped;
+    for (const QString& line : lines)
+        escaped << line.toHtmlEscaped();
+    return escaped.join(u"<br>"_s);
+}
+
+QString section(const QString& title, const QString& left, const QStringList& right) {
+    return u"<h3>%1</h3><table width=\"100%\"><tr><td>%2</td><td width=\"40%\">%3</td></tr></table>"_s.arg(
+        title.toHtmlEscaped(), left, lines(right));
+}
+
+QString gainsTable(const servo::SetGain& gains) {
+    QString names, values;
+    for (const Gain gain : kAllGains) {
+        const auto value = gainOf(gains, gain);
+        names += u"<th>%1</th>"_s.arg(gainLetters(gain));
+        values += u"<td align=\"right\">%1</td>"_s.arg(value ? QString::number(*value) : u"–"_s);
+    }
+    return u"<h3>%1</h3><table border=\"1\" cellspacing=\"0\" cellpadding=\"4\"><tr>%2</tr><tr>%3</tr></table>"_s
+        .arg(Report::tr("Gains").toHtmlEscaped(), names, values);
+}
+
+QString stepSection(const KeptRun& kept) {
+    StepPlot plot;
+    plot.showRuns(&kept, nullptr);
+    const StepMetrics& metrics = kept.run.metrics;
+    const StepTaken& taken = kept.run.taken;
+    return section(
+        Report::tr("Step response"), picture(plot, kStepPicture, Report::tr("Step response")),
+        {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::stepWay(taken.way)),
+         texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::stepTime(metrics.rise)),
+         Report::tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot)),
+         Report::tr("Settling to ±%1 %: %2")
+             .arg(QLocale().toString(kept.run.bandPercent), texts::stepTime(metrics.settling)),
+         Report::tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, kept.scale)),
+         QString::fromStdString(kept.startedAt)});
+}
+
+}  // namespace
+
+QString reportHtml(const TuningReport& report) {
+    QString page =
+        u"<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>%1</title></head>"
+        "<body style=\"font-family: sans-serif; font-size: 9pt\"><h2>%1</h2>"_s.arg(
+            Report::tr("Tuning of %1").arg(report.module).toHtmlEscaped());
+    QStringList about{report.chip, report.port};
+    if (!report.machine.isEmpty())
+        about.prepend(report.machine);
+    about << QLocale().toString(report.made, QLocale::ShortFormat)
+          << u"NMC Panel %1"_s.arg(QCoreApplication::applicationVersion());
+    if (report.simulated)
+        about << Report::tr("simulated: no real motor moved");
+    page += u"<p>%1</p>"_s.arg(about.join(u" · "_s).toHtmlEscaped());
+    if (report.gains)
+        page += gainsTable(*report.gains);
+    if (report.run)
+        page += stepSection(*report.run);
+    if (!report.motor.isEmpty())
+        page += u"<h3>%1</h3><p>%2</p>"_s.arg(Report::tr("Motor").toHtmlEscaped(), lines(report.motor));
+    if (!report.frequencies.empty()) {
+        BodePlot plot;
+        plot.showPoints(report.frequencies, 0.0);
+        page += section(Report::tr("Frequency response"),
+                        picture(plot, kBodePicture, Report::tr("Frequency response")),
+                        texts::frequencyFigures(report.frequencies));
+    }
+    return page + u"</body></html>\n"_s;
+}
+
+QByteArray reportPdf(const TuningReport& report) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setTitle(Report::tr("Tuning of %1").arg(report.module));
+    QTextDocument document;
+    document.setHtml(reportHtml(report));
+    document.print(&writer);
+    buffer.close();
+    return bytes;
+}
+
+}  // namespace nmc

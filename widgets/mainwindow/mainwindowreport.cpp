@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of the selected servo's loop, on one page.
+#include <QDir>
+#include <QFileDialog>
+
+#include "widgets/common/filedialog.h"
+#include "widgets/common/texts.h"
+#include "widgets/looptests/frequencypage.h"
+#include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/tuningreport.h"
+#include "widgets/mainwindow/mainwindow.h"
+#include "widgets/response/stepresponsedock.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+std::optional<TuningReport> MainWindow::tuningReport() {
+    const ModuleState* module = selectedState();
+    if (module == nullptr || !module->isServo())
+        return std::nullopt;
+    const LinkState& link = m_session.link();
+    const bus::ModuleInfo& info = module->info;
+    TuningReport report;
+    report.machine = QString::fromStdString(m_session.machine().name);
+    report.module = texts::moduleName(info.index);
+    report.chip =
+        tr("PIC-SERVO, version %1, address %2").arg(info.identity.version).arg(info.address.value());
+    report.port = tr("%1, %2 Bd").arg(QString::fromStdString(link.port)).arg(link.baud);
+    report.simulated = link.simulated;
+    report.made = QDateTime::currentDateTime();
+    report.gains = module->gains;
+    const std::vector<KeptRun>& runs = m_stepResponse->page().runs();
+    for (const KeptRun& run : runs)
+        if (run.run.module == info.index)
+            report.run = run;
+    report.motor = m_stepResponse->page().motorWords();
+    report.frequencies = m_loopTests->frequency().points();
+    return report;
+}
+
+void MainWindow::chooseReportFile() {
+    const auto report = tuningReport();
+    if (!report)
+        return;
+    QFileDialog* dialog = newFileDialog(this, u"reportFileDialog"_s, tr("Save the tuning report"),
+                                        {tr("PDF (*.pdf)"), tr("HTML (*.html)")}, QDir::homePath());
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"pdf"_s);
+    dialog->selectFile(u"tuning-report"_s);
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.contains(u"html"_s) ? u"html"_s : u"pdf"_s);
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, [this, report = *report](const QString& path) {
+        const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
+        const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
+        emit saveRequested(path, [content = bytes.toStdString()] { return content; });
+    });
+    dialog->show();
+}
+
+}  // namespace nmc
