@@ -734,6 +734,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>samples missing, repeat</source>
         <translation>Messwerte fehlen, wiederholen</translation>
     </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1, neben dem Ziel</translation>
+    </message>
 </context>
 <context>
     <name>StepWords</name>
@@ -3983,6 +3987,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motor began to swing. The gains from before are back.</source>
         <translation>Der Motor begann zu schwingen. Die Reglerwerte von vorher gelten wieder.</translation>
+    </message>
+    <message>
+        <source>The step responses of this machine were not read.</source>
+        <translation>Die Sprungantworten dieser Maschine wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file of step responses.</source>
+        <translation>„%1“ ist keine Datei mit Sprungantworten.</translation>
+    </message>
+    <message>
+        <source>Nothing of it is lost: when new ones are kept, it is set aside in %1.</source>
+        <translation>Davon geht nichts verloren: Wenn neue aufbewahrt werden, wird sie in %1 beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read. When new ones are kept, it is set aside.</source>
+        <translation>„%1“ kann nicht gelesen werden. Wenn neue aufbewahrt werden, wird sie beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>The step responses of this session are not kept.</source>
+        <translation>Die Sprungantworten dieser Sitzung werden nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Export them before you close the panel.</source>
+        <translation>%1 kann nicht geschrieben werden. Exportieren Sie sie, bevor Sie das Panel schließen.</translation>
     </message>
 </context>
 <context>
@@ -10064,8 +10092,36 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>vorhergesagt</translation>
     </message>
     <message>
-        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves.</source>
-        <translation>Positionen seit dem Sprung, von seinem Anfang an gezählt. Das schattierte Band ist das Toleranzband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur, solange er sich bewegt.</translation>
+        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves. The wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time.</source>
+        <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>Zeit seit dem Sprung (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>Position vom Start aus</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>Position vom Start aus (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -10197,6 +10253,18 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Draws the other runs of this module as well, the older the paler.</source>
         <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
     </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>Es wurde kein Lauf entfernt.</translation>
+    </message>
+    <message>
+        <source>Brings the run back that was removed last (Ctrl+Shift+Del).</source>
+        <translation>Holt den zuletzt entfernten Lauf zurück (Strg+Umschalt+Entf).</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepResults</name>
@@ -10225,10 +10293,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Überschwingen</translation>
     </message>
     <message>
-        <source>Settling</source>
-        <translation>Einschwingen</translation>
-    </message>
-    <message>
         <source>Steady-state error</source>
         <translation>Bleibende Abweichung</translation>
     </message>
@@ -10249,10 +10313,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
     </message>
     <message>
-        <source>Time until it stays within the settling band. Nothing if that is not before the last fifth of the record.</source>
-        <translation>Zeit, bis es im Toleranzband bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
-    </message>
-    <message>
         <source>Goal less the mean position of the last fifth of the record.</source>
         <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
     </message>
@@ -10268,16 +10328,28 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>Einschwingen aufs Ziel</translation>
+    </message>
+    <message>
+        <source>Settling where it stays</source>
+        <translation>Einschwingen zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Time until it stays within the settling band around the goal. Nothing if that is not before the last fifth of the record.</source>
+        <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
+    </message>
+    <message>
+        <source>The same around the mean position of the last fifth of the record. Friction holds a motor beside its goal unless there is an integral (Ki, IL).</source>
+        <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepRunTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>Bisherige Sprungantworten</translation>
-    </message>
-    <message>
-        <source>The step responses so far, newest first. Tick two of them to compare their curves.</source>
-        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Zwei davon anhaken, um ihre Kurven zu vergleichen.</translation>
     </message>
     <message>
         <source>A</source>
@@ -10322,6 +10394,145 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Draws this run as B, with a dashed line.</source>
         <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
+    </message>
+    <message>
+        <source>The step responses so far, newest first. Tick two of them to compare their curves. The last %1 are kept with the machine, those with a name or a note longest.</source>
+        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What the run is called. Double-click it, or press F2, to write.</source>
+        <translation>Wie der Lauf heißt. Zum Schreiben doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>What is to be known of the run. Double-click it, or press F2.</source>
+        <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepView</name>
+    <message>
+        <source>What the cursors read</source>
+        <translation>Was die Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>As long as the motor moves, and all positions (A, in the plot).</source>
+        <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG)…</translation>
+    </message>
+    <message>
+        <source>What is seen, as an image.</source>
+        <translation>Das Sichtbare als Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>&amp;Vektorbild (SVG)…</translation>
+    </message>
+    <message>
+        <source>What is seen, in lines that stay sharp at any size.</source>
+        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>&amp;Seite (PDF)…</translation>
+    </message>
+    <message>
+        <source>What is seen, on a page for a printer or a report.</source>
+        <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>What is seen, onto the clipboard.</source>
+        <translation>Das Sichtbare in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Takes what is seen out of the panel, with the runs in words.</source>
+        <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4; Anstieg %5; Überschwingen %6; Einschwingen %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>Sprungantwort, von NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1: Cursor 1 %2, Cursor 2 %3, Differenz %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>Bild der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
     </message>
 </context>
 <context>
