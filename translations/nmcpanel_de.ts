@@ -501,6 +501,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>Scope</name>
     <message>
+        <source>A column for each signal, every millisecond (*.csv)</source>
+        <translation>Eine Spalte je Signal, jede Millisekunde (*.csv)</translation>
+    </message>
+    <message>
+        <source>A column for each signal (*.csv)</source>
+        <translation>Eine Spalte je Signal (*.csv)</translation>
+    </message>
+    <message>
+        <source>A row for each reply (*.csv)</source>
+        <translation>Eine Zeile je Antwort (*.csv)</translation>
+    </message>
+    <message>
         <source>NMC Panel %1</source>
         <translation>NMC Panel %1</translation>
     </message>

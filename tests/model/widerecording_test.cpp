@@ -86,8 +86,10 @@ TEST(WideRecording, ItsNamesTearNoTable) {
     head.modules[0].name = "X, \"left\"/right\n";
     head.modules[0].unit = {UnitKind::Own, 2, "µm/2"};
     const std::string wide = wideRecordingOf(head, history);
-    EXPECT_TRUE(wide.starts_with("time_s,module1_X___left__right_/position_µm_2,")) << wide;
+    EXPECT_TRUE(wide.starts_with("time_s,module1_X__left_right_/position_µm_2,")) << wide;
     EXPECT_EQ(std::count(wide.begin(), wide.end(), ','), 12);
+    head.modules[0].name = "Module 1 \"X axis\"";
+    EXPECT_TRUE(wideRecordingOf(head, history).starts_with("time_s,Module_1_X_axis/position_µm_2,"));
     EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 2);
 }
 

@@ -18,6 +18,7 @@ constexpr std::array kSignals{ScopeSignal::Position, ScopeSignal::Velocity, Scop
 /// Part of a column's name: no separator, no quote, no blank, and no slash, which makes a tree.
 [[nodiscard]] std::string wordOf(std::string_view text) {
     std::string word(text);
+    std::erase(word, '"');
     std::replace_if(
         word.begin(), word.end(),
         [](char c) {
@@ -53,8 +54,13 @@ public:
     [[nodiscard]] const ModuleHistory& history() const { return m_history; }
 
     void appendNames(std::string& out) const {
-        const std::string prefix = ",module" + textOf(m_module.index.value() + 1) +
-                                   (m_module.name.empty() ? "" : '_' + wordOf(m_module.name)) + '/';
+        const std::string number = textOf(m_module.index.value() + 1);
+        const std::string name = wordOf(m_module.name);
+        // Two modules may have one name: it stands alone only where it tells the number itself.
+        const std::string prefix = (name.find(number) != std::string::npos ? ',' + name
+                                    : name.empty()                         ? ",module" + number
+                                                   : ",module" + number + '_' + name) +
+                                   '/';
         const std::string unit = unitOf(m_module);
         out += prefix + "position_" + unit + prefix + "velocity_" + unit + "_per_s" + prefix + "command_" +
                unit + prefix + "error_" + unit + prefix + "analog_" + wordOf(m_module.analog.unit) + prefix +
@@ -148,8 +154,7 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
 
 }  // namespace
 
-std::string wideRecordingOf(const RecordingHeader& header, const History& history,
-                            std::optional<Duration> interval) {
+std::string wideRecordingOf(const RecordingHeader& header, const History& history, Duration interval) {
     std::vector<WideModule> modules;
     for (std::size_t i = 0; i < history.modules(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
@@ -165,8 +170,8 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
     for (const WideModule& module : modules)
         module.appendNames(out);
     out += '\n';
-    if (interval)
-        appendEven(out, modules, header.zero, *interval);
+    if (interval > Duration::zero())
+        appendEven(out, modules, header.zero, interval);
     else
         appendSparse(out, modules, header.zero);
     return out;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "model/recording/recording.h"
@@ -14,12 +13,12 @@ namespace nmc {
 ///     time_s,module1_Left_arm/position_mm,module1_Left_arm/velocity_mm_per_s,...,module2/status
 ///     0.012000000,1.5,,1.51,0.01,0.3,9,,,,,,
 ///
-/// Times are those of the long form (model/recording/recording.h). Without `interval` there is a row for each
-/// status reply, and the cells of the other modules are empty. With it there is a row every `interval`, with
-/// what is on a straight line between two samples, and the bytes of the sample before; where samples are
+/// Times are those of the long form (model/recording/recording.h). Without an `interval` there is a row for
+/// each status reply, and the cells of the other modules are empty. With it there is a row every `interval`,
+/// with what is on a straight line between two samples, and the bytes of the sample before; where samples are
 /// missing the cells are empty. Its step is enlarged until there are at most kMostWideRows.
 [[nodiscard]] std::string wideRecordingOf(const RecordingHeader& header, const History& history,
-                                          std::optional<Duration> interval = {});
+                                          Duration interval = Duration::zero());
 
 inline constexpr std::int64_t kMostWideRows = 5'000'000;
 
