@@ -82,10 +82,12 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
       m_motionMarker(markerFolder(dataFolder, settings), disk),
       m_log(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("log"))),
       m_positions(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("positions")), m_store,
-                  disk) {
+                  disk),
+      m_runs(QDir(markerFolder(dataFolder, settings)).filePath(QStringLiteral("runs")), m_window, disk) {
     m_worker.addGuard(m_guardian);
     keepMessages();
     keepPositions();
+    keepRuns();
     wireWindow();
     wireStore();
     m_frameTimer.setInterval(kFrameIntervalMs);
@@ -113,6 +115,7 @@ void Composition::show(const Start& start) {
     tellOfSessionsBefore();
     checkSettings();
     m_machine.start();
+    m_runs.open({}, m_machine.machine());
     if (start.machine)
         m_machine.open(QFileInfo(*start.machine).absoluteFilePath());
     m_window.showPorts(m_ports.ports());
@@ -204,6 +207,12 @@ void Composition::keepPositions() {
     });
     connect(&m_positions, &PositionKeeper::over, this,
             [this](ModuleIndex module) { m_messages.end(texts::key::position(module)); });
+}
+
+void Composition::keepRuns() {
+    connect(&m_machine, &MachineController::taken, this,
+            [this](const QString& file) { m_runs.open(file, m_machine.machine()); });
+    connect(&m_machine, &MachineController::hasFile, &m_runs, &RunKeeper::follow);
 }
 
 /// As a search that finds it would, which may not be left to who stands there.

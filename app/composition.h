@@ -22,6 +22,7 @@
 #include "app/printing.h"
 #include "app/procedurecontroller.h"
 #include "app/recordingcontroller.h"
+#include "app/runkeeper.h"
 #include "app/sequencecontroller.h"
 #include "app/tuningcontroller.h"
 #include "link/connection/busstore.h"
@@ -80,6 +81,7 @@ private:
     /// What is told outlives the session.
     void keepMessages();
     void keepPositions();
+    void keepRuns();
     void takePosition(ModuleIndex module);
     void connectTo(const ConnectTarget& target);
     /// The same without asking whether that is still the adapter it was.
@@ -182,6 +184,7 @@ private:
     DayLog m_log;
     TuningController m_tuning{m_window.stepResponses()};
     PositionKeeper m_positions;
+    RunKeeper m_runs;
     SleepInhibitor m_sleep;
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;

@@ -201,6 +201,7 @@ std::optional<KeptRun> Composition::recordOf(const ModuleState& module, const St
     kept.run = takeRun(index, samples, taken, kFirstBand);
     kept.startedAt = isoDate(started).toStdString();
     kept.moduleName = texts::moduleName(index).toStdString();
+    kept.axisName = m_machine.machine().axis(index).name;
     kept.scale = scaleOf(module, m_machine.machine().axis(index));
     kept.port = m_store.link().port;
     kept.simulated = m_store.link().simulated;

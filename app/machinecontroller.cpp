@@ -153,6 +153,7 @@ void MachineController::beginNew() {
     m_path.clear();
     m_saving.clear();
     changed();
+    emit taken(m_path);
 }
 
 void MachineController::open(const QString& path) {
@@ -235,6 +236,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     if (!from.restored)
         remember(from.path);
     changed();
+    emit taken(m_path);
     if (!from.restored)
         return;
     m_restored = true;
@@ -281,6 +283,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
     m_path = path;
     remember(path);
     changed();
+    emit hasFile(m_path);
     keepUnsaved();
 }
 

@@ -51,6 +51,10 @@ public:
 
 signals:
     void machineChanged();
+    /// Another machine is here, of this file; empty: it has none.
+    void taken(const QString& file);
+    /// The machine that is here has this file from now on.
+    void hasFile(const QString& file);
     /// The user has ticked it and pressed Apply.
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// The same, of the groups.

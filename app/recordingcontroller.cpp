@@ -57,7 +57,8 @@ void RecordingController::start(const QString& path) {
     m_window.endMessage(texts::key::recording());
     m_writer.start(path);
     m_bytes = 0;
-    m_zero = monotonicNow();
+    m_started = monotonicNow();
+    m_zero = m_store.history().zero().value_or(m_started);
     writeHead();
     m_clock.start();
     showRecording();
@@ -66,10 +67,11 @@ void RecordingController::start(const QString& path) {
 void RecordingController::writeHead() {
     const LinkState& link = m_store.link();
     const History& history = m_store.history();
-    std::string text =
-        recordingHead(recordingHeader(m_window.scopeModules(), QString::fromStdString(link.port),
-                                      link.simulated, m_zero, QDateTime::currentDateTime()));
-    const History present = history.cut(m_zero, m_zero);
+    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(m_started - m_zero);
+    std::string text = recordingHead(
+        recordingHeader(m_window.scopeModules(), QString::fromStdString(link.port), link.simulated, m_zero,
+                        QDateTime::currentDateTime().addMSecs(-ago.count())));
+    const History present = history.cut(m_started, m_started);
     for (const GainsChange& change : present.gains())
         appendGains(text, change, m_zero);
     write(std::move(text));
@@ -139,7 +141,7 @@ void RecordingController::end() {
 void RecordingController::showRecording() {
     if (m_writer.isRecording())
         return m_window.scopeFiles().showRecording(
-            ScopeFiles::Recording{m_writer.path(), toSeconds(monotonicNow() - m_zero), m_bytes});
+            ScopeFiles::Recording{m_writer.path(), toSeconds(monotonicNow() - m_started), m_bytes});
     m_clock.stop();
     m_window.scopeFiles().showRecording({});
 }
@@ -147,7 +149,7 @@ void RecordingController::showRecording() {
 void RecordingController::failed(const RecordingFailure& failure) {
     showRecording();
     m_window.showMessage(
-        texts::recordingFailed(m_writer.path(), failure, toSeconds(monotonicNow() - m_zero)));
+        texts::recordingFailed(m_writer.path(), failure, toSeconds(monotonicNow() - m_started)));
 }
 
 // ---- files ----

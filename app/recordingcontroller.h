@@ -44,8 +44,9 @@ private:
     RecordingWriter m_writer;
     RecordingLoader m_loader;
     FileWriter m_files;
-    QTimer m_clock;  ///< of what is shown of a recording
-    TimePoint m_zero;
+    QTimer m_clock;    ///< of what is shown of a recording
+    TimePoint m_zero;  ///< as the scope counts its time
+    TimePoint m_started;
     std::optional<TimePoint> m_historyZero;  ///< of the history that is being recorded
     std::vector<std::uint64_t> m_written;    ///< samples that need not be, by module
     std::size_t m_gainsWritten = 0;

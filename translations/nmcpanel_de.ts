@@ -330,6 +330,41 @@
     </message>
 </context>
 <context>
+    <name>LoopTestTexts</name>
+    <message>
+        <source>%1 frequencies up to %2 Hz</source>
+        <translation>%1 Frequenzen bis %2 Hz</translation>
+    </message>
+    <message>
+        <source>Bandwidth (-3 dB) %1 Hz</source>
+        <translation>Bandbreite (-3 dB) %1 Hz</translation>
+    </message>
+    <message>
+        <source>Bandwidth (-3 dB) beyond that</source>
+        <translation>Bandbreite (-3 dB) darüber</translation>
+    </message>
+    <message>
+        <source>Resonance %1 dB</source>
+        <translation>Resonanz %1 dB</translation>
+    </message>
+    <message>
+        <source>Phase margin %1° at %2 Hz</source>
+        <translation>Phasenreserve %1° bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>Phase margin not reached</source>
+        <translation>Phasenreserve nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Gain margin %1</source>
+        <translation>Amplitudenreserve %1</translation>
+    </message>
+    <message>
+        <source>Gain margin not reached</source>
+        <translation>Amplitudenreserve nicht erreicht</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>About NMC Panel</source>
@@ -499,6 +534,53 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>Report</name>
+    <message>
+        <source>Gains</source>
+        <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>%1 counts, %2</source>
+        <translation>%1 Inkremente, %2</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>Anstieg %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>Überschwingen %1</translation>
+    </message>
+    <message>
+        <source>Settling to ±%1 %: %2</source>
+        <translation>Beruhigung auf ±%1 %: %2</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>Bleibende Regelabweichung %1</translation>
+    </message>
+    <message>
+        <source>Tuning of %1</source>
+        <translation>Reglereinstellung von %1</translation>
+    </message>
+    <message>
+        <source>simulated: no real motor moved</source>
+        <translation>simuliert: kein wirklicher Motor bewegt</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+</context>
+<context>
     <name>Scope</name>
     <message>
         <source>NMC Panel %1</source>
@@ -603,6 +685,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>of 255</source>
         <translation>von 255</translation>
+    </message>
+    <message>
+        <source>A row for each reply (*.csv)</source>
+        <translation>Eine Zeile je Antwort (*.csv)</translation>
+    </message>
+    <message>
+        <source>A column for each signal (*.csv)</source>
+        <translation>Eine Spalte je Signal (*.csv)</translation>
+    </message>
+    <message>
+        <source>A column for each signal, every millisecond (*.csv)</source>
+        <translation>Eine Spalte je Signal, jede Millisekunde (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -749,6 +843,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>samples missing, repeat</source>
         <translation>Messwerte fehlen, wiederholen</translation>
+    </message>
+    <message>
+        <source>%1, off its goal</source>
+        <translation>%1, neben dem Ziel</translation>
     </message>
 </context>
 <context>
@@ -4024,6 +4122,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The print system does not take it: see the details.</source>
         <translation>Das Drucksystem nimmt sie nicht an: siehe Einzelheiten.</translation>
     </message>
+    <message>
+        <source>The step responses of this machine were not read.</source>
+        <translation>Die Sprungantworten dieser Maschine wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file of step responses.</source>
+        <translation>„%1“ ist keine Datei mit Sprungantworten.</translation>
+    </message>
+    <message>
+        <source>Nothing of it is lost: when new ones are kept, it is set aside in %1.</source>
+        <translation>Davon geht nichts verloren: Wenn neue aufbewahrt werden, wird sie in %1 beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read. When new ones are kept, it is set aside.</source>
+        <translation>„%1“ kann nicht gelesen werden. Wenn neue aufbewahrt werden, wird sie beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>The step responses of this session are not kept.</source>
+        <translation>Die Sprungantworten dieser Sitzung werden nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Export them before you close the panel.</source>
+        <translation>%1 kann nicht geschrieben werden. Exportieren Sie sie, bevor Sie das Panel schließen.</translation>
+    </message>
+    <message>
+        <source>%1: the test of its loop has ended early.</source>
+        <translation>%1: Die Prüfung des Regelkreises endete vorzeitig.</translation>
+    </message>
+    <message>
+        <source>The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, or choose gentler gains.</source>
+        <translation>Der Motor ging weiter, als die Prüfung erlaubt, und soll jetzt halten. Eine Last suchen, die an ihm zieht, oder sanftere Reglerwerte wählen.</translation>
+    </message>
+    <message>
+        <source>A value of this test is out of its range.</source>
+        <translation>Ein Wert dieser Prüfung liegt außerhalb seines Bereichs.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4591,6 +4725,41 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 s, module %2: %3, %4</source>
         <translation>%1 s, Modul %2: %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::BodePlot</name>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>T: how the position follows the command. L: what the loop makes of its error; where it crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate is too low to measure.</source>
+        <translation>T: wie die Position dem Sollwert folgt. L: was der Kreis aus seiner Abweichung macht; wo er 0 dB kreuzt, ist seine Phase über -180° die Phasenreserve. Hinter der grauen Linie ist die Baudrate zu niedrig zum Messen.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Sines of the command show how the loop follows, from slow to fast.</source>
+        <translation>Noch ist nichts gemessen. Sinusschwingungen des Sollwerts zeigen, wie der Kreis folgt, von langsam bis schnell.</translation>
+    </message>
+    <message>
+        <source>Magnitude, dB</source>
+        <translation>Betrag, dB</translation>
+    </message>
+    <message>
+        <source>Phase, degrees</source>
+        <translation>Phase, Grad</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>T, closed loop</source>
+        <translation>T, geschlossen</translation>
+    </message>
+    <message>
+        <source>L, open loop</source>
+        <translation>L, offen</translation>
     </message>
 </context>
 <context>
@@ -5683,6 +5852,85 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Reset the module</source>
         <translation>Modul zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::FrequencyPage</name>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>The motor swings about where it is held, slowly at first, then faster. Everything that turns with it must be free to.</source>
+        <translation>Der Motor schwingt um die Stelle, an der er gehalten wird, erst langsam, dann schneller. Alles, was sich mitdreht, muss sich drehen können.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>The amplitude</source>
+        <translation>Die Amplitude</translation>
+    </message>
+    <message>
+        <source>How far the command swings to either side. The motor may swing four times as far before it is stopped.</source>
+        <translation>Wie weit der Sollwert nach jeder Seite schwingt. Der Motor darf viermal so weit schwingen, bevor er gestoppt wird.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>The lowest frequency</source>
+        <translation>Die niedrigste Frequenz</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>The highest frequency</source>
+        <translation>Die höchste Frequenz</translation>
+    </message>
+    <message>
+        <source>It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd.</source>
+        <translation>Es endet vorher, wo die Baudrate zu niedrig ist: bei etwa 40 Hz mit 115200 Bd und bei etwa 8 Hz mit 19200 Bd.</translation>
+    </message>
+    <message>
+        <source>What the frequency response comes to</source>
+        <translation>Was der Frequenzgang ergibt</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the frequency response</source>
+        <translation>Frequenzgang exportieren</translation>
+    </message>
+    <message>
+        <source>The baud rate is too low for higher frequencies.</source>
+        <translation>Für höhere Frequenzen ist die Baudrate zu niedrig.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Saves frequency, magnitude and phase of both loops.</source>
+        <translation>Speichert Frequenz, Betrag und Phase von beiden.</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -6836,6 +7084,41 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::LoopTestsDock</name>
+    <message>
+        <source>Loop tests</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Tests of the loop</source>
+        <translation>Prüfungen des Regelkreises</translation>
+    </message>
+    <message>
+        <source>Square wave</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Save a report of the tuning</source>
+        <translation>Bericht über die Einstellung speichern</translation>
+    </message>
+    <message>
+        <source>Select a PIC-SERVO first.</source>
+        <translation>Zuerst einen PIC-SERVO wählen.</translation>
+    </message>
+    <message>
+        <source>One page, as PDF or HTML: gains, the last step response, the motor that was found and the frequency response.</source>
+        <translation>Eine Seite, als PDF oder HTML: Reglerwerte, die letzte Sprungantwort, der gefundene Motor und der Frequenzgang.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::MachineMenu</name>
     <message>
         <source>&amp;New machine</source>
@@ -7105,6 +7388,26 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>Step</source>
         <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>PIC-SERVO, version %1, address %2</source>
+        <translation>PIC-SERVO, Version %1, Adresse %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd</source>
+        <translation>%1, %2 Bd</translation>
+    </message>
+    <message>
+        <source>Save the tuning report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
     </message>
 </context>
 <context>
@@ -9232,6 +9535,136 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::SquarePlot</name>
+    <message>
+        <source>Square wave, one period</source>
+        <translation>Rechteck, eine Periode</translation>
+    </message>
+    <message>
+        <source>All edges with the present gains laid over one another: their median, and shaded where eight of ten samples are. Pale: with the gains before.</source>
+        <translation>Alle Flanken mit den jetzigen Reglerwerten übereinander: ihr Median, und schattiert, wo acht von zehn Messwerten liegen. Blass: mit den Reglerwerten davor.</translation>
+    </message>
+    <message>
+        <source>median, %1</source>
+        <translation>Median, %1</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>No edge is recorded yet. A square wave lays many steps over one another, while gains are changed.</source>
+        <translation>Noch ist keine Flanke aufgezeichnet. Ein Rechteck legt viele Sprünge übereinander, während Reglerwerte geändert werden.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SquareWavePage</name>
+    <message>
+        <source>Square wave</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>The motor jumps to and fro about where it is held. Everything that turns with it must be free to.</source>
+        <translation>Der Motor springt um die Stelle, an der er gehalten wird, hin und her. Alles, was sich mitdreht, muss sich drehen können.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>The distance</source>
+        <translation>Die Strecke</translation>
+    </message>
+    <message>
+        <source>From side to side, half of it to either side of where the motor is held.</source>
+        <translation>Von Seite zu Seite, je die Hälfte zu beiden Seiten der Stelle, an der der Motor gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>The period</source>
+        <translation>Die Periode</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>The number of periods</source>
+        <translation>Die Zahl der Perioden</translation>
+    </message>
+    <message>
+        <source>Excursion</source>
+        <translation>Auslenkung</translation>
+    </message>
+    <message>
+        <source>The excursion</source>
+        <translation>Die Auslenkung</translation>
+    </message>
+    <message>
+        <source>How far the motor may go beyond either side. Farther than that it is held.</source>
+        <translation>Wie weit der Motor über jede Seite hinaus gehen darf. Darüber hinaus wird er gehalten.</translation>
+    </message>
+    <message>
+        <source>How the command is made to jump</source>
+        <translation>Wie die Sollposition zum Springen gebracht wird</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What the edges come to</source>
+        <translation>Was die Flanken ergeben</translation>
+    </message>
+    <message>
+        <source>Keep as a run</source>
+        <translation>Als Lauf behalten</translation>
+    </message>
+    <message>
+        <source>Keep the folded edge as a step response</source>
+        <translation>Die Flanken als Sprungantwort behalten</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>Anstieg %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>Überschwingen %1</translation>
+    </message>
+    <message>
+        <source>Settling %1</source>
+        <translation>Beruhigung %1</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>Bleibende Regelabweichung %1</translation>
+    </message>
+    <message>
+        <source>No edge is recorded yet.</source>
+        <translation>Noch ist keine Flanke aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Puts the median of the edges towards higher counts into the list of step responses.</source>
+        <translation>Nimmt den Median der Flanken vorwärts in die Liste der Sprungantworten auf.</translation>
+    </message>
+    <message>
+        <source>Edges with these gains: %1</source>
+        <translation>Flanken mit diesen Reglerwerten: %1</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StatusLane</name>
     <message>
         <source>Status bits over time</source>
@@ -10171,8 +10604,36 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>vorhergesagt</translation>
     </message>
     <message>
-        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves.</source>
-        <translation>Positionen seit dem Sprung, von seinem Anfang an gezählt. Das schattierte Band ist das Toleranzband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur, solange er sich bewegt.</translation>
+        <source>Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves. The wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time.</source>
+        <translation>Positionen seit dem Sprung, gezählt von dort, wo er begann. Das schattierte Band ist das Einschwingband um das Ziel. Ein Doppelklick zeigt die ganze Aufzeichnung oder nur die Zeit der Bewegung. Das Mausrad zoomt (mit Strg die Positionen), Ziehen verschiebt, Ziehen mit Umschalt wählt eine Zeit.</translation>
+    </message>
+    <message>
+        <source>time since the step (s)</source>
+        <translation>Zeit seit dem Sprung (s)</translation>
+    </message>
+    <message>
+        <source>position from the start</source>
+        <translation>Position vom Start aus</translation>
+    </message>
+    <message>
+        <source>position from the start (%1)</source>
+        <translation>Position vom Start aus (%1)</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
     </message>
 </context>
 <context>
@@ -10304,6 +10765,18 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Draws the other runs of this module as well, the older the paler.</source>
         <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
     </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>No run was removed.</source>
+        <translation>Es wurde kein Lauf entfernt.</translation>
+    </message>
+    <message>
+        <source>Brings the run back that was removed last (Ctrl+Shift+Del).</source>
+        <translation>Holt den zuletzt entfernten Lauf zurück (Strg+Umschalt+Entf).</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepResults</name>
@@ -10332,10 +10805,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Überschwingen</translation>
     </message>
     <message>
-        <source>Settling</source>
-        <translation>Einschwingen</translation>
-    </message>
-    <message>
         <source>Steady-state error</source>
         <translation>Bleibende Abweichung</translation>
     </message>
@@ -10356,10 +10825,6 @@ Ohne Hardware den Simulator wählen.</translation>
         <translation>Wie weit es über das Ziel hinausging, in % des Sprungs.</translation>
     </message>
     <message>
-        <source>Time until it stays within the settling band. Nothing if that is not before the last fifth of the record.</source>
-        <translation>Zeit, bis es im Toleranzband bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
-    </message>
-    <message>
         <source>Goal less the mean position of the last fifth of the record.</source>
         <translation>Ziel minus mittlere Position im letzten Fünftel der Aufzeichnung.</translation>
     </message>
@@ -10375,16 +10840,28 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Settling to the goal</source>
+        <translation>Einschwingen aufs Ziel</translation>
+    </message>
+    <message>
+        <source>Settling where it stays</source>
+        <translation>Einschwingen zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Time until it stays within the settling band around the goal. Nothing if that is not before the last fifth of the record.</source>
+        <translation>Zeit, bis er im Einschwingband um das Ziel bleibt. Nichts, wenn das nicht vor dem letzten Fünftel der Aufzeichnung ist.</translation>
+    </message>
+    <message>
+        <source>The same around the mean position of the last fifth of the record. Friction holds a motor beside its goal unless there is an integral (Ki, IL).</source>
+        <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StepRunTable</name>
     <message>
         <source>Step responses so far</source>
         <translation>Bisherige Sprungantworten</translation>
-    </message>
-    <message>
-        <source>The step responses so far, newest first. Tick two of them to compare their curves.</source>
-        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Zwei davon anhaken, um ihre Kurven zu vergleichen.</translation>
     </message>
     <message>
         <source>A</source>
@@ -10430,6 +10907,145 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Draws this run as B, with a dashed line.</source>
         <translation>Zeichnet diesen Lauf als B, mit gestrichelter Linie.</translation>
     </message>
+    <message>
+        <source>The step responses so far, newest first. Tick two of them to compare their curves. The last %1 are kept with the machine, those with a name or a note longest.</source>
+        <translation>Die bisherigen Sprungantworten, die neueste zuerst. Haken Sie zwei an, um ihre Kurven zu vergleichen. Die letzten %1 werden bei der Maschine aufbewahrt, am längsten die mit einem Namen oder einer Notiz.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What the run is called. Double-click it, or press F2, to write.</source>
+        <translation>Wie der Lauf heißt. Zum Schreiben doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>What is to be known of the run. Double-click it, or press F2.</source>
+        <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::StepView</name>
+    <message>
+        <source>What the cursors read</source>
+        <translation>Was die Cursor anzeigen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>As long as the motor moves, and all positions (A, in the plot).</source>
+        <translation>Solange der Motor sich bewegt, und alle Positionen (A, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors to measure with: drag them (C, in the plot).</source>
+        <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG)…</translation>
+    </message>
+    <message>
+        <source>What is seen, as an image.</source>
+        <translation>Das Sichtbare als Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>&amp;Vektorbild (SVG)…</translation>
+    </message>
+    <message>
+        <source>What is seen, in lines that stay sharp at any size.</source>
+        <translation>Das Sichtbare in Linien, die in jeder Größe scharf bleiben.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>&amp;Seite (PDF)…</translation>
+    </message>
+    <message>
+        <source>What is seen, on a page for a printer or a report.</source>
+        <translation>Das Sichtbare auf einer Seite für einen Drucker oder einen Bericht.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>What is seen, onto the clipboard.</source>
+        <translation>Das Sichtbare in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Takes what is seen out of the panel, with the runs in words.</source>
+        <translation>Holt das Sichtbare aus dem Panel heraus, mit den Läufen in Worten.</translation>
+    </message>
+    <message>
+        <source>A: run %1, %2, %3, %4</source>
+        <translation>A: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>B: run %1, %2, %3, %4</source>
+        <translation>B: Lauf %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7</source>
+        <translation>Kp %1 Kd %2 Ki %3 IL %4; Anstieg %5; Überschwingen %6; Einschwingen %7</translation>
+    </message>
+    <message>
+        <source>Step response, by NMC Panel %1</source>
+        <translation>Sprungantwort, von NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>%1: cursor 1 %2, cursor 2 %3, difference %4</source>
+        <translation>%1: Cursor 1 %2, Cursor 2 %3, Differenz %4</translation>
+    </message>
+    <message>
+        <source>Picture of the step response</source>
+        <translation>Bild der Sprungantwort</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
 </context>
 <context>
     <name>nmc::StopButton</name>
@@ -10462,6 +11078,33 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>goes to all modules</source>
         <translation>geht an alle Module</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TestForm</name>
+    <message>
+        <source>End it</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>End the test</source>
+        <translation>Prüfung beenden</translation>
+    </message>
+    <message>
+        <source>How the test goes</source>
+        <translation>Wie die Prüfung läuft</translation>
+    </message>
+    <message>
+        <source>It runs already.</source>
+        <translation>Sie läuft schon.</translation>
+    </message>
+    <message>
+        <source>It does not run.</source>
+        <translation>Sie läuft nicht.</translation>
+    </message>
+    <message>
+        <source>The motor is held where it is.</source>
+        <translation>Der Motor wird an seiner Position gehalten.</translation>
     </message>
 </context>
 <context>

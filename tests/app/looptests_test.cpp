@@ -61,7 +61,8 @@ TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
     ASSERT_NO_FATAL_FAILURE(type("squareWavePeriodField", u"0.3"_s));
     ASSERT_NO_FATAL_FAILURE(type("squareWaveRoundsField", u"12"_s));
     ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveStartButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return text("squareWaveResults").startsWith(u"4"_s); }));
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return text("squareWaveResults").startsWith(u"Edges with these gains: 4\n"_s); }));
     ASSERT_NO_FATAL_FAILURE(type("kdField", u"2000"_s));
     auto* field = panel.window().findChild<QLineEdit*>(u"kdField"_s);
     QTest::keyClick(field, Qt::Key_Return);

@@ -88,7 +88,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     EXPECT_LT(first.run.metrics.interval, 0.0025);
     ASSERT_TRUE(first.run.pwm);
     // (200 x 100 + 2000 x 100 - 20 x 200) / 256 is 843, far above the limit.
-    EXPECT_EQ(result(5, 0), u"limited to 255"_s);
+    EXPECT_EQ(result(6, 0), u"limited to 255"_s);
     EXPECT_TRUE(result(1, 0).contains(u"±"_s) && result(1, 0).endsWith(u"ms"_s))
         << result(1, 0).toStdString();
 

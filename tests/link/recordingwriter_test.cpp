@@ -193,9 +193,21 @@ TEST_F(RecordingWriterTest, WhatWasWrittenBeforeAFileIsTooLargeStaysInIt) {
     for (int i = 0; i < 3; ++i)
         m_writer->append(piece(i, 400'000));
     EXPECT_EQ(trouble(), RecordingTrouble::FileTooLarge);
-    EXPECT_EQ(m_failures.front().bytes, 1'000'000);
-    EXPECT_TRUE(contentOf(path("a.csv")) ==
-                piece(0, 400'000) + piece(1, 400'000) + piece(2, 400'000).substr(0, 200'000));
+    EXPECT_EQ(m_failures.front().bytes, 800'000);
+    EXPECT_TRUE(contentOf(path("a.csv")) == piece(0, 400'000) + piece(1, 400'000))
+        << "the third line did not fit, and no part of it is there";
+}
+
+TEST_F(RecordingWriterTest, TheLastLineOfAPieceThatFitsIsWhole) {
+    const SmallFiles small(1'000);
+    m_writer->start(path("a.csv"));
+    std::string rows;
+    for (int i = 0; i < 100; ++i)
+        rows += piece(i, 30);
+    m_writer->append(rows);
+    EXPECT_EQ(trouble(), RecordingTrouble::FileTooLarge);
+    EXPECT_EQ(m_failures.front().bytes, 990) << "33 rows of 30 bytes";
+    EXPECT_TRUE(contentOf(path("a.csv")) == rows.substr(0, 990));
 }
 
 TEST_F(RecordingWriterTest, TellsWhenItsFileWasDeleted) {

@@ -89,6 +89,42 @@ TEST(StepMetrics, OfASecondOrderResponseAreTheTextbooks) {
     }
 }
 
+/// What a proportional loop with friction does: it stops beside its goal.
+TEST(StepMetrics, SettleWhereTheyStayAndToTheGoalOrNot) {
+    constexpr double kTau = 0.01;
+    const auto beside = [](double share) { return [=](double s) { return share * firstOrder(kTau)(s); }; };
+    for (const double phase : {0.01, 0.3, 0.5, 0.77, 0.99}) {
+        SCOPED_TRACE(phase);
+        // The band is 20 of 1000. 990 is within: 990 e^-t/tau is 10 at the band of the goal, 20 at its own.
+        const StepMetrics close =
+            measureStep(sampled(beside(0.99), 0, 1'000, 0.001, phase, 0.15), 0, 1'000, 20, 0);
+        ASSERT_TRUE(close.settling && close.settlingAtRest);
+        EXPECT_NEAR(close.settling->value, std::log(99.0) * kTau, 1.3e-5);
+        EXPECT_NEAR(close.settlingAtRest->value, std::log(49.5) * kTau, 1.3e-5);
+        // 900 is not, but it is at rest there all the same: 900 e^-t/tau is 20.
+        const StepMetrics far =
+            measureStep(sampled(beside(0.9), 500, -500, 0.001, phase, 0.15), 500, -500, 20, 0);
+        EXPECT_EQ(far.settling.error(), Unmeasured::NeverSettled);
+        ASSERT_TRUE(far.settlingAtRest);
+        EXPECT_NEAR(far.settlingAtRest->value, std::log(45.0) * kTau, 1.3e-5);
+        EXPECT_NEAR(far.steadyError->value, -100, 0.01);
+    }
+    // The step went beyond and the motor sticks there; 20 % over, so it falls to 1050 by 15 ms.
+    const auto beyond = [](double s) {
+        return s <= 0 ? 0.0 : s < 0.01 ? 1.2 : s < 0.02 ? 1.2 - (s - 0.01) * 15 : 1.05;
+    };
+    const StepMetrics over = measureStep(sampled(beyond, 0, 1'000, 0.001, 0.5, 0.15), 0, 1'000, 20, 0);
+    EXPECT_EQ(over.settling.error(), Unmeasured::NeverSettled);
+    EXPECT_NEAR(over.settlingAtRest->value, 0.01 + 0.13 / 15, 1e-4) << "1070 on the way down";
+}
+
+TEST(StepMetrics, OfAMotorThatDoesNotMoveHaveNoSettlingTime) {
+    const StepMetrics m = measureStep(
+        sampled([](double s) { return s > 0 ? 0.01 : 0.0; }, 0, 100, 0.001, 0.5, 0.2), 0, 100, 2, 0);
+    EXPECT_EQ(m.settlingAtRest.error(), Unmeasured::NeverRose);
+    EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
+}
+
 /// 200 responses, settled or not, with samples as coarse as a sixth of the rise time.
 TEST(StepMetrics, DoubtCoversTheTruth) {
     constexpr unsigned kSeed = 4'711;
@@ -126,6 +162,8 @@ TEST(StepMetrics, AreByHandOfTenSamples) {
     EXPECT_NEAR(m.overshoot->doubt, 0.5, 1e-9) << "half a count";
     EXPECT_NEAR(m.settling->value, 0.007 + 0.001 / 4, 1e-12) << "from 94 to 98 by way of 95";
     EXPECT_NEAR(m.settling->doubt, 0.000'5 + 0.000'5, 1e-12);
+    // It stays at 98 and a third: the last outside of 93.3 to 103.3 is 110, then 100.
+    EXPECT_NEAR(m.settlingAtRest->value, 0.005 + 0.001 * (110 - 295.0 / 3 - 5) / 10, 1e-12);
     // From 8.8 ms on: 99, 99, 97.
     EXPECT_NEAR(m.steadyError->value, 100 - 295.0 / 3, 1e-9);
     EXPECT_NEAR(m.steadyError->doubt, 1, 1e-9);
@@ -185,6 +223,7 @@ TEST(StepMetrics, OfAMotorThatHuntsHaveNoSettlingTime) {
     const auto hunting = [](double s) { return s <= 0 ? 0.0 : 1 + 0.05 * std::sin(200 * s); };
     const StepMetrics m = measureStep(sampled(hunting, 0, 100, 0.001, 0.5, 0.5), 0, 100, 2, 0);
     EXPECT_EQ(m.settling.error(), Unmeasured::NeverSettled);
+    EXPECT_EQ(m.settlingAtRest.error(), Unmeasured::NeverSettled);
     EXPECT_NEAR(m.overshoot->value, 5, 0.1);
     EXPECT_NEAR(m.steadyError->value, 0, 0.6);
     EXPECT_NEAR(m.steadyError->doubt, 5, 0.1);

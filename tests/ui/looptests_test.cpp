@@ -139,7 +139,7 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     KeptRun other = ramp();
     other.run.taken.gains.kp = 77;
     page.showEdge(other);
-    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"1 "_s)) << "one with the present gains";
+    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 1\n"_s));
     click(u"squareWaveKeepButton"_s);
     window->findChild<QAction*>(u"stepResponseDockAction"_s)->trigger();
     ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"stepResponsePage"_s)->isVisible(); }));

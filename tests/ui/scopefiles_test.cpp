@@ -35,10 +35,11 @@ protected:
         return found;
     }
     /// What is to be written where.
-    std::string exported(const QString& name, HandMadeHistory& made, double now) {
+    std::string exported(const QString& name, HandMadeHistory& made, double now, int filter = 0) {
         action(u"scopeExport"_s + name + u"Action"_s)->trigger();
         auto* dialog = find<QFileDialog>(u"scopeExport"_s + name.toLower() + u"Dialog"_s);
         EXPECT_FALSE(dialog->isModal()) << "STOP ALL stays within reach";
+        dialog->selectNameFilter(dialog->nameFilters().value(filter));
         emit dialog->fileSelected(u"/home/anna/run.x"_s);
         dialog->close();
         show(made, now);
@@ -85,6 +86,20 @@ TEST_F(ScopeFilesTest, CsvHoldsEverySampleOfTheTimeThatIsSeen) {
         QDateTime::fromString(QString::fromStdString(reader.header().startedAt), Qt::ISODateWithMs);
     EXPECT_LT(std::abs(started.secsTo(QDateTime::currentDateTime()) - 30), 10)
         << "the first sample came 30 s before the first frame";
+}
+
+TEST_F(ScopeFilesTest, CsvHasAColumnForEachSignalWhereThatIsChosen) {
+    HandMadeHistory made = twoModules();
+    show(made, 29.5);
+    const QStringList sparse = QString::fromStdString(exported(u"Csv"_s, made, 29.5, 1)).split(u'\n');
+    EXPECT_TRUE(sparse[0].startsWith(u"time_s,Module_1/position_counts,"_s)) << sparse[0].toStdString();
+    EXPECT_TRUE(sparse[0].contains(u",Module_2/position_counts,"_s));
+    ASSERT_EQ(sparse.size(), 1 + 202 + 1) << "101 replies of each from 20 to 30 s";
+    EXPECT_TRUE(sparse[1].startsWith(u"20.000000000,200,"_s)) << sparse[1].toStdString();
+    const QStringList even = QString::fromStdString(exported(u"Csv"_s, made, 29.5, 2)).split(u'\n');
+    EXPECT_EQ(even[0], sparse[0]);
+    ASSERT_EQ(even.size(), 1 + 10'001 + 1);
+    EXPECT_TRUE(even[1 + 50].startsWith(u"20.050000000,200.5,"_s)) << even[51].toStdString();
 }
 
 TEST_F(ScopeFilesTest, CsvSaysWhenOlderSamplesAreOnlyKeptInACoarserForm) {

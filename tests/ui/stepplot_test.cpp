@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/stepplot.h"
+
+#include <QPainter>
+#include <QWheelEvent>
+
 #include "stepruns.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -27,7 +31,8 @@ TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
     KeptRun b = ramp(60);
     b.run.taken.from = 500;
     plot.showRuns(&a, &b);
-    plot.grab();  // lays it out
+    QTest::mouseDClick(&plot, Qt::LeftButton);  // the whole record
+    plot.grab();                                // lays it out
     const QImage picture = plot.grab().toImage();
     const QColor colourA = look::traceColour(0, plot.palette());
     const QColor colourB = look::traceColour(1, plot.palette());
@@ -67,12 +72,126 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
         point.position = point.seconds > 0.01 ? 560 : point.position;
     setBand(run.run, kFirstBand);
     plot.showRuns(&run, nullptr);
+    QTest::mouseDClick(&plot, Qt::LeftButton);
     plot.grab();
     const QImage picture = plot.grab().toImage();
     const QColor colour = look::traceColour(0, plot.palette());
     EXPECT_TRUE(drawn(picture, plot.pointAt(0.03, 60), colour));
     EXPECT_FALSE(drawn(picture, plot.pointAt(0.05, 60), colour));
     EXPECT_TRUE(drawn(picture, plot.pointAt(0.07, 60), colour));
+}
+
+/// A step of 100 counts that takes 10 ms, in a plot of its own.
+class StepPlotHands : public testing::Test {
+protected:
+    StepPlotHands() {
+        plot.resize(600, 400);
+        plot.showRuns(&run, nullptr);
+        plot.show();
+        plot.grab();
+    }
+    [[nodiscard]] const PlotGeometry& now() const { return plot.geometryShown(); }
+    void wheel(const QPointF& at, int notches, Qt::KeyboardModifiers modifiers = {}) {
+        QWheelEvent event(at, plot.mapToGlobal(at), {}, {0, 120 * notches}, {}, modifiers, Qt::NoScrollPhase,
+                          false);
+        QCoreApplication::sendEvent(&plot, &event);
+    }
+    void drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mousePress(&plot, Qt::LeftButton, modifiers, from.toPoint());
+        QTest::mouseMove(&plot, to.toPoint());
+        QTest::mouseRelease(&plot, Qt::LeftButton, modifiers, to.toPoint());
+    }
+
+    KeptRun run = ramp(100);
+    StepPlot plot;
+};
+
+TEST_F(StepPlotHands, TheWheelZoomsAboutThePointer) {
+    const PlotGeometry before = now();
+    const QPointF at = plot.pointAt(0.005, 50);
+    wheel(at, 1);
+    EXPECT_NEAR(now().right - now().left, (before.right - before.left) / 1.25, 1e-9);
+    EXPECT_NEAR(now().x(0.005), at.x(), 1e-6) << "it stays under the pointer";
+    EXPECT_EQ(now().top, before.top);
+    wheel(at, -1, Qt::ControlModifier);
+    EXPECT_NEAR(now().top - now().bottom, (before.top - before.bottom) * 1.25, 1e-9);
+    EXPECT_NEAR(now().y(50), at.y(), 1e-6);
+    for (int i = 0; i < 200; ++i)
+        wheel(at, 1);
+    EXPECT_GE(now().right - now().left, 1e-5) << "there is an end to it";
+    QTest::mouseDClick(&plot, Qt::LeftButton);
+    EXPECT_NEAR(now().right, 0.1, 1e-9) << "the whole record";
+}
+
+TEST_F(StepPlotHands, ADragMovesAndWithShiftItChoosesATime) {
+    const PlotGeometry before = now();
+    const QPointF at = plot.pointAt(0.005, 50);
+    drag(at, at + QPointF(40, -30));
+    EXPECT_NEAR(now().x(0.005), at.x() + 40, 1.5);
+    EXPECT_NEAR(now().y(50), at.y() - 30, 1.5);
+    EXPECT_NEAR(now().right - now().left, before.right - before.left, 1e-9);
+    plot.fitTransient();
+    EXPECT_EQ(now().left, before.left);
+    EXPECT_EQ(now().top, before.top);
+    drag(plot.pointAt(0.002, 20), plot.pointAt(0.012, 90), Qt::ShiftModifier);
+    EXPECT_NEAR(now().left, 0.002, 1e-4);
+    EXPECT_NEAR(now().right, 0.012, 1e-4);
+}
+
+TEST_F(StepPlotHands, KeysDoTheSame) {
+    const PlotGeometry before = now();
+    QTest::keyClick(&plot, Qt::Key_Plus);
+    EXPECT_NEAR(now().right - now().left, (before.right - before.left) / 1.5, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_Minus);
+    EXPECT_NEAR(now().right, before.right, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_Right);
+    EXPECT_NEAR(now().left, before.left + (before.right - before.left) / 10, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_Home);
+    EXPECT_NEAR(now().right, 0.1, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_A);
+    EXPECT_EQ(now().right, before.right);
+}
+
+/// Between 5 and 8 ms it goes from 50 to 80 counts.
+TEST_F(StepPlotHands, TheCursorsReadWhatIsThere) {
+    EXPECT_TRUE(plot.readings().empty());
+    plot.showCursors(true);
+    drag(plot.pointAt(now().left + (now().right - now().left) / 4, 0), plot.pointAt(0.005, 0));
+    drag(plot.pointAt(now().left + (now().right - now().left) * 3 / 4, 0), plot.pointAt(0.008, 0));
+    const auto rows = plot.readings();
+    ASSERT_EQ(rows.size(), 2U) << "time and A";
+    const auto number = [](const QString& text) { return text.section(u' ', 0, 0).toDouble(); };
+    EXPECT_NEAR(number(rows[0][1]), 5, 0.05);
+    EXPECT_NEAR(number(rows[0][2]), 8, 0.05);
+    EXPECT_NEAR(number(rows[0][3]), 3, 0.1);
+    EXPECT_TRUE(rows[0][3].endsWith(u"Hz)"_s)) << rows[0][3].toStdString();
+    EXPECT_NEAR(number(rows[1][1]), 50, 0.5);
+    EXPECT_NEAR(number(rows[1][2]), 80, 0.5);
+    EXPECT_NEAR(number(rows[1][3]), 30, 1);
+    EXPECT_TRUE(rows[1][3].endsWith(u" counts"_s));
+    plot.showCursors(false);
+    EXPECT_TRUE(plot.readings().empty());
+}
+
+/// A reader of SVG need not know clipping.
+TEST_F(StepPlotHands, NothingIsDrawnBesideAZoomedPlot) {
+    drag(plot.pointAt(0.004, 20), plot.pointAt(0.006, 90), Qt::ShiftModifier);
+    wheel(plot.pointAt(0.005, 50), 5, Qt::ControlModifier);
+    QImage picture(plot.size(), QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setClipping(false);
+    plot.renderTo(painter);
+    painter.end();
+    const QColor colour = look::traceColour(0, plot.palette());
+    const QRect area = now().area.toAlignedRect().adjusted(-3, -3, 3, 3);
+    for (int y = area.top(); y < picture.height(); ++y)  // the legend is above
+        for (int x = 0; x < picture.width(); ++x) {
+            if (area.contains(x, y))
+                continue;
+            ASSERT_FALSE(near(picture.pixelColor(x, y), colour)) << x << ' ' << y;
+        }
+    EXPECT_TRUE(drawn(picture, plot.pointAt(0.005, 50), colour));
 }
 
 TEST(StepResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QAction>
+#include <QClipboard>
 #include <QComboBox>
+#include <QDateTime>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QLocale>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -251,17 +254,20 @@ TEST_F(StepResponses, TellWhatARunComesTo) {
     // The parabola through 108, 120 and 120 is 1.5 above them; that and half a count is the doubt.
     EXPECT_EQ(result(2), u"21.5 ± 2.0 %"_s);
     EXPECT_EQ(result(3), u"not in this record"_s);
-    EXPECT_EQ(result(4), u"\u221220.0 ± 0.5 counts"_s);
-    EXPECT_EQ(result(5), u"not known"_s) << "the error before the step is not";
-    EXPECT_EQ(result(6), u"1 ms"_s);
+    // 117.5 of 120 counts, at 12 a millisecond; known to half a sample and two half ticks.
+    EXPECT_EQ(result(4), u"9.8 ± 1.1 ms"_s);
+    EXPECT_EQ(listed(0, 10), u"9.8 ± 1.1 ms, off its goal"_s);
+    EXPECT_EQ(result(5), u"\u221220.0 ± 0.5 counts"_s);
+    EXPECT_EQ(result(6), u"not known"_s) << "the error before the step is not";
+    EXPECT_EQ(result(7), u"1 ms"_s);
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
     KeptRun limited = ramp();
     limited.run.pwm = PwmDemand{429, 255};
     window->showStepRun(limited);
-    EXPECT_EQ(result(5), u"limited to 255"_s);
+    EXPECT_EQ(result(6), u"limited to 255"_s);
     limited.run.pwm = PwmDemand{23, 255};
     window->showStepRun(limited);
-    EXPECT_EQ(result(5), u"at least 23"_s);
+    EXPECT_EQ(result(6), u"at least 23"_s);
 }
 
 TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {
@@ -278,10 +284,11 @@ TEST_F(StepResponses, ANewRunIsComparedWithTheOneBefore) {
     EXPECT_EQ(result(0, 1), u"1"_s) << "what is compared with stays";
     EXPECT_EQ(result(2, 0), u"21.5 ± 2.0 %"_s);
     EXPECT_TRUE(result(2, 1).startsWith(u"1."_s)) << "10 counts in the last ms: the parabola adds 1.25";
-    EXPECT_EQ(listed(0, 4), u"21:21:02"_s);
-    EXPECT_EQ(listed(0, 5), u"100"_s);
-    EXPECT_EQ(listed(0, 6), u"1000"_s);
-    EXPECT_EQ(listed(0, 8), u"21.5 ± 2.0 %"_s);
+    const QDateTime started = QDateTime::fromString(u"2026-11-21T21:21:02.123+01:00"_s, Qt::ISODateWithMs);
+    EXPECT_EQ(listed(0, 5), QLocale().toString(started, QLocale::ShortFormat)) << "not today";
+    EXPECT_EQ(listed(0, 6), u"100"_s);
+    EXPECT_EQ(listed(0, 7), u"1000"_s);
+    EXPECT_EQ(listed(0, 9), u"21.5 ± 2.0 %"_s);
     EXPECT_EQ(intents.size(), 0);
 }
 
@@ -311,9 +318,9 @@ TEST_F(StepResponses, AnotherBandJudgesAllRunsAnew) {
     EXPECT_TRUE(result(3).startsWith(u"9"_s) || result(3).startsWith(u"10"_s)) << result(3).toStdString();
     type(u"stepResponseBandField"_s, u"5"_s);
     EXPECT_TRUE(result(3).startsWith(u"29"_s) || result(3).startsWith(u"30"_s)) << result(3).toStdString();
-    EXPECT_EQ(listed(0, 9), result(3));
+    EXPECT_EQ(listed(0, 10), result(3));
     type(u"stepResponseBandField"_s, u"80"_s);
-    EXPECT_EQ(listed(0, 9), result(3)) << "8 was one, 80 is out of range";
+    EXPECT_EQ(listed(0, 10), result(3)) << "8 was one, 80 is out of range";
     EXPECT_FALSE(field(u"stepResponseBandField"_s)->problemText().isEmpty());
 }
 
@@ -365,6 +372,93 @@ TEST_F(StepResponses, RemoveTakesARunOffTheList) {
     EXPECT_EQ(listed(0, 2), u"3"_s) << "a number stands for one run";
 }
 
+TEST_F(StepResponses, WhatWasRemovedCanBePutBack) {
+    openWith();
+    EXPECT_EQ(reason(u"stepPutBackButton"_s), u"No run was removed."_s);
+    for (const double there : {100, 110, 120})
+        window->showStepRun(ramp(there));
+    for (const int row : {1, 1}) {  // 2, then 1
+        table()->setCurrentCell(row, 2);
+        click(u"stepRemoveButton"_s);
+        EXPECT_FALSE(button(u"stepRemoveButton"_s)->isEnabled()) << "nobody has chosen the next one";
+    }
+    ASSERT_EQ(table()->rowCount(), 1);
+    click(u"stepPutBackButton"_s);
+    ASSERT_EQ(table()->rowCount(), 2);
+    EXPECT_EQ(listed(1, 2), u"1"_s) << "the last first";
+    QTest::keyClick(window.get(), Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(table()->rowCount(), 3);
+    EXPECT_EQ(listed(1, 2), u"2"_s) << "where it was";
+    EXPECT_FALSE(button(u"stepPutBackButton"_s)->isEnabled());
+}
+
+TEST_F(StepResponses, ARunCanHaveANameAndANote) {
+    openWith();
+    window->showStepRun(ramp(100));
+    window->showStepRun(ramp(110));
+    QSignalSpy changes(&window->stepResponses(), &StepResponseDock::runsChanged);
+    const auto write = [this](int row, int column, const QString& words) {
+        table()->setFocus();
+        table()->setCurrentCell(row, column);
+        QTest::keyClick(table(), Qt::Key_F2);
+        const auto editors = table()->findChildren<QLineEdit*>();
+        ASSERT_FALSE(editors.empty());
+        QTest::keyClicks(editors.back(), words);
+        QTest::keyClick(editors.back(), Qt::Key_Return);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return listed(row, column) == words; }));
+    };
+    write(0, 3, u"stiffer"_s);
+    write(1, 11, u"belt slack"_s);
+    EXPECT_EQ(changes.size(), 2);
+    const auto& runs = find<StepResponsePage>(u"stepResponsePage"_s)->runs();
+    EXPECT_EQ(runs[1].name, "stiffer");
+    EXPECT_EQ(runs[0].note, "belt slack");
+    EXPECT_TRUE(find<StepPlot>(u"stepPlot"_s)->legendText(0).startsWith(u"A: run 2 \"stiffer\""_s));
+    EXPECT_EQ(intents.size(), 0);
+}
+
+/// The row goes down by one while somebody writes in it.
+TEST_F(StepResponses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
+    openWith();
+    window->showStepRun(ramp(100));
+    table()->setFocus();
+    table()->setCurrentCell(0, 3);
+    QTest::keyClick(table(), Qt::Key_F2);
+    auto* editor = table()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    QTest::keyClicks(editor, u"so"_s);
+    window->showStepRun(ramp(110));
+    QTest::keyClicks(editor, u"ft"_s);
+    QTest::keyClick(editor, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return listed(1, 3) == u"soft"_s; }));
+    EXPECT_EQ(listed(0, 3), u""_s);
+}
+
+/// The file comes in when a run has been made already.
+TEST_F(StepResponses, KeptRunsComeBelowThoseThatAreThere) {
+    openWith();
+    window->showStepRun(ramp(110));
+    std::vector<KeptRun> kept{ramp(100), ramp(120)};
+    kept[0].number = 1;
+    kept[0].name = "old";
+    kept[1].number = 5;
+    for (KeptRun& run : kept)
+        run.earlier = true;
+    QSignalSpy changes(&window->stepResponses(), &StepResponseDock::runsChanged);
+    window->stepResponses().showKept(kept);
+    EXPECT_EQ(changes.size(), 0) << "the file has them";
+    ASSERT_EQ(table()->rowCount(), 3);
+    EXPECT_EQ(listed(0, 2), u"6"_s);
+    EXPECT_TRUE(ticked(0, 0)) << "it is A still";
+    EXPECT_EQ(result(0, 0), u"6"_s);
+    EXPECT_EQ(listed(2, 3), u"old"_s);
+    table()->setCurrentCell(2, 2);
+    EXPECT_TRUE(button(u"stepUseGainsButton"_s)->isEnabled());
+    window->stepResponses().clearRuns();
+    EXPECT_EQ(table()->rowCount(), 0);
+    EXPECT_EQ(result(0, 0), u"–"_s);
+}
+
 TEST_F(StepResponses, TheListKeepsTheLastHundredAndWhatIsShown) {
     openWith();
     for (int i = 0; i < 103; ++i)
@@ -403,6 +497,49 @@ TEST_F(StepResponses, ExportIsReadableWhateverTheLocale) {
     EXPECT_EQ(lines.at(first + 1), u"1,-0.01,500,0"_s);
     EXPECT_EQ(lines.at(first + 1 + 15), u"1,0.005,560,60"_s);
     EXPECT_EQ(lines.size(), first + 1 + 111 + 1);
+}
+
+TEST_F(StepResponses, CursorsStandBesideThePlotWhileTheyAreWanted) {
+    openWith();
+    window->showStepRun(ramp(100));
+    auto* readings = window->findChild<QTableWidget*>(u"stepCursorTable"_s);
+    EXPECT_FALSE(readings->isVisible());
+    click(u"stepCursorsButton"_s);
+    EXPECT_TRUE(readings->isVisible());
+    EXPECT_EQ(readings->rowCount(), 2);
+    window->showStepRun(ramp(110));
+    EXPECT_EQ(readings->rowCount(), 3) << "time, A and B";
+    find(u"stepPlot"_s)->setFocus();
+    QTest::keyClick(find(u"stepPlot"_s), Qt::Key_C);
+    EXPECT_FALSE(readings->isVisible());
+}
+
+TEST_F(StepResponses, PicturesGoToFilesAndOntoTheClipboard) {
+    openWith();
+    KeptRun run = ramp(100);
+    run.name = "stiffer";
+    window->showStepRun(run);
+    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    for (const auto& [kind, magic] :
+         {std::pair{u"Png"_s, "\x89PNG"}, std::pair{u"Svg"_s, "<?xml"}, std::pair{u"Pdf"_s, "%PDF"}}) {
+        window->findChild<QAction*>(u"step%1Action"_s.arg(kind))->trigger();
+        auto* dialog = window->findChild<QFileDialog*>(u"stepPicture%1Dialog"_s.arg(kind.toLower()));
+        ASSERT_NE(dialog, nullptr) << kind.toStdString();
+        EXPECT_FALSE(dialog->isModal());
+        emit dialog->fileSelected(u"/home/anna/step."_s + kind.toLower());
+        dialog->close();
+        const std::string content = saves.takeFirst()[1].value<FileContent>()();
+        EXPECT_TRUE(content.starts_with(magic)) << kind.toStdString();
+        if (kind == u"Svg"_s) {
+            EXPECT_NE(content.find("stiffer"), std::string::npos);
+            EXPECT_NE(content.find("Kp 100 Kd 1000"), std::string::npos);
+            EXPECT_NE(content.find("time since the step (s)"), std::string::npos);
+            EXPECT_NE(content.find("position from the start (counts)"), std::string::npos);
+        }
+    }
+    QGuiApplication::clipboard()->clear();
+    window->findChild<QAction*>(u"stepCopyAction"_s)->trigger();
+    EXPECT_GT(QGuiApplication::clipboard()->image().width(), 100);
 }
 
 TEST_F(StepResponses, ShowingEmitsNothing) {

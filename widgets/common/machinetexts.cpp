@@ -307,6 +307,45 @@ QString machinePart(MachinePart part) {
     return {};
 }
 
+QString key::runs() {
+    return u"runs"_s;
+}
+QString key::runsNotKept() {
+    return u"runsNotKept"_s;
+}
+
+Message runsNotRead(const QString& path, const FileProblem& problem) {
+    const QString file = QFileInfo(path).fileName();
+    return {.key = key::runs(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("The step responses of this machine were not read."),
+            .body = (problem.kind == Kind::OtherFormat
+                         ? Texts::tr("\"%1\" is not a file of step responses.").arg(file)
+                         : fileProblem(file, problem)) +
+                    u' ' +
+                    Texts::tr("Nothing of it is lost: when new ones are kept, it is set aside in %1.")
+                        .arg(QDir::toNativeSeparators(QFileInfo(path).absolutePath()))};
+}
+
+Message runsNotRead(const FileError& error) {
+    return {.key = key::runs(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("The step responses of this machine were not read."),
+            .body = Texts::tr("\"%1\" cannot be read. When new ones are kept, it is set aside.")
+                        .arg(QDir::toNativeSeparators(error.path)),
+            .details = error.detail};
+}
+
+Message runsNotKept(const FileError& error) {
+    return {.key = key::runsNotKept(),
+            .severity = Severity::Attention,
+            .headline = Texts::tr("The step responses of this session are not kept."),
+            .body = Texts::tr("%1 cannot be written. Export them before you close the panel.")
+                        .arg(QDir::toNativeSeparators(error.path)),
+            .details = error.detail,
+            .stands = true};
+}
+
 QString machineField(const QString& key) {
     static const QHash<QString, const char*> words{
         {u"name"_s, QT_TRANSLATE_NOOP("Texts", "Name")},

@@ -218,6 +218,11 @@ namespace texts {
 [[nodiscard]] Message exported(const QString& path);
 [[nodiscard]] Message notExported(const FileError& error);
 
+// ---- step responses that are kept ----
+[[nodiscard]] Message runsNotRead(const QString& path, const FileProblem& problem);
+[[nodiscard]] Message runsNotRead(const FileError& error);
+[[nodiscard]] Message runsNotKept(const FileError& error);
+
 // ---- the command line ----
 [[nodiscard]] QString unknownPort(const QString& name, const QStringList& known);
 [[nodiscard]] QString badBaud(const QString& text);
@@ -248,6 +253,8 @@ namespace key {
 [[nodiscard]] QString recording();
 [[nodiscard]] QString openedRecording();
 [[nodiscard]] QString exported();
+[[nodiscard]] QString runs();
+[[nodiscard]] QString runsNotKept();
 }  // namespace key
 
 }  // namespace texts

@@ -141,8 +141,7 @@ void SquareWavePage::refresh() {
     const auto kept = folded();
     if (kept) {
         const StepMetrics& metrics = kept->run.metrics;
-        lines << tr("%n edge(s) with these gains", nullptr,
-                    static_cast<int>(std::distance(m_edges.rbegin(), changed)))
+        lines << tr("Edges with these gains: %1").arg(std::distance(m_edges.rbegin(), changed))
               << tr("Rise %1").arg(texts::stepTime(metrics.rise))
               << tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot))
               << tr("Settling %1").arg(texts::stepTime(metrics.settling))

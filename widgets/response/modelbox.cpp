@@ -92,7 +92,7 @@ QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, con
 std::vector<const KeptRun*> ModelBox::ofThisModule() const {
     std::vector<const KeptRun*> mine;
     for (const KeptRun& kept : m_runs)
-        if (m_servo == kept.run.module)
+        if (m_servo == kept.run.module && !kept.earlier)
             mine.push_back(&kept);
     if (mine.size() > kMostRuns)
         mine.erase(mine.begin(), mine.end() - kMostRuns);

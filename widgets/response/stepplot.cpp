@@ -2,12 +2,17 @@
 #include "widgets/response/stepplot.h"
 
 #include <QEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
 #include "widgets/scope/axisrange.h"
+#include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
 
 namespace nmc {
@@ -23,14 +28,43 @@ constexpr int kBandAlpha = 45;
 constexpr double kShortest = 0.1;     ///< of the record, is always seen
 constexpr double kGap = 6;            ///< sample intervals, from which on something is missing
 constexpr double kUsualRecord = 0.5;  ///< s, of the axis before there is a run
+constexpr double kWheelZoom = 1.25;   ///< for each notch
+constexpr double kKeyZoom = 1.5;
+constexpr double kPan = 0.1;  ///< of what is seen
+/// s, and the unit of the axis: zooming ends here.
+constexpr double kNarrowest = 1e-5, kWidest = 100, kMostValues = 1e13;
+
+/// The part of a line that is in an area (Liang and Barsky).
+std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
+    double from = 0, to = 1;
+    const double dx = line.dx(), dy = line.dy();
+    for (const auto& [step, room] :
+         {std::pair{-dx, line.x1() - area.left()}, std::pair{dx, area.right() - line.x1()},
+          std::pair{-dy, line.y1() - area.top()}, std::pair{dy, area.bottom() - line.y1()}}) {
+        if (step == 0) {
+            if (room < 0)
+                return std::nullopt;
+        } else if (step < 0) {
+            from = std::max(from, room / step);
+        } else {
+            to = std::min(to, room / step);
+        }
+    }
+    if (from > to)
+        return std::nullopt;
+    const QPointF start = from > 0 ? line.pointAt(from) : line.p1();
+    return QLineF(start, to < 1 ? line.pointAt(to) : line.p2());
+}
 }  // namespace
 
 StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"stepPlot"_s, tr("Step responses over time"));
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
     setToolTip(
         tr("Positions since the step, counted from where it began. The shaded band is the settling "
-           "band around the goal. A double click shows the whole record, or only as long as it moves."));
+           "band around the goal. A double click shows the whole record, or only as long as it moves. The "
+           "wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
@@ -55,10 +89,14 @@ StepPlot::Curve StepPlot::curveOf(const KeptRun& kept, const AxisScale& scale) {
     curve.bandPercent = kept.run.bandPercent;
     curve.record = taken.record;
     // As long again as it takes to settle, so that it is seen to stay.
-    const auto& settling = kept.run.metrics.settling;
+    const auto& atRest = kept.run.metrics.settlingAtRest;
     curve.transient =
-        settling ? std::clamp(2 * settling->value, kShortest * taken.record, taken.record) : taken.record;
-    curve.label = tr("run %1, %2").arg(kept.number).arg(texts::unitOf(scale));
+        atRest ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record) : taken.record;
+    const QString run = kept.name.empty()
+                            ? QString::number(kept.number)
+                            : u"%1 \"%2\""_s.arg(kept.number).arg(QString::fromStdString(kept.name));
+    curve.unit = texts::unitOf(scale);
+    curve.label = tr("run %1, %2").arg(run, texts::unitOf(scale));
     return curve;
 }
 
@@ -106,43 +144,51 @@ void StepPlot::adoptPalette() {
     update();
 }
 
-void StepPlot::fit() {
-    double low = 0, high = 0, left = -toSeconds(kBeforeStep), right = 0;
+StepPlot::View StepPlot::fitted() const {
+    double low = 0, high = 0, right = 0;
+    const auto takeIn = [&](const QPolygonF& line) {
+        if (line.empty())
+            return;
+        low = std::min(low, line.boundingRect().top());
+        high = std::max(high, line.boundingRect().bottom());
+    };
     for (const auto& curve : m_curves) {
         if (!curve)
             continue;
         low = std::min(low, curve->goal - curve->band);
         high = std::max(high, curve->goal + curve->band);
         right = std::max(right, m_whole ? curve->record : curve->transient);
-        for (const QPolygonF& part : curve->parts) {
-            low = std::min(low, part.boundingRect().top());
-            high = std::max(high, part.boundingRect().bottom());
-        }
+        std::for_each(curve->parts.begin(), curve->parts.end(), takeIn);
     }
     for (const Curve& curve : m_others)
-        for (const QPolygonF& part : curve.parts) {
-            low = std::min(low, part.boundingRect().top());
-            high = std::max(high, part.boundingRect().bottom());
-        }
-    for (const QPolygonF* line : {&m_fitted, &m_predicted})
-        if (!line->empty()) {
-            low = std::min(low, line->boundingRect().top());
-            high = std::max(high, line->boundingRect().bottom());
-        }
-    if (right == 0) {
-        high = 1;
-        right = kUsualRecord;
-    }
+        std::for_each(curve.parts.begin(), curve.parts.end(), takeIn);
+    takeIn(m_fitted);
+    takeIn(m_predicted);
+    const double left = -toSeconds(kBeforeStep);
+    return right == 0 ? View{left, kUsualRecord, low, 1} : View{left, right, low, high};
+}
+
+void StepPlot::fit() {
     const int em = fontMetrics().height();
-    const int rows = std::clamp((height() - 3 * em) * 2 / (em * 3), 2, 8);
-    const AxisRange::Range range = AxisRange::around(low, high, 0, rows);
+    const int rows = std::clamp((height() - 4 * em) * 2 / (em * 3), 2, 8);
+    View view = m_view.value_or(fitted());
+    AxisRange::Range range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)};
+    if (!m_view)
+        range = AxisRange::around(view.bottom, view.top, 0, rows);
     m_backdrop.setValueAxis(range.min, range.max, range.step);
-    m_backdrop.setMargins(m_backdrop.labelWidth(), em * 3 / 2, em);
+    m_backdrop.setMargins(m_backdrop.labelWidth() + em * 5 / 4, em * 3 / 2, em * 9 / 4);
     const int columns = std::clamp(width() / (em * 5), 2, 10);
-    const double division = TimeWindow::nice((right - left) / columns);
-    m_backdrop.setTimeAxis(left, right, division, division);
-    m_geometry = {m_backdrop.plotArea(), left, right, range.min, range.max};
+    const double division = TimeWindow::nice((view.right - view.left) / columns);
+    m_backdrop.setTimeAxis(view.left, view.right, division, division);
+    m_geometry = {m_backdrop.plotArea(), view.left, view.right, range.min, range.max};
+    emit measured();
     update();
+}
+
+void StepPlot::fitTransient() {
+    m_view.reset();
+    m_whole = false;
+    fit();
 }
 
 QPointF StepPlot::pointAt(double seconds, double value) const {
@@ -152,21 +198,35 @@ QPointF StepPlot::pointAt(double seconds, double value) const {
 void StepPlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
+    paintOver(painter);
+}
+
+void StepPlot::renderTo(QPainter& painter) {
+    m_backdrop.render(painter);
+    paintOver(painter);
+}
+
+void StepPlot::paintOver(QPainter& painter) {
     m_geometry.area = m_backdrop.plotArea();
     if (m_geometry.empty())
         return;
+    painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look::scaled(font(), 0.9));
+    paintTitles(painter);
     if (!m_curves[0] && !m_curves[1]) {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No run is shown. A step shows how the motor follows when its command jumps."));
+        painter.restore();
         return;
     }
     // What runs along the edge is drawn whole.
     painter.setClipRect(m_geometry.area.adjusted(0, -kPenWidth, 0, kPenWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
-    painter.drawLine(
-        QLineF(m_geometry.x(0), m_geometry.area.top(), m_geometry.x(0), m_geometry.area.bottom()));
+    if (m_geometry.left <= 0 && m_geometry.right >= 0)
+        painter.drawLine(
+            QLineF(m_geometry.x(0), m_geometry.area.top(), m_geometry.x(0), m_geometry.area.bottom()));
     if (m_curves[0])
         paintGoal(painter, *m_curves[0]);
     if (m_curves[1] && !(m_curves[0] && m_curves[0]->sameGoal(*m_curves[1])))
@@ -180,15 +240,69 @@ void StepPlot::paintEvent(QPaintEvent* /*event*/) {
     pen.setDashPattern(kDashes);
     painter.setPen(pen);
     paintLine(painter, m_predicted);
+    paintCursors(painter);
+    if (m_drag == Drag::Choose) {
+        QColor fill = palette().color(QPalette::Highlight);
+        fill.setAlpha(kBandAlpha);
+        painter.fillRect(QRectF(QPointF(m_dragFrom.x(), m_geometry.area.top()),
+                                QPointF(m_dragTo.x(), m_geometry.area.bottom())),
+                         fill);
+    }
+    painter.restore();
+}
+
+void StepPlot::paintTitles(QPainter& painter) const {
+    const QRectF& area = m_geometry.area;
+    const double em = QFontMetricsF(painter.font()).height();
+    const std::optional<Curve>& first = m_curves[0] ? m_curves[0] : m_curves[1];
+    painter.setPen(look::mutedText(palette()));
+    painter.drawText(QRectF(area.left(), area.bottom() + em * 1.2, area.width(), em), Qt::AlignCenter,
+                     tr("time since the step (s)"));
+    const bool oneUnit = !m_curves[0] || !m_curves[1] || m_curves[0]->unit == m_curves[1]->unit;
+    const QString unit = !first    ? QString()
+                         : oneUnit ? first->unit
+                                   : m_curves[0]->unit + u" | "_s + m_curves[1]->unit;
+    painter.save();
+    painter.translate(0, area.center().y());
+    painter.rotate(-90);
+    painter.drawText(
+        QRectF(-area.height() / 2, 1, area.height(), em), Qt::AlignCenter,
+        unit.isEmpty() ? tr("position from the start") : tr("position from the start (%1)").arg(unit));
+    painter.restore();
+}
+
+void StepPlot::paintCursors(QPainter& painter) const {
+    if (!m_cursors)
+        return;
+    for (std::size_t i = 0; i < m_cursors->size(); ++i) {
+        const double x = m_geometry.x((*m_cursors)[i]);
+        if (x < m_geometry.area.left() || x > m_geometry.area.right())
+            continue;
+        painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
+        painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
+        painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),
+                         QString::number(i + 1));
+    }
+}
+
+/// As far as it is in the area: an SVG file knows no clipping.
+void StepPlot::paintLevel(QPainter& painter, double value, double from, double to) const {
+    if (value < m_geometry.bottom || value > m_geometry.top || from > m_geometry.right ||
+        to < m_geometry.left)
+        return;
+    painter.drawLine(QLineF(pointAt(std::max(from, m_geometry.left), value),
+                            pointAt(std::min(to, m_geometry.right), value)));
 }
 
 void StepPlot::paintGoal(QPainter& painter, const Curve& curve) const {
     QColor fill = look::mutedText(palette());
     fill.setAlpha(kBandAlpha);
     painter.fillRect(
-        QRectF(pointAt(0, curve.goal + curve.band), pointAt(curve.record, curve.goal - curve.band)), fill);
+        QRectF(pointAt(0, curve.goal + curve.band), pointAt(curve.record, curve.goal - curve.band))
+            .intersected(m_geometry.area),
+        fill);
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashLine));
-    painter.drawLine(QLineF(pointAt(0, curve.goal), pointAt(curve.record, curve.goal)));
+    paintLevel(painter, curve.goal, 0, curve.record);
 }
 
 /// Once for every change and not once a frame, so a polyline is quick enough, and its dashes run through.
@@ -215,17 +329,213 @@ void StepPlot::paintOthers(QPainter& painter) const {
     }
 }
 
+/// As far as it is in the area: an SVG file knows no clipping. In whole lines, so that dashes run through.
 void StepPlot::paintLine(QPainter& painter, const QPolygonF& line) const {
     QPolygonF places;
-    places.reserve(line.size());
-    for (const QPointF& point : line)
-        places << pointAt(point.x(), point.y());
-    painter.drawPolyline(places);
+    const auto paint = [&] {
+        painter.drawPolyline(places);
+        places.clear();
+    };
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const auto part = within(
+            m_geometry.area, {pointAt(line[i - 1].x(), line[i - 1].y()), pointAt(line[i].x(), line[i].y())});
+        if (!part)
+            continue;
+        if (places.empty() || places.back() != part->p1()) {
+            paint();
+            places << part->p1();
+        }
+        places << part->p2();
+    }
+    paint();
+}
+
+// ---- cursors ----
+
+std::optional<double> StepPlot::Curve::at(double seconds) const {
+    for (const QPolygonF& part : parts)
+        for (qsizetype i = 1; i < part.size(); ++i)
+            if (seconds >= part[i - 1].x() && seconds <= part[i].x())
+                return part[i - 1].y() + (part[i].y() - part[i - 1].y()) * (seconds - part[i - 1].x()) /
+                                             (part[i].x() - part[i - 1].x());
+    return std::nullopt;
+}
+
+void StepPlot::showCursors(bool shown) {
+    if (shown == m_cursors.has_value())
+        return;
+    m_cursors.reset();
+    if (shown) {
+        const View view = seen();
+        const double width = view.right - view.left;
+        m_cursors = {view.left + width / 4, view.left + width * 3 / 4};
+    }
+    emit measured();
+    update();
+}
+
+std::vector<std::array<QString, 4>> StepPlot::readings() const {
+    std::vector<std::array<QString, 4>> rows;
+    if (!m_cursors)
+        return rows;
+    const auto& [first, second] = *m_cursors;
+    const double between = second - first;
+    const QString frequency =
+        between == 0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
+    rows.push_back(
+        {tr("time"), texts::stretch(first), texts::stretch(second), texts::stretch(between) + frequency});
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        if (!m_curves[i])
+            continue;
+        const auto text = [&](std::optional<double> value) {
+            return value ? texts::readout(*value) + u' ' + m_curves[i]->unit : u"–"_s;
+        };
+        const auto from = m_curves[i]->at(first);
+        const auto to = m_curves[i]->at(second);
+        rows.push_back({i == 0 ? tr("A") : tr("B"), text(from), text(to),
+                        text(from && to ? std::optional(*to - *from) : std::nullopt)});
+    }
+    return rows;
+}
+
+std::optional<std::size_t> StepPlot::cursorAt(const QPointF& position) const {
+    std::optional<std::size_t> nearest;
+    double distance = fontMetrics().height() / 2.0;
+    for (std::size_t i = 0; m_cursors && i < m_cursors->size(); ++i)
+        if (const double away = std::abs(m_geometry.x((*m_cursors)[i]) - position.x()); away < distance) {
+            nearest = i;
+            distance = away;
+        }
+    return nearest;
+}
+
+// ---- mouse and keys, as in the scope ----
+
+StepPlot::View StepPlot::seen() const {
+    return {m_geometry.left, m_geometry.right, m_geometry.bottom, m_geometry.top};
+}
+
+void StepPlot::showView(const View& view) {
+    const double time = view.right - view.left;
+    const double values = view.top - view.bottom;
+    if (time < kNarrowest || time > kWidest || values < kNarrowest || values > kMostValues)
+        return;
+    m_view = view;
+    fit();
+}
+
+void StepPlot::zoomTime(double factor, double at) {
+    const View view = seen();
+    showView({at - (at - view.left) * factor, at + (view.right - at) * factor, view.bottom, view.top});
+}
+
+void StepPlot::zoomValues(double factor, double at) {
+    const View view = seen();
+    showView({view.left, view.right, at - (at - view.bottom) * factor, at + (view.top - at) * factor});
+}
+
+void StepPlot::pan(double timeShare, double valueShare) {
+    const View view = seen();
+    const double time = timeShare * (view.right - view.left);
+    const double value = valueShare * (view.top - view.bottom);
+    showView({view.left + time, view.right + time, view.bottom + value, view.top + value});
+}
+
+void StepPlot::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || m_geometry.empty())
+        return QWidget::mousePressEvent(event);
+    m_dragFrom = m_dragTo = event->position();
+    const auto cursor = cursorAt(event->position());
+    m_drag = cursor                                   ? (*cursor == 0 ? Drag::Cursor1 : Drag::Cursor2)
+             : event->modifiers() & Qt::ShiftModifier ? Drag::Choose
+                                                      : Drag::Pan;
+}
+
+void StepPlot::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF from = std::exchange(m_dragTo, event->position());
+    switch (m_drag) {
+        case Drag::None:
+            break;
+        case Drag::Pan:
+            if (m_dragTo != from)
+                pan((from.x() - m_dragTo.x()) / m_geometry.area.width(),
+                    (m_dragTo.y() - from.y()) / m_geometry.area.height());
+            break;
+        case Drag::Cursor1:
+        case Drag::Cursor2:
+            if (m_cursors)
+                (*m_cursors)[m_drag == Drag::Cursor1 ? 0 : 1] = m_geometry.seconds(m_dragTo.x());
+            emit measured();
+            update();
+            break;
+        case Drag::Choose:
+            update();
+            break;
+    }
+}
+
+void StepPlot::mouseReleaseEvent(QMouseEvent* event) {
+    if (std::exchange(m_drag, Drag::None) != Drag::Choose)
+        return QWidget::mouseReleaseEvent(event);
+    update();
+    const auto [from, to] = std::minmax({m_dragFrom.x(), m_dragTo.x()});
+    if (to - from >= fontMetrics().height() / 2.0)
+        showView({m_geometry.seconds(from), m_geometry.seconds(to), m_geometry.bottom, m_geometry.top});
 }
 
 void StepPlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
+    m_view.reset();
     m_whole = !m_whole;
     fit();
+}
+
+void StepPlot::wheelEvent(QWheelEvent* event) {
+    const QPoint delta = event->angleDelta();
+    const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
+    event->accept();
+    if (notches == 0 || m_geometry.empty())
+        return;
+    if (event->modifiers() & Qt::ControlModifier)
+        zoomValues(std::pow(kWheelZoom, -notches), m_geometry.value(event->position().y()));
+    else if (event->modifiers() & Qt::ShiftModifier || delta.y() == 0)
+        pan(-notches * kPan, 0);
+    else
+        zoomTime(std::pow(kWheelZoom, -notches), m_geometry.seconds(event->position().x()));
+}
+
+void StepPlot::keyPressEvent(QKeyEvent* event) {
+    const QPointF middle = m_geometry.area.center();
+    const auto zoom = [&](double factor) {
+        if (event->modifiers() & Qt::ControlModifier)
+            zoomValues(factor, m_geometry.value(middle.y()));
+        else
+            zoomTime(factor, m_geometry.seconds(middle.x()));
+    };
+    switch (event->key()) {
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            return zoom(1 / kKeyZoom);
+        case Qt::Key_Minus:
+            return zoom(kKeyZoom);
+        case Qt::Key_Left:
+            return pan(-kPan, 0);
+        case Qt::Key_Right:
+            return pan(kPan, 0);
+        case Qt::Key_Up:
+            return pan(0, kPan);
+        case Qt::Key_Down:
+            return pan(0, -kPan);
+        case Qt::Key_A:
+            return fitTransient();
+        case Qt::Key_C:
+            return emit cursorsWanted();
+        case Qt::Key_Home:
+            m_view.reset();
+            m_whole = true;
+            return fit();
+        default:
+            QWidget::keyPressEvent(event);
+    }
 }
 
 void StepPlot::resizeEvent(QResizeEvent* event) {

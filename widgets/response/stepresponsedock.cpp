@@ -2,6 +2,7 @@
 #include "widgets/response/stepresponsedock.h"
 
 #include <QScrollArea>
+#include <utility>
 
 #include "widgets/common/scrolled.h"
 
@@ -20,7 +21,10 @@ StepResponsePage& StepResponseDock::page() {
         connect(m_page, &StepResponsePage::suggestionWanted, this, &StepResponseDock::suggestionWanted);
         connect(m_page, &StepResponsePage::identifyWanted, this, &StepResponseDock::identifyWanted);
         connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
+        connect(m_page, &StepResponsePage::runsChanged, this, &StepResponseDock::runsChanged);
         setWidget(scrolled(m_page));
+        if (!m_waiting.empty())
+            m_page->showKept(std::exchange(m_waiting, {}));
     }
     return *m_page;
 }
@@ -28,6 +32,19 @@ StepResponsePage& StepResponseDock::page() {
 void StepResponseDock::showModule(const PanelView& view) {
     if (inUse())
         page().showModule(view);
+}
+
+void StepResponseDock::showKept(std::vector<KeptRun> runs) {
+    if (m_page != nullptr)
+        m_page->showKept(std::move(runs));
+    else
+        m_waiting = std::move(runs);
+}
+
+void StepResponseDock::clearRuns() {
+    m_waiting.clear();
+    if (m_page != nullptr)
+        m_page->clearRuns();
 }
 
 void StepResponseDock::forgetModules() {

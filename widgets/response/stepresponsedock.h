@@ -17,6 +17,10 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
     void showRun(KeptRun run) { page().showRun(std::move(run)); }
+    /// Until it is built they wait.
+    void showKept(std::vector<KeptRun> runs);
+    void clearRuns();
+    [[nodiscard]] std::vector<KeptRun> runs() const { return m_page != nullptr ? m_page->runs() : m_waiting; }
     void showMotor(ModuleIndex module, const FoundMotor& found) { page().showMotor(module, found); }
     void showSuggestion(const Suggestion& suggestion) { page().showSuggestion(suggestion); }
     void forgetModules();
@@ -31,6 +35,7 @@ signals:
     void gainsWanted(const nmc::servo::SetGain& gains);
     void suggestionWanted(const nmc::SuggestionTask& task);
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
+    void runsChanged();
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
@@ -38,6 +43,7 @@ private:
     [[nodiscard]] bool inUse() const { return seen() || (m_page != nullptr && m_page->lends()); }
 
     StepResponsePage* m_page = nullptr;
+    std::vector<KeptRun> m_waiting;
 };
 
 }  // namespace nmc

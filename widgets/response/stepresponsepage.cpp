@@ -9,14 +9,17 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "model/response/steprunstore.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/stepform.h"
 #include "widgets/response/stepplot.h"
 #include "widgets/response/stepresults.h"
+#include "widgets/response/stepview.h"
 
 namespace nmc {
 
@@ -31,7 +34,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
       m_form(new StepForm(this)),
       m_results(new StepResults(this)),
       m_model(new ModelBox(m_kept, this)),
-      m_plot(new StepPlot(this)),
+      m_view(new StepView(this)),
       m_table(new StepRunTable(this)) {
     look::name(this, u"stepResponsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
@@ -49,9 +52,12 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     connect(m_form, &StepForm::bandEdited, this, &StepResponsePage::judgeAll);
     connect(m_table, &StepRunTable::shownWanted, this, &StepResponsePage::showAs);
     connect(m_table, &StepRunTable::chosenChanged, this, &StepResponsePage::refreshButtons);
+    connect(m_table, &StepRunTable::named, this, &StepResponsePage::nameRun);
+    connect(m_putBack, &QPushButton::clicked, this, &StepResponsePage::putBack);
     connect(m_use, &QPushButton::clicked, this, &StepResponsePage::useGains);
     connect(m_remove, &QPushButton::clicked, this, &StepResponsePage::removeChosen);
     connect(m_save, &QPushButton::clicked, this, &StepResponsePage::chooseFile);
+    connect(m_view, &StepView::saveRequested, this, &StepResponsePage::saveRequested);
     refreshRuns();
 }
 
@@ -66,18 +72,20 @@ QPushButton* StepResponsePage::newButton(const QString& objectName, const QStrin
 QWidget* StepResponsePage::newRunsPart() {
     m_use = newButton(u"stepUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
     m_remove = newButton(u"stepRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
+    m_putBack = newButton(u"stepPutBackButton"_s, tr("Put back"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
     m_save = newButton(u"stepExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     m_all = new QCheckBox(tr("All runs"), this);
     look::name(m_all, u"stepAllRunsBox"_s, tr("All runs of this module in the plot"));
     m_all->setToolTip(tr("Draws the other runs of this module as well, the older the paler."));
     connect(m_all, &QCheckBox::toggled, this, &StepResponsePage::refreshRuns);
+    m_view->addControl(m_all);
     auto* part = new QWidget(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(look::gridUnit(this));
     buttons->addWidget(m_use);
     buttons->addWidget(m_remove);
+    buttons->addWidget(m_putBack);
     buttons->addStretch(1);
-    buttons->addWidget(m_all);
     buttons->addWidget(m_save);
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -125,7 +133,7 @@ void StepResponsePage::lay() {
     if (m_lent != nullptr) {
         left->addWidget(m_findings);
         left->addWidget(m_runs, 1);
-        right->addWidget(m_plot);
+        right->addWidget(m_view);
     } else {
         left->addWidget(m_form);
         left->addWidget(m_findings);
@@ -133,7 +141,7 @@ void StepResponsePage::lay() {
         // A line is always left to it, so that the plot does not jump with every step.
         m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
         right->addWidget(m_form->stateLabel());
-        right->addWidget(m_plot, 3);
+        right->addWidget(m_view, 3);
         right->addWidget(m_runs, 2);
     }
     m_form->show();
@@ -183,12 +191,55 @@ void StepResponsePage::showRun(KeptRun run) {
         m_shown[1] = m_shown[0];
     m_shown[0] = run.number;
     m_kept.push_back(std::move(run));
-    if (m_kept.size() > kMostRuns)
-        m_kept.erase(std::find_if(m_kept.begin(), m_kept.end(), [this](const KeptRun& kept) {
-            return kept.number != m_shown[0] && kept.number != m_shown[1];
-        }));
+    showList();
+    emit runsChanged();
+}
+
+void StepResponsePage::showKept(std::vector<KeptRun> runs) {
+    int last = 0;
+    for (KeptRun& run : runs) {
+        setBand(run.run, m_form->band());
+        last = std::max(last, run.number);
+    }
+    // What was made before these were read is newer all the same.
+    for (std::vector<KeptRun>* made : {&m_kept, &m_removed})
+        for (KeptRun& run : *made)
+            run.number += last;
+    for (std::optional<int>& shown : m_shown)
+        if (shown)
+            *shown += last;
+    m_lastNumber += last;
+    m_kept.insert(m_kept.begin(), std::make_move_iterator(runs.begin()), std::make_move_iterator(runs.end()));
+    showList();
+}
+
+void StepResponsePage::clearRuns() {
+    m_kept.clear();
+    m_removed.clear();
+    m_shown = {};
+    m_lastNumber = 0;
+    showList();
+}
+
+/// What is listed has changed.
+void StepResponsePage::showList() {
+    keepMost(m_kept, [this](const KeptRun& kept) {
+        return kept.number == m_shown[0] || kept.number == m_shown[1] || kept.number == m_lastNumber;
+    });
     m_model->showRuns();
     refreshRuns();
+}
+
+void StepResponsePage::nameRun(int number, const QString& name, const QString& note) {
+    constexpr int kLongestName = 60, kLongestNote = 500;
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
+                                    [number](const KeptRun& kept) { return kept.number == number; });
+    if (found == m_kept.end())
+        return;
+    found->name = name.simplified().left(kLongestName).toStdString();
+    found->note = note.simplified().left(kLongestNote).toStdString();
+    refreshRuns();
+    emit runsChanged();
 }
 
 void StepResponsePage::judgeAll(double bandPercent) {
@@ -208,7 +259,7 @@ void StepResponsePage::refreshRuns() {
     const KeptRun* b = find(m_shown[1]);
     m_table->showRuns(m_kept, m_shown);
     m_results->showRuns(a, b);
-    m_plot->showRuns(a, b, others());
+    m_view->showRuns(a, b, others());
     showModelCurves();
     refreshButtons();
 }
@@ -234,7 +285,7 @@ void StepResponsePage::showModelCurves() {
                shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
     };
     const bool drawn = about != nullptr && (alike(find(m_shown[0])) || alike(find(m_shown[1])));
-    m_plot->showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
+    m_view->plot().showModel(drawn ? about : nullptr, m_model->fittedPoints(), m_model->predictedPoints());
 }
 
 QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
@@ -252,6 +303,8 @@ void StepResponsePage::refreshButtons() {
                          "(Ctrl+Shift+U)."));
     look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
                       tr("Takes this run off the list (Ctrl+Del)."));
+    look::setPossible(m_putBack, m_removed.empty() ? tr("No run was removed.") : QString(),
+                      tr("Brings the run back that was removed last (Ctrl+Shift+Del)."));
     look::setPossible(m_save, m_kept.empty() ? tr("There is no run yet.") : QString(),
                       tr("Saves all runs of the list, with their gains and results (Ctrl+Shift+X)."));
 }
@@ -264,14 +317,28 @@ void StepResponsePage::useGains() {
 
 void StepResponsePage::removeChosen() {
     const std::optional<int> chosen = m_table->chosen();
-    m_kept.erase(std::remove_if(m_kept.begin(), m_kept.end(),
-                                [chosen](const KeptRun& kept) { return kept.number == chosen; }),
-                 m_kept.end());
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
+                                    [chosen](const KeptRun& kept) { return kept.number == chosen; });
+    if (found == m_kept.end())
+        return;
+    m_removed.push_back(std::move(*found));
+    m_kept.erase(found);
     for (std::optional<int>& shown : m_shown)
         if (shown == chosen)
             shown.reset();
-    m_model->showRuns();
-    refreshRuns();
+    showList();
+    emit runsChanged();
+}
+
+void StepResponsePage::putBack() {
+    KeptRun run = std::move(m_removed.back());
+    m_removed.pop_back();
+    setBand(run.run, m_form->band());
+    const auto place = std::lower_bound(m_kept.begin(), m_kept.end(), run.number,
+                                        [](const KeptRun& kept, int number) { return kept.number < number; });
+    m_kept.insert(place, std::move(run));
+    showList();
+    emit runsChanged();
 }
 
 void StepResponsePage::chooseFile() {

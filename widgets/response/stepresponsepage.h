@@ -19,17 +19,14 @@ class QTabWidget;
 namespace nmc {
 
 class StepForm;
-class StepPlot;
 class StepResults;
+class StepView;
 
 /// Step responses of the selected servo: asks for them, keeps those that were made, and compares two.
 class StepResponsePage : public QWidget {
     Q_OBJECT
 
 public:
-    /// The oldest that is not shown gives way to a new one.
-    static constexpr std::size_t kMostRuns = 100;
-
     explicit StepResponsePage(QWidget* parent = nullptr);
 
     // Emit nothing.
@@ -38,6 +35,10 @@ public:
     /// A new one: it becomes A, and where there is no B to compare it with, what was A becomes B. Its number
     /// is given here, and it is judged by the band that the user has chosen.
     void showRun(KeptRun run);
+    /// Those that were kept of the machine, oldest first, below what is there by now.
+    void showKept(std::vector<KeptRun> runs);
+    /// The runs are of another machine.
+    void clearRuns();
     /// The answer to identifyWanted().
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to suggestionWanted().
@@ -62,7 +63,9 @@ signals:
     void gainsWanted(const nmc::servo::SetGain& gains);
     void suggestionWanted(const nmc::SuggestionTask& task);
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
-    /// All runs.
+    /// runs() has changed, and not by showKept() or clearRuns(): it is to be kept.
+    void runsChanged();
+    /// All runs, or a picture of those that are shown.
     void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
@@ -73,7 +76,10 @@ private:
     void judgeAll(double bandPercent);
     void showModelCurves();
     void useGains();
+    void nameRun(int number, const QString& name, const QString& note);
     void removeChosen();
+    void putBack();
+    void showList();
     void chooseFile();
     void refreshRuns();
     void refreshButtons();
@@ -81,17 +87,19 @@ private:
     [[nodiscard]] const KeptRun* find(std::optional<int> number) const;
     [[nodiscard]] QString whyNotUsable(const KeptRun* run) const;
 
-    std::vector<KeptRun> m_kept;  ///< oldest first
+    std::vector<KeptRun> m_kept;     ///< oldest first
+    std::vector<KeptRun> m_removed;  ///< the last at the end
     StepForm* m_form;
     StepResults* m_results;
     ModelBox* m_model;
     QTabWidget* m_findings = nullptr;
-    StepPlot* m_plot;
+    StepView* m_view;
     StepRunTable* m_table;
     QWidget* m_runs = nullptr;  ///< the table and its buttons
     QWidget* m_lent = nullptr;  ///< the form, elsewhere
     QPushButton* m_use = nullptr;
     QPushButton* m_remove = nullptr;
+    QPushButton* m_putBack = nullptr;
     QPushButton* m_save = nullptr;
     QCheckBox* m_all = nullptr;
     ShownRuns m_shown;

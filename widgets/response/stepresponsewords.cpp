@@ -88,6 +88,12 @@ QString stepTime(const StepMetrics::Result<Measured>& seconds) {
                               : plusMinus(*seconds, StepTexts::tr("s"));
 }
 
+QString stepSettling(const StepMetrics& metrics) {
+    const bool beside = !metrics.settling && metrics.settlingAtRest;
+    return beside ? StepTexts::tr("%1, off its goal").arg(stepTime(metrics.settlingAtRest))
+                  : stepTime(metrics.settling);
+}
+
 QString stepOvershoot(const StepMetrics::Result<Measured>& percent) {
     return percent ? plusMinus(*percent, u"%"_s) : unmeasured(percent.error());
 }

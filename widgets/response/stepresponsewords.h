@@ -20,6 +20,8 @@ namespace nmc::texts {
 [[nodiscard]] QString plusMinus(const Measured& measured, const QString& unit);
 // The same, or why it could not be measured.
 [[nodiscard]] QString stepTime(const StepMetrics::Result<Measured>& seconds);
+/// In a few words: to the goal, or else beside it.
+[[nodiscard]] QString stepSettling(const StepMetrics& metrics);
 [[nodiscard]] QString stepOvershoot(const StepMetrics::Result<Measured>& percent);
 [[nodiscard]] QString stepError(const StepMetrics::Result<Measured>& counts, const AxisScale& scale);
 /// "limited to 127", "at least 23", "not known"; of 255.

@@ -12,19 +12,23 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-enum Row { Number, Rise, Overshoot, Settling, SteadyError, PeakPwm, Interval, kRows };
+enum Row { Number, Rise, Overshoot, Settling, AtRest, SteadyError, PeakPwm, Interval, kRows };
 }
 
 StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
     look::name(this, u"stepResults"_s, tr("What the runs that are shown come to"));
     setHorizontalHeaderLabels({tr("A"), tr("B")});
-    setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling"),
-                             tr("Steady-state error"), tr("Peak PWM, of 255"), tr("Sample interval")});
+    setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling to the goal"),
+                             tr("Settling where it stays"), tr("Steady-state error"), tr("Peak PWM, of 255"),
+                             tr("Sample interval")});
     verticalHeaderItem(Rise)->setToolTip(tr("Time from 10 % to 90 % of the step."));
     verticalHeaderItem(Overshoot)->setToolTip(tr("How far it went beyond its goal, in % of the step."));
     verticalHeaderItem(Settling)->setToolTip(
-        tr("Time until it stays within the settling band. Nothing if that is not before the last fifth of "
-           "the record."));
+        tr("Time until it stays within the settling band around the goal. Nothing if that is not before the "
+           "last fifth of the record."));
+    verticalHeaderItem(AtRest)->setToolTip(
+        tr("The same around the mean position of the last fifth of the record. Friction holds a motor beside "
+           "its goal unless there is an integral (Ki, IL)."));
     verticalHeaderItem(SteadyError)
         ->setToolTip(tr("Goal less the mean position of the last fifth of the record."));
     verticalHeaderItem(PeakPwm)->setToolTip(tr(
@@ -53,6 +57,7 @@ void StepResults::showRun(int column, const KeptRun* kept) {
         cells[Rise] = texts::stepTime(metrics.rise);
         cells[Overshoot] = texts::stepOvershoot(metrics.overshoot);
         cells[Settling] = texts::stepTime(metrics.settling);
+        cells[AtRest] = texts::stepTime(metrics.settlingAtRest);
         cells[SteadyError] = texts::stepError(metrics.steadyError, kept->scale);
         cells[PeakPwm] = texts::peakPwm(kept->run.pwm);
         cells[Interval] = tr("%1 ms").arg(texts::readout(metrics.interval * 1e3, 3));

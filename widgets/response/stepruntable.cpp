@@ -5,19 +5,26 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <tuple>
 
+#include "model/response/steprunstore.h"
 #include "widgets/common/look.h"
+#include "widgets/common/words.h"
 #include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, Settling + 1, parent) {
+StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     look::name(this, u"stepRunTable"_s, tr("Step responses so far"));
-    setToolTip(tr("The step responses so far, newest first. Tick two of them to compare their curves."));
-    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Module"), tr("Time"), u"Kp"_s, u"Kd"_s,
-                               u"Ki"_s, tr("Overshoot"), tr("Settling")});
+    setToolTip(
+        tr("The step responses so far, newest first. Tick two of them to compare their curves. The last "
+           "%1 are kept with the machine, those with a name or a note longest.")
+            .arg(kMostKeptRuns));
+    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Name"), tr("Module"), tr("Time"), u"Kp"_s,
+                               u"Kd"_s, u"Ki"_s, tr("Overshoot"), tr("Settling"), tr("Note")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().height());
     horizontalHeader()->setHighlightSections(false);
@@ -26,12 +33,15 @@ StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, Settling + 1, pare
     setFont(look::tabular(look::scaled(font(), 0.9)));
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setTabKeyNavigation(false);
     setWordWrap(false);
     connect(this, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
-        emit shownWanted(item->column(), cell(item->row(), Run)->text().toInt(),
-                         item->checkState() == Qt::Checked);
+        const int row = item->row();
+        if (item->column() <= B)
+            emit shownWanted(item->column(), numberAt(row), item->checkState() == Qt::Checked);
+        else
+            emit named(numberAt(row), cell(row, Name)->text(), cell(row, Note)->text());
     });
     connect(this, &QTableWidget::itemSelectionChanged, this, &StepRunTable::chosenChanged);
 }
@@ -43,6 +53,8 @@ QTableWidgetItem* StepRunTable::cell(int row, int column) {
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
         if (column <= B)
             item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        else if (column == Name || column == Note)
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
         else
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         setItem(row, column, item);
@@ -64,31 +76,70 @@ void StepRunTable::showRun(int row, const KeptRun& kept, const ShownRuns& shown)
     const QDateTime started =
         QDateTime::fromString(QString::fromStdString(kept.startedAt), Qt::ISODateWithMs);
     cell(row, Run)->setText(QString::number(kept.number));
+    for (const auto& [column, words, hint] :
+         {std::tuple{Name, &kept.name, tr("What the run is called. Double-click it, or press F2, to write.")},
+          std::tuple{Note, &kept.note,
+                     tr("What is to be known of the run. Double-click it, or press F2.")}}) {
+        // Only news: it may be under an editor.
+        const QString text = QString::fromStdString(*words);
+        if (cell(row, column)->text() != text)
+            cell(row, column)->setText(text);
+        if (const QString tip = text.isEmpty() ? hint : text; cell(row, column)->toolTip() != tip)
+            cell(row, column)->setToolTip(tip);
+    }
     cell(row, Module)->setText(QString::number(kept.run.module.value() + 1));
     cell(row, Module)->setToolTip(QString::fromStdString(kept.moduleName));
-    cell(row, Time)->setText(QLocale().toString(started.time(), u"HH:mm:ss"_s));
+    const bool today = started.date() == QDate::currentDate();
+    cell(row, Time)->setText(today ? QLocale().toString(started.time(), u"HH:mm:ss"_s)
+                                   : QLocale().toString(started, QLocale::ShortFormat));
+    cell(row, Time)->setToolTip(tr("%1, %2").arg(QLocale().toString(started, QLocale::LongFormat),
+                                                 texts::portName(QString::fromStdString(kept.port))));
     cell(row, Kp)->setText(QString::number(gains.kp));
     cell(row, Kd)->setText(QString::number(gains.kd));
     cell(row, Ki)->setText(QString::number(gains.ki));
     cell(row, Overshoot)->setText(texts::stepOvershoot(kept.run.metrics.overshoot));
-    cell(row, Settling)->setText(texts::stepTime(kept.run.metrics.settling));
+    cell(row, Settling)->setText(texts::stepSettling(kept.run.metrics));
 }
 
 void StepRunTable::showRuns(const std::vector<KeptRun>& runs, const ShownRuns& shown) {
     const std::optional<int> before = chosen();
-    const QSignalBlocker blocker(this);
-    setRowCount(static_cast<int>(runs.size()));
+    {
+        const QSignalBlocker blocker(this);
+        arrangeRows(runs);
+        int row = 0;
+        for (auto kept = runs.rbegin(); kept != runs.rend(); ++kept, ++row)
+            showRun(row, *kept, shown);
+        if (chosen() != before)
+            setCurrentCell(-1, -1);  // nobody has chosen its neighbour
+    }
+    if (chosen() != before)
+        emit chosenChanged();
+}
+
+/// A row goes with its run, and so do what is chosen and an editor that is open.
+void StepRunTable::arrangeRows(const std::vector<KeptRun>& runs) {
     int row = 0;
     for (auto kept = runs.rbegin(); kept != runs.rend(); ++kept, ++row) {
-        showRun(row, *kept, shown);
-        if (kept->number == before)
-            setCurrentCell(row, currentColumn());
+        const auto wanted = [&](int number) {
+            return std::any_of(kept, runs.rend(), [=](const KeptRun& run) { return run.number == number; });
+        };
+        while (row < rowCount() && !wanted(numberAt(row)))
+            removeRow(row);
+        if (row == rowCount() || numberAt(row) != kept->number) {
+            insertRow(row);
+            cell(row, Run)->setText(QString::number(kept->number));
+        }
     }
+    setRowCount(row);
+}
+
+int StepRunTable::numberAt(int row) const {
+    const QTableWidgetItem* number = item(row, Run);
+    return number != nullptr ? number->text().toInt() : 0;
 }
 
 std::optional<int> StepRunTable::chosen() const {
-    const QTableWidgetItem* number = currentRow() >= 0 ? item(currentRow(), Run) : nullptr;
-    return number != nullptr ? std::optional(number->text().toInt()) : std::nullopt;
+    return currentRow() >= 0 ? std::optional(numberAt(currentRow())) : std::nullopt;
 }
 
 QSize StepRunTable::sizeHint() const {

@@ -13,7 +13,8 @@ namespace nmc {
 /// The runs that are drawn, by their numbers: A and B.
 using ShownRuns = std::array<std::optional<int>, 2>;
 
-/// The runs so far, newest first, each with its gains and two boxes that say whether it is drawn as A or B.
+/// The runs so far, newest first, each with its gains, two boxes that say whether it is drawn as A or B, and
+/// a name and a note that the user may write.
 class StepRunTable : public QTableWidget {
     Q_OBJECT
 
@@ -31,11 +32,15 @@ signals:
     /// The user has ticked or cleared a box; `which`: 0 is A, 1 is B.
     void shownWanted(int which, int run, bool shown);
     void chosenChanged();
+    /// The user has written them.
+    void named(int run, const QString& name, const QString& note);
 
 private:
-    enum Column { A, B, Run, Module, Time, Kp, Kd, Ki, Overshoot, Settling };
+    enum Column { A, B, Run, Name, Module, Time, Kp, Kd, Ki, Overshoot, Settling, Note, kColumns };
     void showRun(int row, const KeptRun& kept, const ShownRuns& shown);
     QTableWidgetItem* cell(int row, int column);
+    [[nodiscard]] int numberAt(int row) const;
+    void arrangeRows(const std::vector<KeptRun>& runs);
 };
 
 }  // namespace nmc

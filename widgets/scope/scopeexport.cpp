@@ -9,8 +9,10 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMimeData>
+#include <algorithm>
 #include <utility>
 
+#include "model/recording/widerecording.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -53,9 +55,23 @@ Seen seenOf(const ScopeStrips& strips, const History& history) {
             coarserBefore(history, left)};
 }
 
-FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
+/// In the order of the forms below.
+QStringList csvForms() {
+    return {Scope::tr("A row for each reply (*.csv)"), Scope::tr("A column for each signal (*.csv)"),
+            Scope::tr("A column for each signal, every millisecond (*.csv)")};
+}
+enum Form { Long, Sparse, Even };
+
+/// Only the long form can be opened here again.
+FileContent contentOf(const Seen& seen, const std::vector<ScopeModule>& modules, const ScopeOrigin& origin,
+                      int form = Long) {
+    constexpr Duration kInterval = std::chrono::milliseconds(1);
     const RecordingHeader header = recordingHeader(modules, origin.port, origin.simulated,
                                                    seen.history->zero().value_or(TimePoint{}), origin.zero);
+    if (form != Long)
+        return [seen, header, interval = form == Even ? kInterval : Duration::zero()] {
+            return wideRecordingOf(header, *seen.history, interval);
+        };
     return [seen, header] {
         std::string text = recordingOf(header, *seen.history);
         if (seen.coarserBefore)
@@ -137,9 +153,11 @@ void ScopeExport::choose(Kind kind) {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(tr("scope"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& path) {
+    if (kind == Kind::Csv)
+        dialog->setNameFilters(csvForms());
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, kind](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
-        want({kind, path});
+        want({kind, path, std::max(0, static_cast<int>(csvForms().indexOf(dialog->selectedNameFilter())))});
     });
     dialog->show();
 }
@@ -157,7 +175,8 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
     const QStringList caption = captionOf(origin, title, strips.time().left());
     switch (wanted.kind) {
         case Kind::Csv:
-            emit saveRequested(wanted.path, contentOf(seenOf(strips, history), strips.modules(), origin));
+            emit saveRequested(wanted.path,
+                               contentOf(seenOf(strips, history), strips.modules(), origin, wanted.form));
             break;
         case Kind::Png:
             emit saveRequested(wanted.path, [image = scopeImage(strips, caption)] { return pngOf(image); });

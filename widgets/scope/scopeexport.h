@@ -42,6 +42,7 @@ private:
     struct Wanted {
         Kind kind = Kind::Csv;
         QString path{};
+        int form = 0;  ///< of CSV: which of the dialog's filters was chosen
     };
 
     void addAction(Kind kind, const QString& objectName, const QString& text, const QString& meaning);

@@ -157,10 +157,20 @@ private:
     std::optional<Trouble> write(int fd, std::string_view text);
     /// Waits for text or the end, until `flushAt` at most; true when nothing will follow.
     bool next(std::vector<std::string>& texts, std::optional<TimePoint> flushAt);
-    void noteWritten(std::size_t bytes) {
+    void noteWritten(std::string_view text) {
         const std::scoped_lock lock(m_mutex);
-        m_waiting -= bytes;
-        m_written += static_cast<qint64>(bytes);
+        if (const std::size_t end = text.rfind('\n'); end != std::string_view::npos)
+            m_wholeLines = m_written + static_cast<qint64>(end) + 1;
+        m_waiting -= text.size();
+        m_written += static_cast<qint64>(text.size());
+    }
+    /// A row whose end the disk has not taken goes: what is left of a number would be another number.
+    void dropPartOfLine(int fd) {
+        // Only this thread writes it; and the disk may take its time, for which nobody is to wait.
+        if (ftruncate(fd, m_wholeLines) != 0)
+            return;
+        const std::scoped_lock lock(m_mutex);
+        m_written = m_wholeLines;
     }
     [[nodiscard]] bool abandoned() const {
         const std::scoped_lock lock(m_mutex);
@@ -169,6 +179,7 @@ private:
 
     const std::string m_path;
     const std::size_t m_limit;
+    qint64 m_wholeLines = 0;  ///< of what is written; the writing thread's own
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     // All below: under the mutex.
@@ -193,8 +204,10 @@ std::optional<Trouble> RecordingWriter::Job::record() {
         std::vector<std::string> texts;
         last = next(texts, flushAt);
         for (const std::string& text : texts)
-            if (const auto trouble = write(file.fd(), text))
+            if (const auto trouble = write(file.fd(), text)) {
+                dropPartOfLine(file.fd());
                 return trouble;
+            }
         if (!texts.empty() && !flushAt)
             flushAt = monotonicNow() + kBetweenFlushes;
         if (flushAt && (last || monotonicNow() >= *flushAt)) {
@@ -223,7 +236,7 @@ std::optional<Trouble> RecordingWriter::Job::write(int fd, std::string_view text
             return Trouble{RecordingTrouble::TooSlow};
         const ssize_t count = ::write(fd, text.data(), text.size());
         if (count >= 0) {
-            noteWritten(static_cast<std::size_t>(count));
+            noteWritten(text.substr(0, static_cast<std::size_t>(count)));
             text.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN) {
             pollfd room{fd, POLLOUT, 0};

@@ -7,6 +7,7 @@
 
 #include "model/recording/numbertext.h"
 #include "model/recording/recordingwords.h"
+#include "model/recording/timetext.h"
 
 namespace nmc {
 
@@ -33,20 +34,6 @@ template <typename Real>
 void appendReal(std::string& out, Real number) {
     if (std::isfinite(number))
         appendNumber(out, number);
-}
-
-/// Seconds with nine decimals: every nanosecond, exactly.
-void appendTime(std::string& out, Duration time) {
-    constexpr std::int64_t kSecond = 1'000'000'000;
-    const std::int64_t ns = time.count();
-    if (ns < 0)
-        out += '-';
-    appendNumber(out, std::abs(ns / kSecond));
-    std::array<char, 10> fraction{'.'};
-    std::int64_t rest = std::abs(ns % kSecond);
-    for (std::size_t i = fraction.size() - 1; i > 0; --i, rest /= 10)
-        fraction[i] = static_cast<char>('0' + rest % 10);
-    out.append(fraction.data(), fraction.size());
 }
 
 /// A line of its own, whatever a module is called.

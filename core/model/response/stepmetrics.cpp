@@ -87,16 +87,18 @@ void markGaps(std::vector<Look>& looks) {
     return Measured{100 * over / step, 100 * (added + kHalfCount) / step};
 }
 
-[[nodiscard]] StepMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double band,
-                                                       double lastPart, double timeDoubt) {
-    const auto outside = [band](const Look& look) { return std::abs(look.beyond) > band; };
+/// `middle`: of the band, beyond the goal.
+[[nodiscard]] StepMetrics::Result<Measured> settlingOf(const std::vector<Look>& looks, double middle,
+                                                       double band, double lastPart, double timeDoubt) {
+    const auto outside = [=](const Look& look) { return std::abs(look.beyond - middle) > band; };
     const auto last = std::find_if(looks.rbegin(), looks.rend(), outside);
     if (last == looks.rend())
         return Measured{0.0, timeDoubt};
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
     const Look& inside = *(last - 1);  // backwards, so the one after
-    StepMetrics::Result<Measured> settled = crossing(*last, inside, last->beyond > 0 ? band : -band);
+    StepMetrics::Result<Measured> settled =
+        crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
         settled->doubt += timeDoubt;
     return settled;
@@ -119,6 +121,20 @@ void markGaps(std::vector<Look>& looks) {
     return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
 }
 
+[[nodiscard]] StepMetrics::Result<Measured> settlingAtRestOf(const std::vector<Look>& looks, double step,
+                                                             double band, double lastPart, double timeDoubt) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (auto look = looks.rbegin(); look != looks.rend() && look->seconds >= lastPart; ++look, ++count)
+        sum += look->beyond;
+    if (count < kFewest)
+        return tl::unexpected(Unmeasured::TooFewSamples);
+    const double rest = sum / static_cast<double>(count);
+    if (rest + step <= band)
+        return tl::unexpected(Unmeasured::NeverRose);
+    return settlingOf(looks, rest, band, lastPart, timeDoubt);
+}
+
 }  // namespace
 
 StepMetrics measureStep(std::span<const StepPoint> points, double from, double goal, double band,
@@ -130,13 +146,16 @@ StepMetrics measureStep(std::span<const StepPoint> points, double from, double g
             looks.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
     if (looks.size() <= kFewest) {
         const auto none = tl::unexpected(Unmeasured::TooFewSamples);
-        return {none, none, none, none, 0.0};
+        return {none, none, none, none, none, 0.0};
     }
     markGaps(looks);
     const double length = looks.back().seconds;
     const double lastPart = length * (1 - kLastPart);
-    StepMetrics metrics{riseOf(looks, step, timeDoubt), overshootOf(looks, step, band),
-                        settlingOf(looks, band, lastPart, timeDoubt), steadyErrorOf(points, goal, lastPart),
+    StepMetrics metrics{riseOf(looks, step, timeDoubt),
+                        overshootOf(looks, step, band),
+                        settlingOf(looks, 0.0, band, lastPart, timeDoubt),
+                        settlingAtRestOf(looks, step, band, lastPart, timeDoubt),
+                        steadyErrorOf(points, goal, lastPart),
                         0.0};
     metrics.interval = (length - looks[1].seconds) / static_cast<double>(looks.size() - 2);
     return metrics;

@@ -21,7 +21,7 @@ struct Measured {
 
 enum class Unmeasured : std::uint8_t {
     TooFewSamples,
-    NeverRose,       ///< 90 % of the step were not reached
+    NeverRose,       ///< 90 % of the step were not reached; or it did not leave where it began
     NeverSettled,    ///< it was outside the band in the last part of the record
     SamplesMissing,  ///< where it would have been measured; so a repetition helps
 };
@@ -41,6 +41,9 @@ struct StepMetrics {
     Result<Measured> rise;         ///< s, from 10 % to 90 % of the step
     Result<Measured> overshoot;    ///< % of the step, beyond its goal
     Result<Measured> settling;     ///< s, until it stays within the band around the goal
+    /// s, until it stays within as wide a band around where it is in the last part: that is beside the goal
+    /// where friction holds a motor whose loop has no integral.
+    Result<Measured> settlingAtRest;
     Result<Measured> steadyError;  ///< counts: goal less the mean position of the last part
     double interval = 0.0;         ///< s, mean, between samples
 };

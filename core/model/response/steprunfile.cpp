@@ -13,6 +13,8 @@ public:
     Comments(std::string& out, int run) : m_out(out), m_prefix("# run " + textOf(run) + ' ') {}
 
     void add(std::string_view key, std::string_view value) {
+        if (value.empty())
+            return;
         m_out.append(m_prefix).append(key).append(": ");
         // One line without a comma, whatever a module is called: no spreadsheet tears it.
         for (const char c : value)
@@ -42,7 +44,9 @@ std::string_view wayText(StepWay way) {
 void appendMetrics(Comments& comments, const StepRun& run) {
     comments.add("rise from 10 to 90 %", run.metrics.rise, "s");
     comments.add("overshoot", run.metrics.overshoot, "% of the step");
-    comments.add("settling to within " + textOf(run.band()) + " counts", run.metrics.settling, "s");
+    const std::string within = "settling to within " + textOf(run.band()) + " counts of ";
+    comments.add(within + "the goal", run.metrics.settling, "s");
+    comments.add(within + "where it stays", run.metrics.settlingAtRest, "s");
     comments.add("steady-state error", run.metrics.steadyError, "counts");
     if (run.pwm)
         comments.add("peak PWM demand", (run.pwm->limited() ? "limited to " : "at least ") +
@@ -52,6 +56,8 @@ void appendMetrics(Comments& comments, const StepRun& run) {
 void appendRun(std::string& out, const KeptRun& kept) {
     const StepTaken& taken = kept.run.taken;
     Comments comments(out, kept.number);
+    comments.add("name", kept.name);
+    comments.add("note", kept.note);
     comments.add("started", kept.startedAt);
     comments.add("port", kept.port);
     comments.add("simulated", kept.simulated ? "yes (no real motor moved)" : "no");

@@ -12,13 +12,17 @@ namespace nmc {
 
 /// A step response with what it is labelled by wherever it is listed or saved.
 struct KeptRun {
-    int number = 0;  ///< from 1
+    int number = 0;    ///< from 1
+    std::string name;  ///< the user's, UTF-8; as is the note
+    std::string note;
     StepRun run;
     std::string startedAt;   ///< ISO 8601 with the offset of the zone, of the step
     std::string moduleName;  ///< UTF-8
+    std::string axisName;    ///< the user's for its axis, by which it is found again; may be empty
     AxisScale scale;
     std::string port;
     bool simulated = false;
+    bool earlier = false;  ///< of another session: the motor may be another by now
 };
 
 /// For spreadsheets and people: comments that tell of each run, then one row per sample. UTF-8, line feeds,

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/runkeeper.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "widgets/common/texts.h"
+#include "widgets/response/stepresponsedock.h"
+
+namespace nmc {
+
+namespace {
+
+const QString kSuffix = QLatin1Char('.') + QLatin1String(kRunFileSuffix.data(), kRunFileSuffix.size());
+
+/// In another thread, as all below.
+[[nodiscard]] std::vector<KeptRun> runsIn(const QString& path) {
+    const auto text = readFile(path, kMaxRunFile);
+    auto runs = text ? readStepRuns(*text) : tl::unexpected(FileProblem{});
+    return runs ? std::move(*runs) : std::vector<KeptRun>{};
+}
+
+[[nodiscard]] bool mayBeReplaced(const QString& path) {
+    const auto text = readFile(path, kMaxRunFile);
+    return text ? readStepRuns(*text).has_value() : text.error().trouble == FileTrouble::NotThere;
+}
+
+[[nodiscard]] bool setAside(const QString& path) {
+    for (int number = 1; number < 100; ++number)
+        if (QFile::rename(path, QStringLiteral("%1.unread-%2").arg(path).arg(number)))
+            return true;
+    return false;
+}
+
+FileWriter::Disk sparing(FileWriter::Disk disk) {
+    return [disk = std::move(disk)](const QString& path, std::string_view content) -> FileWriter::Result {
+        QDir().mkpath(QFileInfo(path).path());
+        if (!mayBeReplaced(path) && !setAside(path))
+            return tl::unexpected(FileError{FileTrouble::NoPermission, path});
+        return disk(path, content);
+    };
+}
+
+/// An axis that has the name that it had then, whatever is before it in the chain by now.
+[[nodiscard]] ModuleIndex moduleOf(const KeptRun& run, const Machine& machine) {
+    const auto isIt = [&run](const AxisSettings& axis) { return axis.name == run.axisName; };
+    if (run.axisName.empty() || std::count_if(machine.axes.begin(), machine.axes.end(), isIt) != 1)
+        return run.run.module;
+    const auto axis = std::find_if(machine.axes.begin(), machine.axes.end(), isIt);
+    return ModuleIndex(static_cast<std::uint8_t>(axis - machine.axes.begin()));
+}
+
+}  // namespace
+
+RunKeeper::RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk, QObject* parent)
+    : QObject(parent), m_folder(std::move(folder)), m_window(window), m_files(sparing(std::move(disk))) {
+    connect(&window.stepResponses(), &StepResponseDock::runsChanged, this, &RunKeeper::keep);
+    connect(&m_loading, &BackgroundJob::ended, this, &RunKeeper::loaded);
+}
+
+QString RunKeeper::pathFor(const QString& machineFile) const {
+    const QFileInfo info(machineFile);
+    return machineFile.isEmpty() ? QDir(m_folder).filePath(QStringLiteral("no-machine-file") + kSuffix)
+                                 : info.absoluteDir().filePath(info.completeBaseName() + kSuffix);
+}
+
+void RunKeeper::open(const QString& file, const Machine& machine) {
+    m_loading.cancel();
+    m_path = pathFor(file);
+    m_known.clear();
+    m_window.stepResponses().clearRuns();
+    m_reading = std::make_shared<Reading>(Reading{m_path, machine, {}, {}, {}});
+    m_loading.start([into = m_reading](const BackgroundJob::Cancelled& /*cancelled*/) {
+        const auto text = readFile(into->path, kMaxRunFile);
+        if (!text) {
+            if (text.error().trouble != FileTrouble::NotThere)
+                into->error = text.error();
+        } else if (auto runs = readStepRuns(*text)) {
+            into->runs = std::move(*runs);
+        } else {
+            into->problem = runs.error();
+        }
+    });
+}
+
+void RunKeeper::loaded() {
+    if (m_reading->problem)
+        m_window.showMessage(texts::runsNotRead(m_reading->path, *m_reading->problem));
+    else if (m_reading->error)
+        m_window.showMessage(texts::runsNotRead(*m_reading->error));
+    else
+        m_window.endMessage(texts::key::runs());
+    std::vector<KeptRun> runs = std::exchange(m_reading->runs, {});
+    for (KeptRun& run : runs) {
+        m_known.insert(idOf(run));
+        run.run.module = moduleOf(run, m_reading->machine);
+    }
+    if (!runs.empty())
+        m_window.stepResponses().showKept(std::move(runs));
+}
+
+void RunKeeper::follow(const QString& file) {
+    const QString before = std::exchange(m_path, pathFor(file));
+    if (before == m_path)
+        return;
+    keep();
+    // Those of the data folder are of a machine without a file: not of this one any more.
+    if (before == pathFor({}))
+        m_files.write(before,
+                      [before, gone = m_known] { return writeStepRuns(together({}, runsIn(before), gone)); });
+}
+
+void RunKeeper::keep() {
+    std::vector<KeptRun> runs = m_window.stepResponses().runs();
+    std::set<std::string> gone = m_known;
+    for (const KeptRun& run : runs) {
+        m_known.insert(idOf(run));
+        gone.erase(idOf(run));
+    }
+    m_files.write(
+        m_path,
+        [path = m_path, runs = std::move(runs), gone] {
+            return writeStepRuns(together(runs, runsIn(path), gone));
+        },
+        [this](const FileWriter::Result& result) { told(result); });
+}
+
+void RunKeeper::told(const FileWriter::Result& result) {
+    if (result)
+        m_window.endMessage(texts::key::runsNotKept());
+    else if (!m_failed)
+        m_window.showMessage(texts::runsNotKept(result.error()));
+    m_failed = !result;
+}
+
+}  // namespace nmc

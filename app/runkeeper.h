@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "link/files/backgroundjob.h"
+#include "link/files/filewriter.h"
+#include "model/response/steprunstore.h"
+#include "model/settings/machine.h"
+#include "widgets/mainwindow/mainwindow.h"
+
+namespace nmc {
+
+/// Keeps the step responses of a machine in a file beside its own, "mill.runs" beside "mill.json", or in the
+/// data folder while it has none; and shows them again when the machine is opened. What is there and cannot
+/// be read is never overwritten: it is set aside. Waits for no disk. GUI thread.
+class RunKeeper : public QObject {
+    Q_OBJECT
+
+public:
+    /// `folder` need not be there.
+    RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk = writeFile,
+              QObject* parent = nullptr);
+
+    /// Another machine is here; `file`: the machine's, empty: it has none.
+    void open(const QString& file, const Machine& machine);
+    /// The machine that is here has this file from now on, and its runs go along.
+    void follow(const QString& file);
+
+private:
+    struct Reading {
+        QString path;
+        Machine machine;
+        std::vector<KeptRun> runs;
+        std::optional<FileError> error;
+        std::optional<FileProblem> problem;
+    };
+
+    [[nodiscard]] QString pathFor(const QString& machineFile) const;
+    void loaded();
+    void keep();
+    void told(const FileWriter::Result& result);
+
+    QString m_folder;
+    MainWindow& m_window;
+    FileWriter m_files;
+    QString m_path;
+    std::set<std::string> m_known;       ///< all that were listed since the machine is here
+    bool m_failed = false;               ///< and was told
+    std::shared_ptr<Reading> m_reading;  ///< shared with the job
+    BackgroundJob m_loading;
+};
+
+}  // namespace nmc

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Puts the files of this program together that are JSON. For .cpp files of core/model only.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "model/machinefile/machinelayout.h"
+#include "model/recording/numbertext.h"
+
+namespace nmc::layout {
+
+inline constexpr int kIndent = 2;
+
+/// A file never has characters that its reader refuses; they can only have been pasted.
+[[nodiscard]] inline std::string withoutControls(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) {
+            const auto byte = static_cast<unsigned char>(c);
+            return byte < 0x20 || byte == 0x7F;
+        },
+        ' ');
+    return text;
+}
+
+/// Puts the members of a struct into an object of the file, each where it stood, and leaves alone whatever
+/// else is there.
+class FieldWriter {
+public:
+    using Json = nlohmann::ordered_json;
+
+    explicit FieldWriter(Json& object, bool steps = false) : m_object(object), m_steps(steps) {
+        if (!m_object.is_object())
+            m_object = Json::object();
+    }
+
+    void setSteps(bool steps) { m_steps = steps; }
+
+    void text(std::string_view key, const std::string& text) { at(key) = withoutControls(text); }
+    void flag(std::string_view key, bool flag) { at(key) = flag; }
+    void real(std::string_view key, double number, Bounds /*bounds*/, Need /*need*/ = {}) {
+        at(key) = std::isfinite(number) ? number : 0.0;
+    }
+    template <std::integral T>
+    void whole(std::string_view key, T number, Bounds /*bounds*/, Need /*need*/ = {}) {
+        at(key) = number;
+    }
+    template <std::integral T>
+    void whole(std::string_view key, const std::optional<T>& number, Bounds bounds) {
+        if (number)
+            whole(key, *number, bounds);
+        else
+            drop(key);
+    }
+    void distance(std::string_view stem, double number, Need /*need*/ = {}) {
+        withUnit(stem, &UnitSuffixes::distance, number);
+    }
+    void place(std::string_view stem, const std::optional<std::int32_t>& place) {
+        for (const bool steps : {false, true})
+            drop(std::string(stem).append(suffixes(steps).distance));
+        if (place)
+            at(std::string(stem).append(suffixes(m_steps).distance)) = *place;
+    }
+    void velocity(std::string_view stem, double number, Need /*need*/ = {}) {
+        withUnit(stem, &UnitSuffixes::velocity, number);
+    }
+    void acceleration(std::string_view stem, double number, Need /*need*/ = {}) {
+        withUnit(stem, &UnitSuffixes::acceleration, number);
+    }
+    void perUnit(double number, Need /*need*/) { withUnit("", &UnitSuffixes::perUnit, number); }
+    void seconds(std::string_view key, double number) { real(key, number, kSeconds); }
+
+    template <typename Enum, std::size_t Size>
+    void choice(std::string_view key, Enum chosen, const Word<Enum> (&words)[Size]) {
+        for (const Word<Enum>& word : words)
+            if (word.value == chosen)
+                at(key) = word.text;
+    }
+    void type(std::string_view key, ModuleType type) {
+        at(key) = static_cast<int>(type);
+        choice(key, type, kTypeWords);
+    }
+
+    template <typename T>
+    void part(std::string_view key, const T& part) {
+        FieldWriter writer(at(key), m_steps);
+        fields(writer, part);
+    }
+    template <typename T>
+    void part(std::string_view key, const std::optional<T>& from) {
+        if (from)
+            part(key, *from);
+        else
+            drop(key);
+    }
+    template <typename T>
+    void list(std::string_view key, const std::vector<T>& from, std::size_t /*most*/) {
+        Json& items = at(key);
+        if (!items.is_array())
+            items = Json::array();
+        while (items.size() > from.size())
+            items.erase(items.size() - 1);
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            if (i == items.size())
+                items.push_back(Json::object());
+            FieldWriter writer(items[i]);
+            fields(writer, from[i]);
+        }
+    }
+    template <std::size_t Size>
+    void names(std::string_view key, const std::array<std::string, Size>& names) {
+        Json& items = at(key) = Json::array();
+        for (const std::string& name : names)
+            items.push_back(withoutControls(name));
+    }
+    void numbers(std::string_view key, const std::vector<double>& numbers, std::size_t /*most*/) {
+        std::string text;
+        for (const double number : numbers) {
+            if (!text.empty())
+                text += ' ';
+            appendNumber(text, number);
+        }
+        at(key) = text;
+    }
+    void module(std::string_view key, const std::optional<ModuleIndex>& module) {
+        if (module)
+            at(key) = module->value() + 1;
+        else
+            drop(key);
+    }
+    void module(std::string_view key, ModuleIndex module) { at(key) = module.value() + 1; }
+    void row(std::string_view key, std::size_t row, std::size_t /*most*/) { at(key) = row + 1; }
+    /// A row that does something else now keeps nothing of what stood there.
+    template <typename... T>
+    void alternative(std::string_view key, const std::variant<T...>& from,
+                     const std::array<std::string_view, sizeof...(T)>& words) {
+        if (!m_object.contains(key) || m_object[std::string(key)] != words[from.index()])
+            m_object = Json::object();
+        at(key) = words[from.index()];
+    }
+    void modules(std::string_view key, const std::vector<ModuleIndex>& modules) {
+        Json& items = at(key) = Json::array();
+        for (const ModuleIndex module : modules)
+            items.push_back(module.value() + 1);
+    }
+
+private:
+    Json& at(std::string_view key) { return m_object[std::string(key)]; }
+    void drop(std::string_view key) { m_object.erase(std::string(key)); }
+    void withUnit(std::string_view stem, std::string_view UnitSuffixes::*suffix, double number) {
+        drop(std::string(stem).append(suffixes(!m_steps).*suffix));
+        real(std::string(stem).append(suffixes(m_steps).*suffix), number, {});
+    }
+
+    Json& m_object;
+    bool m_steps;
+};
+
+/// For people, too: one key a line.
+[[nodiscard]] inline std::string fileText(const FieldWriter::Json& file) {
+    return file.dump(kIndent, ' ', false, FieldWriter::Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace nmc::layout

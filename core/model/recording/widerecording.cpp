@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "model/recording/widerecording.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "model/recording/numbertext.h"
+#include "model/recording/timetext.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr std::array kSignals{ScopeSignal::Position, ScopeSignal::Velocity, ScopeSignal::Command,
+                              ScopeSignal::Error, ScopeSignal::Analog};
+
+/// Part of a column's name: no separator, no quote, no blank, and no slash, which makes a tree.
+[[nodiscard]] std::string wordOf(std::string_view text) {
+    std::string word(text);
+    std::erase(word, '"');
+    std::replace_if(
+        word.begin(), word.end(),
+        [](char c) {
+            const auto byte = static_cast<unsigned char>(c);
+            return byte <= 0x20 || byte == 0x7F ||
+                   std::string_view(",;\"'/\\").find(c) != std::string_view::npos;
+        },
+        '_');
+    return word;
+}
+
+[[nodiscard]] std::string unitOf(const RecordingModule& module) {
+    switch (module.unit.kind) {
+        case UnitKind::Native:
+            return module.identity.type == ModuleType::Step ? "steps" : "counts";
+        case UnitKind::Turns:
+            return "turns";
+        case UnitKind::Degrees:
+            return "deg";
+        case UnitKind::Millimetres:
+            return "mm";
+        case UnitKind::Own:
+            break;
+    }
+    return module.unit.ownSymbol.empty() ? "units" : wordOf(module.unit.ownSymbol);
+}
+
+class WideModule {
+public:
+    WideModule(const RecordingModule& module, const ModuleHistory& history)
+        : m_module(module), m_history(history) {}
+
+    [[nodiscard]] const ModuleHistory& history() const { return m_history; }
+
+    void appendNames(std::string& out) const {
+        const std::string number = textOf(m_module.index.value() + 1);
+        const std::string name = wordOf(m_module.name);
+        // Two modules may have one name: it stands alone only where it tells the number itself.
+        const std::string prefix = (name.find(number) != std::string::npos ? ',' + name
+                                    : name.empty()                         ? ",module" + number
+                                                   : ",module" + number + '_' + name) +
+                                   '/';
+        const std::string unit = unitOf(m_module);
+        out += prefix + "position_" + unit + prefix + "velocity_" + unit + "_per_s" + prefix + "command_" +
+               unit + prefix + "error_" + unit + prefix + "analog_" + wordOf(m_module.analog.unit) + prefix +
+               "status";
+    }
+    static void appendEmpty(std::string& out) { out.append(kSignals.size() + 1, ','); }
+    void append(std::string& out, const ScopeSample& sample) const {
+        for (const ScopeSignal signal : kSignals)
+            appendCell(out, signal, valueOf(sample, signal));
+        appendStatus(out, sample);
+    }
+    void appendAt(std::string& out, TimePoint time) const {
+        const auto [before, after] = m_history.around(time);
+        if (!before || (before->time != time && (!after || after->gapBefore)))
+            return appendEmpty(out);
+        if (before->time == time)
+            return append(out, *before);
+        const double share = toSeconds(time - before->time) / toSeconds(after->time - before->time);
+        for (const ScopeSignal signal : kSignals) {
+            const auto from = valueOf(*before, signal);
+            const auto to = valueOf(*after, signal);
+            const bool whole = signal == ScopeSignal::Analog;
+            appendCell(out, signal,
+                       whole        ? from
+                       : from && to ? std::optional(*from + share * (*to - *from))
+                                    : std::nullopt);
+        }
+        appendStatus(out, *before);
+    }
+
+private:
+    void appendCell(std::string& out, ScopeSignal signal, std::optional<double> value) const {
+        out += ',';
+        if (!value)
+            return;
+        const double perUnit = m_module.unit.kind == UnitKind::Native ? 1.0 : m_module.unit.countsPerUnit;
+        appendNumber(out, signal == ScopeSignal::Analog
+                              ? m_module.analog.atZero + *value * m_module.analog.perCount
+                              : *value / perUnit);
+    }
+    static void appendStatus(std::string& out, const ScopeSample& sample) {
+        out += ',';
+        appendNumber(out, static_cast<int>(sample.status));
+    }
+
+    RecordingModule m_module;
+    const ModuleHistory& m_history;
+};
+
+void appendSparse(std::string& out, const std::vector<WideModule>& modules, TimePoint zero) {
+    struct Row {
+        ScopeSample sample;
+        std::size_t module;
+    };
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        for (const ScopeSample& sample : modules[i].history().samples(TimePoint::min(), TimePoint::max()))
+            rows.push_back({sample, i});
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& a, const Row& b) { return a.sample.time < b.sample.time; });
+    for (const Row& row : rows) {
+        appendTime(out, row.sample.time - zero);
+        for (std::size_t i = 0; i < modules.size(); ++i)
+            i == row.module ? modules[i].append(out, row.sample) : WideModule::appendEmpty(out);
+        out += '\n';
+    }
+}
+
+void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePoint zero, Duration interval) {
+    std::optional<TimePoint> first, last;
+    for (const WideModule& module : modules) {
+        const auto samples = module.history().keptSince();
+        first = std::min(first.value_or(*samples), *samples);
+        const TimePoint end = module.history().last()->time;
+        last = std::max(last.value_or(end), end);
+    }
+    if (!first)
+        return;
+    interval = std::max(interval, (*last - *first) / kMostWideRows + Duration(1));
+    // On whole intervals from the start, as the long form counts them.
+    auto step = (*first - zero) / interval;
+    if (zero + step * interval < *first)
+        ++step;
+    for (; zero + step * interval <= *last; ++step) {
+        appendTime(out, step * interval);
+        for (const WideModule& module : modules)
+            module.appendAt(out, zero + step * interval);
+        out += '\n';
+    }
+}
+
+}  // namespace
+
+std::string wideRecordingOf(const RecordingHeader& header, const History& history, Duration interval) {
+    std::vector<WideModule> modules;
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleIndex index(static_cast<std::uint8_t>(i));
+        const ModuleHistory& samples = *history.module(index);
+        if (!samples.keptSince())
+            continue;
+        const auto told = std::find_if(header.modules.begin(), header.modules.end(),
+                                       [&](const RecordingModule& module) { return module.index == index; });
+        modules.emplace_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}},
+                             samples);
+    }
+    std::string out = "time_s";
+    for (const WideModule& module : modules)
+        module.appendNames(out);
+    out += '\n';
+    if (interval > Duration::zero())
+        appendEven(out, modules, header.zero, interval);
+    else
+        appendSparse(out, modules, header.zero);
+    return out;
+}
+
+}  // namespace nmc

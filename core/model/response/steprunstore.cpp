@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "model/response/steprunstore.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "model/intent/stepresponseplan.h"
+#include "model/machinefile/fieldreader.h"
+#include "model/machinefile/fieldwriter.h"
+
+namespace nmc {
+
+// What the file consists of, said once for reading and writing, as in model/machinefile/machinelayout.h.
+namespace layout {
+
+namespace {
+constexpr int kRunsVersion = 1;
+constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
+/// Of a run: four times as many samples as the bus gives in the longest record.
+constexpr std::size_t kMostPoints = 20'000;
+constexpr Word<StepWay> kWayWords[] = {{StepWay::Profile, "profile"}, {StepWay::StopHere, "stop here"}};
+constexpr Bounds kRecord{kShortestRecord, kLongestRecord};
+constexpr Bounds kPwm{0, 1e9};
+
+struct Runs {
+    std::vector<KeptRun> runs;
+};
+}  // namespace
+
+template <typename Form, As<StepTaken> T>
+void fields(Form& form, T& taken) {
+    auto& [at, from, goal, record, way, gains] = taken;
+    form.whole("from_counts", from, takenByModule(servo::kPositionRange));
+    form.whole("goal_counts", goal, takenByModule(servo::kPositionRange));
+    form.real("record_s", record, kRecord);
+    form.choice("way", way, kWayWords);
+    form.part("gains", gains);
+}
+
+template <typename Form, As<PwmDemand> T>
+void fields(Form& form, T& pwm) {
+    auto& [wanted, limit] = pwm;
+    form.whole("wanted", wanted, kPwm);
+    form.whole("limit", limit, {0, 255});
+}
+
+template <typename Form, As<StepRun> T>
+void fields(Form& form, T& run) {
+    auto& [module, taken, bandPercent, points, metrics, pwm] = run;
+    form.module("module", module);
+    form.part("step", taken);
+    form.part("pwm", pwm);
+    std::vector<double> numbers;
+    for (const StepPoint& point : points)
+        numbers.insert(numbers.end(), {point.seconds, point.position});
+    form.numbers("seconds_and_counts", numbers, 2 * kMostPoints);
+    if constexpr (!std::is_const_v<T>)
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            points.push_back({numbers[i], numbers[i + 1]});
+}
+
+template <typename Form, As<KeptRun> T>
+void fields(Form& form, T& kept) {
+    auto& [number, name, note, run, startedAt, moduleName, axisName, scale, port, simulated, earlier] = kept;
+    form.whole("number", number, {1, std::numeric_limits<int>::max() - 1.0});
+    form.text("name", name);
+    form.text("note", note);
+    form.text("started", startedAt);
+    form.text("port", port);
+    form.flag("simulated", simulated);
+    form.text("module_name", moduleName);
+    form.text("axis", axisName);
+    AxisUnit unit = scale.unit();
+    form.part("unit", unit);
+    form.part("run", run);
+    if constexpr (!std::is_const_v<T>) {
+        scale = AxisScale::servo(unit, run.taken.gains.sr);
+        earlier = true;
+    }
+}
+
+template <typename Form, As<Runs> T>
+void fields(Form& form, T& file) {
+    form.list("runs", file.runs, kMostKeptRuns);
+}
+
+}  // namespace layout
+
+std::string writeStepRuns(std::span<const KeptRun> runs) {
+    layout::FieldWriter::Json file;
+    file["format"] = layout::kRunsFormat;
+    file["version"] = layout::kRunsVersion;
+    const layout::Runs all{{runs.begin(), runs.end()}};
+    layout::FieldWriter writer(file);
+    layout::fields(writer, all);
+    return layout::fileText(file);
+}
+
+tl::expected<std::vector<KeptRun>, FileProblem> readStepRuns(std::string_view text) {
+    if (text.size() > kMaxRunFile)
+        return tl::unexpected(
+            FileProblem{.kind = FileProblem::Kind::TooLarge, .max = static_cast<double>(kMaxRunFile)});
+    const auto file = parseJson(text);
+    if (!file)
+        return tl::unexpected(file.error());
+    std::optional<FileProblem> problem =
+        layout::wrongFormat(*file, layout::kRunsFormat, layout::kRunsVersion);
+    if (problem)
+        return tl::unexpected(*problem);
+    layout::Runs read;
+    layout::FieldReader reader(*file, problem);
+    layout::fields(reader, read);
+    for (std::size_t i = 0; i < read.runs.size() && !problem; ++i) {
+        StepRun& run = read.runs[i].run;
+        if (run.taken.from == run.taken.goal)
+            problem = FileProblem{.kind = FileProblem::Kind::OutOfRange,
+                                  .line = file->find("runs")->items[i].line,
+                                  .field = "goal_counts",
+                                  .found = std::to_string(run.taken.goal),
+                                  .min = static_cast<double>(servo::kPositionRange.min),
+                                  .max = static_cast<double>(servo::kPositionRange.max)};
+        else
+            setBand(run, kFirstBand);
+    }
+    if (problem)
+        return tl::unexpected(*problem);
+    return std::move(read.runs);
+}
+
+std::string idOf(const KeptRun& run) {
+    return run.startedAt + ' ' + run.port + ' ' + textOf(run.run.module.value());
+}
+
+void keepMost(std::vector<KeptRun>& runs, const std::function<bool(const KeptRun&)>& needed) {
+    const auto free = [&](const KeptRun& run) { return !needed || !needed(run); };
+    while (runs.size() > kMostKeptRuns) {
+        auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) {
+            return free(run) && run.name.empty() && run.note.empty();
+        });
+        if (first == runs.end())
+            first = std::find_if(runs.begin(), runs.end(), free);
+        if (first == runs.end())
+            return;
+        runs.erase(first);
+    }
+}
+
+std::vector<KeptRun> together(std::vector<KeptRun> ours, const std::vector<KeptRun>& there,
+                              const std::set<std::string>& gone) {
+    std::set<std::string> ids;
+    std::set<int> numbers;
+    for (const KeptRun& run : ours) {
+        ids.insert(idOf(run));
+        numbers.insert(run.number);
+    }
+    for (const KeptRun& run : there) {
+        if (gone.contains(idOf(run)) || !ids.insert(idOf(run)).second)
+            continue;
+        ours.push_back(run);
+        if (!numbers.insert(run.number).second)
+            ours.back().number = *numbers.insert(*numbers.rbegin() + 1).first;
+    }
+    std::stable_sort(ours.begin(), ours.end(),
+                     [](const KeptRun& a, const KeptRun& b) { return a.number < b.number; });
+    keepMost(ours);
+    return ours;
+}
+
+}  // namespace nmc

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step responses stay with their machine from session to session, and no file that cannot be read is lost.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QTableWidget>
+
+#include "model/machinefile/machinefile.h"
+#include "model/response/steprunstore.h"
+#include "tests/app/panel.h"
+#include "widgets/response/stepresponsedock.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class RunsKept : public testing::Test {
+protected:
+    [[nodiscard]] QString file(const QString& name) const { return folder.filePath(name); }
+    [[nodiscard]] QString withoutMachine() const { return file(u"runs/no-machine-file.runs"_s); }
+    [[nodiscard]] static std::vector<KeptRun> runsIn(const QString& path) {
+        const auto text = readFile(path, kMaxRunFile);
+        const auto runs = readStepRuns(text.value_or(""));
+        return runs.value_or(std::vector<KeptRun>{});
+    }
+    /// As a step of module 2 would leave it.
+    static void makeRun(IntentPanel& panel, int milliseconds) {
+        KeptRun kept;
+        kept.run.module = ModuleIndex(1);
+        kept.run.taken = {TimePoint{}, 0, 100, 0.1, StepWay::Profile, servo::SetGain{}};
+        for (int ms = 1; ms < 100; ++ms)
+            kept.run.points.push_back({ms / 1e3, ms < 10 ? 10.0 * ms : 100.0});
+        kept.startedAt = "2026-11-21T21:21:02." + std::to_string(milliseconds) + "+01:00";
+        kept.moduleName = "Module 2";
+        kept.axisName = panel.composition().machine().axis(ModuleIndex(1)).name;
+        kept.port = "simulator";
+        panel.window().showStepRun(kept);
+    }
+    [[nodiscard]] static std::size_t listed(IntentPanel& panel) {
+        return panel.window().stepResponses().runs().size();
+    }
+    static void name(IntentPanel& panel, int row, const QString& words) {
+        panel.window().stepResponses().open();
+        auto* table = panel.window().findChild<QTableWidget*>(u"stepRunTable"_s);
+        table->setFocus();
+        table->setCurrentCell(row, 3);
+        QTest::keyClick(table, Qt::Key_F2);
+        auto* editor = table->findChild<QLineEdit*>();
+        ASSERT_NE(editor, nullptr);
+        QTest::keyClicks(editor, words);
+        QTest::keyClick(editor, Qt::Key_Return);
+    }
+    static void choose(IntentPanel& panel, QKeyCombination keys, const char* dialog, const QString& path) {
+        panel.window().activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
+        QTest::keyClick(&panel.window(), keys.key(), keys.keyboardModifiers());
+        auto* asked = panel.window().findChild<QFileDialog*>(QLatin1String(dialog));
+        ASSERT_NE(asked, nullptr) << dialog;
+        emit asked->fileSelected(path);
+        asked->close();
+    }
+    void startWith(IntentPanel& panel, const QString& machine) {
+        Start start;
+        start.machine = file(machine);
+        panel.composition().show(start);
+        auto* apply = panel.window().findChild<QAbstractButton*>(u"applyDifferencesButton"_s);
+        ASSERT_NE(apply, nullptr);
+        QTest::mouseClick(apply, Qt::LeftButton);
+    }
+    [[nodiscard]] QStringList unread() const { return QDir(file(u"runs"_s)).entryList({u"*.unread-*"_s}); }
+    void writeBad(const QByteArray& words) {
+        ASSERT_TRUE(QDir().mkpath(file(u"runs"_s)));
+        QFile bad(withoutMachine());
+        ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+        bad.write(words);
+    }
+
+    QTemporaryDir folder;
+    const QString notRead = u"were not read"_s;
+};
+
+TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
+    NmcsimProcess sim(u"servo"_s);
+    {
+        IntentPanel panel({}, {}, folder.path());
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        panel.ask(intent::StopHere{});
+        ASSERT_TRUE(panel.answersFor(0.2));
+        panel.window().stepResponses().open();
+        panel.click("stepResponseButton");
+        ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 1; }));
+        name(panel, 0, u"first light"_s);
+        ASSERT_TRUE(panel.waitFor([&] {
+            const auto runs = runsIn(withoutMachine());
+            return runs.size() == 1 && runs[0].name == "first light";
+        }));
+    }
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 1; }));
+    panel.window().stepResponses().open();
+    auto* table = panel.window().findChild<QTableWidget*>(u"stepRunTable"_s);
+    ASSERT_EQ(table->rowCount(), 1);
+    EXPECT_EQ(table->item(0, 3)->text(), u"first light"_s);
+    EXPECT_EQ(table->item(0, 6)->text(), u"200"_s) << "Kp";
+    EXPECT_TRUE(table->item(0, 10)->text().contains(u"ms"_s)) << "its settling";
+    EXPECT_EQ(panel.count(notRead), 0);
+    table->setCurrentCell(0, 2);
+    panel.click("stepRemoveButton");
+    EXPECT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).empty(); }));
+}
+
+TEST_F(RunsKept, BesideTheMachineFile) {
+    {
+        IntentPanel panel({}, {}, folder.path());
+        panel.start();
+        makeRun(panel, 100);
+        ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+        ASSERT_NO_FATAL_FAILURE(
+            choose(panel, Qt::CTRL | Qt::SHIFT | Qt::Key_S, "saveMachineDialog", file(u"mill.json"_s)));
+        ASSERT_TRUE(panel.waitFor([&] { return runsIn(file(u"mill.runs"_s)).size() == 1; }));
+        EXPECT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).empty(); })) << "they are the mill's";
+        makeRun(panel, 200);
+        ASSERT_TRUE(panel.waitFor([&] { return runsIn(file(u"mill.runs"_s)).size() == 2; }));
+    }
+    Machine machine;
+    machine.axes.resize(3);
+    machine.axes[2].name = "X axis";
+    ASSERT_TRUE(writeFile(file(u"lathe.json"_s), writeMachine(machine)));
+    {
+        IntentPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(startWith(panel, u"mill.json"_s));
+        ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
+    }
+    // Named, it is found again wherever it is in the chain by then.
+    std::vector<KeptRun> moved = runsIn(file(u"mill.runs"_s));
+    moved[0].axisName = "X axis";
+    moved[1].axisName = "Y axis";
+    ASSERT_TRUE(writeFile(file(u"lathe.runs"_s), writeStepRuns(moved)));
+    IntentPanel panel({}, {}, folder.path());
+    ASSERT_NO_FATAL_FAILURE(startWith(panel, u"lathe.json"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
+    EXPECT_EQ(panel.window().stepResponses().runs()[0].run.module, ModuleIndex(2));
+    EXPECT_EQ(panel.window().stepResponses().runs()[1].run.module, ModuleIndex(1));
+}
+
+TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
+    const QByteArray bad = "{\n\"format\": \"nmc-panel-step-runs\",\n\"version\": 1,\n\"runs\": 7\n}\n";
+    ASSERT_NO_FATAL_FAILURE(writeBad(bad));
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notRead) != nullptr; }));
+    EXPECT_TRUE(panel.standing(notRead)->message().body.contains(u"line 4: runs is not a list"_s))
+        << panel.standing(notRead)->message().body.toStdString();
+    EXPECT_TRUE(unread().isEmpty()) << "not before there is something to keep";
+    makeRun(panel, 100);
+    ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    ASSERT_EQ(unread().size(), 1);
+    QFile aside(file(u"runs/"_s + unread().front()));
+    ASSERT_TRUE(aside.open(QIODevice::ReadOnly));
+    EXPECT_EQ(aside.readAll(), bad);
+}
+
+TEST_F(RunsKept, AFileOfANewerProgramIsNotOverwritten) {
+    ASSERT_NO_FATAL_FAILURE(
+        writeBad("{\"format\": \"nmc-panel-step-runs\", \"version\": 2, \"runs\": []}\n"));
+    IntentPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notRead) != nullptr; }));
+    EXPECT_TRUE(panel.standing(notRead)->message().body.contains(u"newer NMC Panel"_s));
+    makeRun(panel, 100);
+    ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    EXPECT_EQ(unread().size(), 1);
+}
+
+TEST_F(RunsKept, TwoPanelsLoseNothingToEachOther) {
+    IntentPanel one({}, {}, folder.path());
+    IntentPanel other({}, {}, folder.path());
+    one.start();
+    other.start();
+    makeRun(one, 100);
+    ASSERT_TRUE(one.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    makeRun(other, 200);
+    ASSERT_TRUE(one.waitFor([&] { return runsIn(withoutMachine()).size() == 2; }));
+    makeRun(one, 300);
+    EXPECT_TRUE(one.waitFor([&] { return runsIn(withoutMachine()).size() == 3; }));
+}
+
+TEST_F(RunsKept, ADiskThatTakesNothingIsSaidOnce) {
+    std::atomic<bool> full = true;
+    IntentPanel panel({}, {}, folder.path(), [&full](const QString& path, std::string_view content) {
+        return full ? FileWriter::Result(tl::unexpected(FileError{FileTrouble::NoSpace, path}))
+                    : writeFile(path, content);
+    });
+    panel.start();
+    makeRun(panel, 100);
+    const QString notKept = u"of this session are not kept"_s;
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(notKept) != nullptr; }));
+    full = false;
+    makeRun(panel, 200);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(notKept) == nullptr; }));
+    EXPECT_EQ(runsIn(withoutMachine()).size(), 2U);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/response/stepview.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QMenu>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include "widgets/common/look.h"
+#include "widgets/common/picture.h"
+#include "widgets/common/words.h"
+#include "widgets/response/stepplot.h"
+#include "widgets/response/stepresponsewords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+StepView::StepView(QWidget* parent)
+    : QWidget(parent),
+      m_plot(new StepPlot(this)),
+      m_readings(new QTableWidget(0, 4, this)),
+      m_bar(new QHBoxLayout),
+      m_folder(QDir::homePath()) {
+    look::name(m_readings, u"stepCursorTable"_s, tr("What the cursors read"));
+    m_readings->setHorizontalHeaderLabels({tr("Run"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference")});
+    m_readings->verticalHeader()->hide();
+    m_readings->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_readings->setSelectionMode(QAbstractItemView::NoSelection);
+    m_readings->setFocusPolicy(Qt::NoFocus);
+    m_readings->setFont(look::tabular(look::scaled(font(), 0.9)));
+    m_readings->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_readings->verticalHeader()->setDefaultSectionSize(m_readings->fontMetrics().height() * 3 / 2);
+    m_readings->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_readings->hide();
+    m_bar->addStretch(1);
+    auto* fit = newButton(u"stepFitButton"_s, tr("Fit"),
+                          tr("As long as the motor moves, and all positions (A, in the plot)."));
+    m_cursors = newButton(u"stepCursorsButton"_s, tr("Cursors"),
+                          tr("Two cursors to measure with: drag them (C, in the plot)."));
+    m_cursors->setCheckable(true);
+    buildMenu();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(look::gridUnit(this) / 2);
+    layout->addLayout(m_bar);
+    layout->addWidget(m_plot, 1);
+    layout->addWidget(m_readings);
+    connect(fit, &QToolButton::clicked, m_plot, &StepPlot::fitTransient);
+    connect(m_cursors, &QToolButton::toggled, this, &StepView::showCursors);
+    connect(m_plot, &StepPlot::cursorsWanted, m_cursors, &QToolButton::toggle);
+    connect(m_plot, &StepPlot::measured, this, &StepView::showReadings);
+}
+
+QToolButton* StepView::newButton(const QString& objectName, const QString& text, const QString& meaning) {
+    auto* button = new QToolButton(this);
+    look::name(button, objectName, text);
+    button->setText(text);
+    button->setToolTip(meaning);
+    m_bar->addWidget(button);
+    return button;
+}
+
+void StepView::addControl(QWidget* control) {
+    m_bar->insertWidget(0, control);
+}
+
+void StepView::buildMenu() {
+    m_menu = new QMenu(this);
+    m_menu->setToolTipsVisible(true);
+    look::name(m_menu, u"stepPictureMenu"_s, tr("Picture"));
+    const auto add = [this](const QString& objectName, const QString& text, const QString& meaning,
+                            const std::function<void()>& act) {
+        QAction* action = m_menu->addAction(text);
+        action->setObjectName(objectName);
+        action->setToolTip(meaning);
+        connect(action, &QAction::triggered, this, act);
+    };
+    add(u"stepPngAction"_s, tr("&Picture (PNG)…"), tr("What is seen, as an image."),
+        [this] { choose(Kind::Png); });
+    add(u"stepSvgAction"_s, tr("&Vector picture (SVG)…"),
+        tr("What is seen, in lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
+    add(u"stepPdfAction"_s, tr("P&age (PDF)…"), tr("What is seen, on a page for a printer or a report."),
+        [this] { choose(Kind::Pdf); });
+    m_menu->addSeparator();
+    add(u"stepCopyAction"_s, tr("&Copy picture"), tr("What is seen, onto the clipboard."),
+        [this] { copy(); });
+    QToolButton* button = newButton(u"stepPictureButton"_s, tr("Picture"),
+                                    tr("Takes what is seen out of the panel, with the runs in words."));
+    button->setMenu(m_menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+}
+
+void StepView::showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others) {
+    m_shown.clear();
+    for (const KeptRun* kept : {a, b}) {
+        if (kept == nullptr)
+            continue;
+        const servo::SetGain& gains = kept->run.taken.gains;
+        const StepMetrics& metrics = kept->run.metrics;
+        QString words = (kept == a ? tr("A: run %1, %2, %3, %4") : tr("B: run %1, %2, %3, %4"))
+                            .arg(QString::number(kept->number), QString::fromStdString(kept->moduleName),
+                                 QString::fromStdString(kept->startedAt),
+                                 texts::portName(QString::fromStdString(kept->port)));
+        for (const std::string* own : {&kept->name, &kept->note})
+            if (!own->empty())
+                words += u" · "_s + QString::fromStdString(*own);
+        m_shown << words
+                << tr("Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7")
+                       .arg(QString::number(gains.kp), QString::number(gains.kd), QString::number(gains.ki),
+                            QString::number(gains.il), texts::stepTime(metrics.rise),
+                            texts::stepOvershoot(metrics.overshoot), texts::stepSettling(metrics));
+    }
+    m_plot->showRuns(a, b, others);
+}
+
+// ---- cursors ----
+
+void StepView::showCursors(bool shown) {
+    m_plot->showCursors(shown);
+    m_readings->setVisible(shown);
+}
+
+void StepView::showReadings() {
+    const auto rows = m_plot->readings();
+    m_readings->setRowCount(static_cast<int>(rows.size()));
+    for (int row = 0; row < m_readings->rowCount(); ++row)
+        for (int column = 0; column < m_readings->columnCount(); ++column) {
+            if (m_readings->item(row, column) == nullptr)
+                m_readings->setItem(row, column, new QTableWidgetItem);
+            QTableWidgetItem* cell = m_readings->item(row, column);
+            cell->setText(rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]);
+            if (column > 0)
+                cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        }
+    m_readings->setFixedHeight(m_readings->horizontalHeader()->sizeHint().height() +
+                               m_readings->verticalHeader()->length() + 2 * m_readings->frameWidth());
+}
+
+// ---- pictures ----
+
+Picture StepView::picture() const {
+    QStringList caption{tr("Step response, by NMC Panel %1").arg(QCoreApplication::applicationVersion())};
+    caption << m_shown;
+    for (const auto& row : m_plot->readings())
+        caption << tr("%1: cursor 1 %2, cursor 2 %3, difference %4").arg(row[0], row[1], row[2], row[3]);
+    return {m_plot->size(), palette(), font(), caption,
+            [this](QPainter& painter) { m_plot->renderTo(painter); }};
+}
+
+void StepView::choose(Kind kind) {
+    const QString suffix = kind == Kind::Png ? u"png"_s : kind == Kind::Svg ? u"svg"_s : u"pdf"_s;
+    QFileDialog* dialog =
+        newFileDialog(this, u"stepPicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
+                      {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), tr("All files (*)")}, m_folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    dialog->selectFile(tr("step"));
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, kind](const QString& path) { save(kind, path); });
+    dialog->show();
+}
+
+void StepView::save(Kind kind, const QString& path) {
+    m_folder = QFileInfo(path).absolutePath();
+    switch (kind) {
+        case Kind::Png:
+            return emit saveRequested(path,
+                                      [image = imageOf(picture())] { return pngOf(image).toStdString(); });
+        case Kind::Svg:
+            return emit saveRequested(path, [svg = svgOf(picture())] { return svg.toStdString(); });
+        case Kind::Pdf:
+            return emit saveRequested(path, [pdf = pdfOf(picture())] { return pdf.toStdString(); });
+    }
+}
+
+void StepView::copy() {
+    QGuiApplication::clipboard()->setImage(imageOf(picture()));
+}
+
+}  // namespace nmc

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+#include "model/response/steprunfile.h"
+#include "widgets/common/filedialog.h"
+
+class QHBoxLayout;
+class QMenu;
+class QTableWidget;
+class QToolButton;
+
+namespace nmc {
+
+struct Picture;
+class StepPlot;
+
+/// The step plot with its buttons, what its cursors read, and a way to take its picture out of the panel.
+class StepView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StepView(QWidget* parent = nullptr);
+
+    [[nodiscard]] StepPlot& plot() { return *m_plot; }
+    /// As StepPlot::showRuns().
+    void showRuns(const KeptRun* a, const KeptRun* b, const std::vector<const KeptRun*>& others);
+    /// Another control beside its buttons.
+    void addControl(QWidget* control);
+
+signals:
+    void saveRequested(const QString& path, const nmc::FileContent& content);
+
+private:
+    enum class Kind : std::uint8_t { Png, Svg, Pdf };
+
+    QToolButton* newButton(const QString& objectName, const QString& text, const QString& meaning);
+    void buildMenu();
+    void showCursors(bool shown);
+    void showReadings();
+    void choose(Kind kind);
+    void save(Kind kind, const QString& path);
+    void copy();
+    [[nodiscard]] Picture picture() const;
+
+    StepPlot* m_plot;
+    QTableWidget* m_readings;
+    QHBoxLayout* m_bar;
+    QToolButton* m_cursors = nullptr;
+    QMenu* m_menu = nullptr;
+    QString m_folder;
+    QStringList m_shown;  ///< the runs, in words
+};
+
+}  // namespace nmc
