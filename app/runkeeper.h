@@ -10,7 +10,7 @@
 
 #include "link/files/backgroundjob.h"
 #include "link/files/filewriter.h"
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 #include "model/settings/machine.h"
 #include "widgets/mainwindow/mainwindow.h"
 

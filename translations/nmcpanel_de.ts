@@ -557,11 +557,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Settling to ±%1 %: %2</source>
-        <translation>Beruhigung auf ±%1 %: %2</translation>
+        <translation>Einschwingen auf ±%1 %: %2</translation>
     </message>
     <message>
         <source>Steady-state error %1</source>
-        <translation>Bleibende Regelabweichung %1</translation>
+        <translation>Bleibende Abweichung %1</translation>
     </message>
     <message>
         <source>Tuning of %1</source>
@@ -9550,7 +9550,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>command</source>
-        <translation>Befehl</translation>
+        <translation>Sollposition</translation>
     </message>
     <message>
         <source>No edge is recorded yet. A square wave lays many steps over one another, while gains are changed.</source>
@@ -9645,11 +9645,11 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>Settling %1</source>
-        <translation>Beruhigung %1</translation>
+        <translation>Einschwingen %1</translation>
     </message>
     <message>
         <source>Steady-state error %1</source>
-        <translation>Bleibende Regelabweichung %1</translation>
+        <translation>Bleibende Abweichung %1</translation>
     </message>
     <message>
         <source>No edge is recorded yet.</source>
@@ -11045,6 +11045,14 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>step</source>
         <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>P&amp;rint</source>
+        <translation type="unfinished">&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>What is seen, on a page of the printer that this computer uses unless told otherwise.</source>
+        <translation type="unfinished">Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
 <context>

@@ -48,9 +48,11 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, value);
     }
-    [[nodiscard]] bool ended(const char* startButton) {
-        auto* start = panel.window().findChild<QAbstractButton*>(QLatin1String(startButton));
-        return panel.waitFor([&] { return start->isEnabled(); });
+    /// `test`: what the names of its controls begin with.
+    [[nodiscard]] bool ended(const char* test) {
+        const QString name = QLatin1String(test) + u"EndButton"_s;
+        auto* end = panel.window().findChild<QAbstractButton*>(name);
+        return panel.waitFor([&] { return !end->isEnabled(); });
     }
     [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
     NmcsimProcess sim{u"servo"_s};
@@ -68,7 +70,7 @@ TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kd == 2'000; }));
     EXPECT_EQ(text("squareWaveState").left(6), u"Moving"_s) << "it goes on";
-    ASSERT_TRUE(ended("squareWaveStartButton")) << text("squareWaveState").toStdString();
+    ASSERT_TRUE(ended("squareWave")) << text("squareWaveState").toStdString();
     EXPECT_TRUE(text("squareWaveResults").contains(u"Rise"_s));
     EXPECT_NEAR(position(), 0, 5);
     EXPECT_TRUE(panel.module().servoOn());
@@ -82,7 +84,7 @@ TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
     ASSERT_NO_FATAL_FAILURE(type("frequencyToField", u"25"_s));
     ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
     ASSERT_TRUE(panel.waitFor([&] { return text("frequencyFigures").startsWith(u"2 "_s); }));
-    ASSERT_TRUE(ended("frequencyStartButton")) << text("frequencyState").toStdString();
+    ASSERT_TRUE(ended("frequency")) << text("frequencyState").toStdString();
     EXPECT_TRUE(text("frequencyFigures").contains(u"Resonance"_s)) << text("frequencyFigures").toStdString();
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_NEAR(position(), 0, 5);
@@ -116,7 +118,7 @@ TEST_F(TestsOfTheLoop, EscEndsSinesForGood) {
     ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);
-    ASSERT_TRUE(ended("frequencyStartButton"));
+    ASSERT_TRUE(ended("frequency"));
     const int command = sim.state(1)[u"command_position"_s].toInt();
     ASSERT_TRUE(panel.answersFor(1.0));
     EXPECT_EQ(sim.state(1)[u"command_position"_s].toInt(), command);
@@ -128,7 +130,7 @@ TEST_F(TestsOfTheLoop, EndItHoldsTheMotor) {
     ASSERT_TRUE(panel.waitFor(
         [&] { return panel.window().findChild<QAbstractButton*>(u"squareWaveEndButton"_s)->isEnabled(); }));
     ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveEndButton"));
-    ASSERT_TRUE(ended("squareWaveStartButton"));
+    ASSERT_TRUE(ended("squareWave"));
     EXPECT_TRUE(panel.module().servoOn());
     ASSERT_TRUE(panel.answersFor(0.8));
     EXPECT_FALSE(panel.module().moving());

@@ -52,6 +52,19 @@ TEST_F(PrintingProgram, ThePrinterGetsThePage) {
     EXPECT_TRUE(content.trimmed().endsWith("%%EOF"));
 }
 
+TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
+    const QString page = directory.filePath(QStringLiteral("page.pdf"));
+    install("cat > " + page.toLocal8Bit());
+    panel.window().findChild<QAction*>(QStringLiteral("stepResponseDockAction"))->trigger();
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction")) != nullptr; }));
+    panel.window().findChild<QAction*>(QStringLiteral("stepPrintAction"))->trigger();
+    ASSERT_TRUE(told("The page is on its way to the printer."));
+    QFile file(page);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().startsWith("%PDF-"));
+}
+
 TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
     install("exec sleep 60");
     print();

@@ -8,7 +8,7 @@
 #include <QTableWidget>
 
 #include "model/machinefile/machinefile.h"
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 #include "tests/app/panel.h"
 #include "widgets/response/stepresponsedock.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses come back from their file as they were, and from a bad one nothing does.
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

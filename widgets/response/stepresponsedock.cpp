@@ -21,6 +21,7 @@ StepResponsePage& StepResponseDock::page() {
         connect(m_page, &StepResponsePage::suggestionWanted, this, &StepResponseDock::suggestionWanted);
         connect(m_page, &StepResponsePage::identifyWanted, this, &StepResponseDock::identifyWanted);
         connect(m_page, &StepResponsePage::saveRequested, this, &StepResponseDock::saveRequested);
+        connect(m_page, &StepResponsePage::printRequested, this, &StepResponseDock::printRequested);
         connect(m_page, &StepResponsePage::runsChanged, this, &StepResponseDock::runsChanged);
         setWidget(scrolled(m_page));
         if (!m_waiting.empty())

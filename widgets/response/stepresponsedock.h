@@ -37,6 +37,8 @@ signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::StepRun>& runs);
     void runsChanged();
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// One page, by the system's usual printer.
+    void printRequested(const QByteArray& pdf);
 
 private:
     void build() override { page(); }

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <utility>
 
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -58,6 +58,7 @@ StepResponsePage::StepResponsePage(QWidget* parent)
     connect(m_remove, &QPushButton::clicked, this, &StepResponsePage::removeChosen);
     connect(m_save, &QPushButton::clicked, this, &StepResponsePage::chooseFile);
     connect(m_view, &StepView::saveRequested, this, &StepResponsePage::saveRequested);
+    connect(m_view, &StepView::printRequested, this, &StepResponsePage::printRequested);
     refreshRuns();
 }
 

@@ -67,6 +67,8 @@ signals:
     void runsChanged();
     /// All runs, or a picture of those that are shown.
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// One page, by the system's usual printer.
+    void printRequested(const QByteArray& pdf);
 
 private:
     void lay();

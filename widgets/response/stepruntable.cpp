@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/response/stepresponsewords.h"

@@ -90,6 +90,9 @@ void StepView::buildMenu() {
     add(u"stepPdfAction"_s, tr("P&age (PDF)…"), tr("What is seen, on a page for a printer or a report."),
         [this] { choose(Kind::Pdf); });
     m_menu->addSeparator();
+    add(u"stepPrintAction"_s, tr("P&rint"),
+        tr("What is seen, on a page of the printer that this computer uses unless told otherwise."),
+        [this] { emit printRequested(pdfOf(picture())); });
     add(u"stepCopyAction"_s, tr("&Copy picture"), tr("What is seen, onto the clipboard."),
         [this] { copy(); });
     QToolButton* button = newButton(u"stepPictureButton"_s, tr("Picture"),

@@ -33,6 +33,8 @@ public:
 
 signals:
     void saveRequested(const QString& path, const nmc::FileContent& content);
+    /// One page, by the system's usual printer.
+    void printRequested(const QByteArray& pdf);
 
 private:
     enum class Kind : std::uint8_t { Png, Svg, Pdf };

@@ -38,9 +38,9 @@ struct StepMetrics {
     template <typename T>
     using Result = tl::expected<T, Unmeasured>;
 
-    Result<Measured> rise;         ///< s, from 10 % to 90 % of the step
-    Result<Measured> overshoot;    ///< % of the step, beyond its goal
-    Result<Measured> settling;     ///< s, until it stays within the band around the goal
+    Result<Measured> rise;       ///< s, from 10 % to 90 % of the step
+    Result<Measured> overshoot;  ///< % of the step, beyond its goal
+    Result<Measured> settling;   ///< s, until it stays within the band around the goal
     /// s, until it stays within as wide a band around where it is in the last part: that is beside the goal
     /// where friction holds a motor whose loop has no integral.
     Result<Measured> settlingAtRest;

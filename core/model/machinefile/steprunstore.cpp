@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/response/steprunstore.h"
+#include "model/machinefile/steprunstore.h"
 
 #include <algorithm>
 #include <limits>
