@@ -11048,11 +11048,11 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>P&amp;rint</source>
-        <translation type="unfinished">&amp;Drucken</translation>
+        <translation>&amp;Drucken</translation>
     </message>
     <message>
         <source>What is seen, on a page of the printer that this computer uses unless told otherwise.</source>
-        <translation type="unfinished">Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
+        <translation>Was zu sehen ist, auf einer Seite des Standarddruckers dieses Rechners.</translation>
     </message>
 </context>
 <context>

@@ -100,11 +100,13 @@ struct Terms {
 }
 
 /// s, until it stays where it belongs: the longest, for a motor that is a little stronger than was found, and
-/// for one that is a little weaker. Nothing if one does not calm down; where friction keeps it
-/// elsewhere, all of the record. Sets EL.
+/// for one that is a little weaker. Nothing if one does not calm down, or goes far beyond its goal; where
+/// friction keeps it elsewhere, all of the record. Sets EL.
 [[nodiscard]] std::optional<double> settling(const Terms& terms, double omega, servo::SetGain& gains) {
     constexpr double kBand = 1.4;  // %, so that what is a little otherwise is within the usual 2
     constexpr double kPeriods = 60;
+    /// %; the least damping has less. What has more does so by its integral, and may well swing for good.
+    constexpr double kMostOvershoot = 25;
     constexpr double kErrorMargin = 1.5;
     constexpr double kLeastError = 20;
     const double accelerating = std::sqrt(std::abs(terms.step) * terms.motor.timeConstant /
@@ -117,7 +119,7 @@ struct Terms {
         motor.gain *= 1 + 0.03 * stronger;
         motor.friction *= 1 - 0.15 * stronger;
         const StepRun run = reckonStep(motor, gains, 0, terms.step, record, kBand);
-        if (!isCalm(run))
+        if (!isCalm(run) || (run.metrics.overshoot && run.metrics.overshoot->value > kMostOvershoot))
             return std::nullopt;
         const auto& settled = run.metrics.settling;
         longest = std::max(longest, settled ? settled->value : record);
