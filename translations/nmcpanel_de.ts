@@ -6375,6 +6375,21 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::HoldFirstButton</name>
+    <message>
+        <source>Hold here first</source>
+        <translation>Erst hier halten</translation>
+    </message>
+    <message>
+        <source>Hold the motor where it is, before a test</source>
+        <translation>Den Motor vor einer Prüfung halten, wo er steht</translation>
+    </message>
+    <message>
+        <source>Takes the position it has at this moment as the one to hold (Stop here).</source>
+        <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
+    </message>
+</context>
+<context>
     <name>nmc::HomingBox</name>
     <message>
         <source>Home</source>
@@ -10013,18 +10028,6 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9).</source>
         <translation>Der Motor springt um diese Strecke und hält dort. Alles, was sich mitdreht, muss frei beweglich sein (Umschalt+F9).</translation>
-    </message>
-    <message>
-        <source>Hold here first</source>
-        <translation>Erst hier halten</translation>
-    </message>
-    <message>
-        <source>Hold the motor where it is, before a step</source>
-        <translation>Den Motor vor einem Sprung halten, wo er steht</translation>
-    </message>
-    <message>
-        <source>Takes the position it has at this moment as the one to hold (Stop here).</source>
-        <translation>Nimmt die Position von diesem Augenblick als die, die zu halten ist (Hier stoppen).</translation>
     </message>
     <message>
         <source>%1 %2 instead of %3</source>

@@ -119,10 +119,17 @@ TEST_F(TestsOfTheLoop, EscEndsSinesForGood) {
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);
     ASSERT_TRUE(ended("frequency"));
+    ASSERT_TRUE(panel.answersFor(0.5)) << "a stop is told twice, and each time it holds where the motor is";
     const int command = sim.state(1)[u"command_position"_s].toInt();
     ASSERT_TRUE(panel.answersFor(1.0));
     EXPECT_EQ(sim.state(1)[u"command_position"_s].toInt(), command);
     EXPECT_TRUE(panel.module().servoOn()) << "a stop keeps holding";
+    // And it can be begun anew, from where it was stopped.
+    auto* start = panel.window().findChild<QAbstractButton*>(u"frequencyStartButton"_s);
+    if (!start->isEnabled()) {
+        ASSERT_NO_FATAL_FAILURE(panel.click("frequencyHoldButton"));
+    }
+    EXPECT_TRUE(panel.waitFor([&] { return start->isEnabled(); }));
 }
 
 TEST_F(TestsOfTheLoop, EndItHoldsTheMotor) {

@@ -9,6 +9,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
+#include "widgets/response/holdfirstbutton.h"
 
 namespace nmc {
 
@@ -31,6 +32,8 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     buttons->setSpacing(unit);
     buttons->addWidget(m_start);
     buttons->addWidget(m_end);
+    m_hold = new HoldFirstButton(words.objectName + u"HoldButton"_s, this);
+    buttons->addWidget(m_hold);
     buttons->addStretch(1);
     m_grid = new QGridLayout;
     m_grid->setHorizontalSpacing(unit);
@@ -43,6 +46,7 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     column->addLayout(buttons);
     column->addWidget(m_state);
     connect(m_start, &QPushButton::clicked, this, &TestForm::start);
+    connect(m_hold, &HoldFirstButton::asked, this, &TestForm::asked);
     connect(m_end, &QPushButton::clicked, this, [this] {
         if (m_module)
             emit asked(m_module->info.index, intent::CancelProcedure{});
@@ -110,8 +114,20 @@ QString TestForm::whyNotNow() const {
     for (const NumberField* field : m_fields)
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
+    const auto refusal = this->refusal();
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
+std::optional<Refusal> TestForm::refusal() const {
+    for (const NumberField* field : m_fields)
+        if (field->problem() != NumberField::Problem::None)
+            return std::nullopt;
+    if (!m_module || running())
+        return std::nullopt;
     const auto steps = plan(m_wanted(), *m_module);
-    return steps ? QString() : texts::refusal(steps.error());
+    if (steps)
+        return std::nullopt;
+    return steps.error();
 }
 
 void TestForm::refresh() {
@@ -119,6 +135,7 @@ void TestForm::refresh() {
     look::setPossible(m_start, reason, m_meaning);
     look::setPossible(m_end, running() ? QString() : tr("It does not run."),
                       tr("The motor is held where it is."));
+    m_hold->showFor(m_module, m_connected ? refusal() : std::nullopt);
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, running() ? texts::procedureStage(*m_report)
                            : failed  ? texts::loopTestFailure(*m_report->failure)

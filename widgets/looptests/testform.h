@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace nmc {
 
+class HoldFirstButton;
 class NumberField;
 class QuantityField;
 
@@ -52,6 +53,8 @@ private:
     void refresh();
     void start();
     [[nodiscard]] QString whyNotNow() const;
+    /// Of what the fields say, while they have no problem.
+    [[nodiscard]] std::optional<Refusal> refusal() const;
 
     ProcedureKind m_kind;
     QString m_meaning;
@@ -60,6 +63,7 @@ private:
     QGridLayout* m_grid = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_end = nullptr;
+    HoldFirstButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
     std::optional<ProcedureReport> m_report;

@@ -16,6 +16,7 @@
 #include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/gainsmeaning.h"
+#include "widgets/response/holdfirstbutton.h"
 #include "widgets/response/stepresponsewords.h"
 
 namespace nmc {
@@ -111,14 +112,12 @@ void StepForm::buildButton(QGridLayout* grid) {
     m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"stepResponseState"_s);
     m_state->setWordWrap(true);
-    m_hold = new QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), this);
-    look::name(m_hold, u"stepResponseHoldButton"_s, tr("Hold the motor where it is, before a step"));
-    look::keepRoom(m_hold);
+    m_hold = new HoldFirstButton(u"stepResponseHoldButton"_s, this);
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 0);
     grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
     connect(m_step, &QPushButton::clicked, this, &StepForm::step);
-    connect(m_hold, &QPushButton::clicked, this, &StepForm::holdHere);
+    connect(m_hold, &HoldFirstButton::asked, this, &StepForm::asked);
 }
 
 void StepForm::showModule(const PanelView& view) {
@@ -170,12 +169,7 @@ void StepForm::refresh() {
     look::setPossible(m_step, reason,
                       tr("The motor jumps by this distance, and holds there. Everything that turns with it "
                          "must be free to (Shift+F9)."));
-    m_hold->setVisible(refusal() == Refusal::CommandUnknown);
-    if (m_hold->isVisibleTo(this)) {
-        const auto refused = nmc::whyNot(Request::StopHere, *m_module);
-        look::setPossible(m_hold, refused ? texts::refusal(*refused) : QString(),
-                          tr("Takes the position it has at this moment as the one to hold (Stop here)."));
-    }
+    m_hold->showFor(m_module, refusal());
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, runs     ? texts::procedureStage(*m_report)
@@ -232,11 +226,6 @@ void StepForm::askWhichGains(const intent::StepResponse& step) {
                    {{tr("&Apply them and step"), u"applyAndStepButton"_s, ask(applied)},
                     {tr("Step with those that it &has"), u"stepWithoutButton"_s, ask(step)}},
                    window());
-}
-
-void StepForm::holdHere() {
-    if (m_module)
-        emit asked(m_module->info.index, intent::StopHere{});
 }
 
 }  // namespace nmc

@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace nmc {
 
+class HoldFirstButton;
 class NumberField;
 class QuantityField;
 
@@ -47,7 +48,6 @@ private:
     NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
     void refresh();
     void askWhichGains(const intent::StepResponse& step);
-    void holdHere();
     [[nodiscard]] std::optional<Refusal> refusal() const;
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
     [[nodiscard]] QString whyNotNow() const;
@@ -58,7 +58,7 @@ private:
     NumberField* m_record = nullptr;
     NumberField* m_band = nullptr;
     QPushButton* m_step = nullptr;
-    QPushButton* m_hold = nullptr;
+    HoldFirstButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
     std::optional<servo::SetGain> m_staged;  ///< in the fields of the gains

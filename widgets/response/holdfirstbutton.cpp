@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/response/holdfirstbutton.h"
+
+#include "widgets/common/icons.h"
+#include "widgets/common/look.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+HoldFirstButton::HoldFirstButton(const QString& objectName, QWidget* parent)
+    : QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), parent) {
+    look::name(this, objectName, tr("Hold the motor where it is, before a test"));
+    look::keepRoom(this);
+    setVisible(false);
+    connect(this, &QPushButton::clicked, this, [this] {
+        if (m_module)
+            emit asked(*m_module, intent::StopHere{});
+    });
+}
+
+void HoldFirstButton::showFor(const std::optional<ModuleState>& module, std::optional<Refusal> refusal) {
+    m_module.reset();
+    setVisible(module && refusal == Refusal::CommandUnknown);
+    if (isHidden())
+        return;
+    m_module = module->info.index;
+    const auto refused = nmc::whyNot(Request::StopHere, *module);
+    look::setPossible(this, refused ? texts::refusal(*refused) : QString(),
+                      tr("Takes the position it has at this moment as the one to hold (Stop here)."));
+}
+
+}  // namespace nmc

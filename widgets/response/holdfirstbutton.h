@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+#include <optional>
+
+#include "model/intent/intent.h"
+
+namespace nmc {
+
+/// Beside the button of a test that begins where the servo is held: makes that position known. There only
+/// while nothing else is missing.
+class HoldFirstButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    HoldFirstButton(const QString& objectName, QWidget* parent);
+
+    /// Why the test of this module is refused, if it is. Emits nothing.
+    void showFor(const std::optional<ModuleState>& module, std::optional<Refusal> refusal);
+
+signals:
+    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
+
+private:
+    std::optional<ModuleIndex> m_module;
+};
+
+}  // namespace nmc
