@@ -44,7 +44,10 @@ public:
     [[nodiscard]] bool wants(TimePoint now) const override {
         return m_verification || (!m_commands.empty() && *m_commands.due() <= now);
     }
-    [[nodiscard]] std::optional<TimePoint> due() const override { return m_commands.due(); }
+    /// Of a sine; all others want the line at once.
+    [[nodiscard]] std::optional<TimePoint> due() const override {
+        return m_commands.swings() ? m_commands.due() : std::nullopt;
+    }
     [[nodiscard]] bool pipelines() const override { return m_commands.group() == nullptr; }
     [[nodiscard]] Next next(TimePoint now) override;
     void onAnswer(const Ask& ask, const ReplyEnd& end) override;
