@@ -29,8 +29,8 @@ constexpr servo::SetGain kGains{200, 2'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t
 
 class LoopTests : public testing::Test {
 protected:
-    [[nodiscard]] bool hold(std::uint32_t friction = 0) {
-        bench.set(sim::Input::Friction, friction);
+    [[nodiscard]] bool hold() {
+        bench.set(sim::Input::Friction, 0.0);
         return bench.connect() && bench.perform(intent::ApplyGains{kGains}) &&
                bench.perform(intent::Enable{}) && bench.perform(intent::StopHere{});
     }
@@ -46,42 +46,49 @@ protected:
             highest = std::max(highest, bench.truth().commandPosition);
         };
     }
+    /// The slowest are under way; the first of them lasts ten seconds.
+    void beginSines() {
+        ASSERT_TRUE(hold());
+        bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
+        ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+        bench.bus.runFor(500ms);
+    }
     static constexpr intent::SquareWave kWave{100, 0.4, 3, 200, StepWay::StopHere};
     ServoBench bench;
     double lowest = 0, highest = 0;
 };
 
-TEST_F(LoopTests, AWaveJumpsToAndFroAndEndsWhereItBegan) {
-    for (const StepWay way : {StepWay::StopHere, StepWay::Profile}) {
-        LoopTests::SetUp();
-        ASSERT_TRUE(hold());
-        const double from = bench.truth().commandPosition;
-        watchCommands();
-        std::vector<StepTaken> edges;
-        bench.onTurn = [&](Procedure& procedure) {
-            const auto& edge = procedure.report().step;
-            if (edge && (edges.empty() || edges.back() != *edge))
-                edges.push_back(*edge);
-        };
-        intent::SquareWave wave = kWave;
-        wave.way = way;
-        const ProcedureReport report = bench.run(wave);
-        EXPECT_EQ(report.stage, ProcedureStage::Done);
-        EXPECT_EQ(lowest, from - 50);
-        EXPECT_EQ(highest, from + 50);
-        EXPECT_EQ(bench.truth().commandPosition, from);
-        ASSERT_EQ(edges.size(), 6U) << "three periods; half an edge leads there";
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            EXPECT_EQ(edges[i].goal - edges[i].from, i % 2 == 0 ? -100 : 100);
-            if (i > 0) {
-                EXPECT_GE(toSeconds(edges[i].at - edges[i - 1].at), 0.2);
-                EXPECT_LE(toSeconds(edges[i].at - edges[i - 1].at), 0.26) << "a turn, and two commands";
-            }
+class WavesOfEachWay : public LoopTests, public testing::WithParamInterface<StepWay> {};
+
+TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
+    ASSERT_TRUE(hold());
+    const double from = bench.truth().commandPosition;
+    watchCommands();
+    std::vector<StepTaken> edges;
+    bench.onTurn = [&](Procedure& procedure) {
+        const auto& edge = procedure.report().step;
+        if (edge && (edges.empty() || edges.back() != *edge))
+            edges.push_back(*edge);
+    };
+    intent::SquareWave wave = kWave;
+    wave.way = GetParam();
+    const ProcedureReport report = bench.run(wave);
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(lowest, from - 50);
+    EXPECT_EQ(highest, from + 50);
+    EXPECT_EQ(bench.truth().commandPosition, from);
+    ASSERT_EQ(edges.size(), 6U) << "three periods; half an edge leads there";
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        EXPECT_EQ(edges[i].goal - edges[i].from, i % 2 == 0 ? -100 : 100);
+        if (i > 0) {
+            EXPECT_GE(toSeconds(edges[i].at - edges[i - 1].at), 0.2);
+            EXPECT_LE(toSeconds(edges[i].at - edges[i - 1].at), 0.26) << "a turn, and two commands";
         }
-        EXPECT_TRUE(bench.truth().servoOn);
-        bench.bus.expectNoViolations();
     }
+    EXPECT_TRUE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
 }
+INSTANTIATE_TEST_SUITE_P(All, WavesOfEachWay, testing::Values(StepWay::StopHere, StepWay::Profile));
 
 TEST_F(LoopTests, AWaveTakesGainsBeforeItsNextEdge) {
     ASSERT_TRUE(hold());
@@ -182,7 +189,9 @@ TEST_F(LoopTests, EdgesFoldIntoAFinerOne) {
     ASSERT_GE(edges.size(), 20U);
     const auto one = std::count_if(edges.front().points.begin(), edges.front().points.end(),
                                    [](const StepPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
-    const std::vector<FoldedPoint> folded = foldEdges(edges, true);
+    const auto forward = foldEdges(edges, true);
+    ASSERT_TRUE(forward);
+    const std::vector<FoldedPoint>& folded = forward->points;
     const auto all = std::count_if(folded.begin(), folded.end(),
                                    [](const FoldedPoint& p) { return p.seconds > 0 && p.seconds < 0.05; });
     EXPECT_GT(all, 2 * one);
@@ -231,10 +240,7 @@ TEST_F(LoopTests, ASineStaysWithinItsAmplitudeAndEndsAtItsCentre) {
 }
 
 TEST_F(LoopTests, ASineIsCancelledAtOnce) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
-    bench.bus.runFor(500ms);
+    ASSERT_NO_FATAL_FAILURE(beginSines());
     bench.procedure->cancel();
     const TimePoint cancelled = bench.bus.now;
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
@@ -245,10 +251,7 @@ TEST_F(LoopTests, ASineIsCancelledAtOnce) {
 }
 
 TEST_F(LoopTests, AStopOfAllEndsASineForGood) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
-    bench.bus.runFor(500ms);
+    ASSERT_NO_FATAL_FAILURE(beginSines());
     bench.bus.engine.stopAll(bench.bus.now);
     bench.bus.runFor(500ms);
     const double command = bench.truth().commandPosition;
@@ -268,10 +271,7 @@ TEST_F(LoopTests, AMotorThatASineSwingsTooFarIsHeld) {
 }
 
 TEST_F(LoopTests, WhateverElseIsAskedForEndsASine) {
-    ASSERT_TRUE(hold());
-    bench.begin(intent::FrequencyResponse{20, 0.5, 1.0});
-    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
-    bench.bus.runFor(500ms);
+    ASSERT_NO_FATAL_FAILURE(beginSines());
     const TimePoint asked = bench.bus.now;
     ASSERT_EQ(bench.bus.perform(*plan(intent::StopAbruptly{}, bench.module())), bus::Outcome::Done);
     EXPECT_LT(bench.bus.now - asked, 20ms) << "a stop waits for no more than the exchange on the wire";

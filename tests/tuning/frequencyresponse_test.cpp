@@ -142,7 +142,9 @@ TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
         edges.push_back(edge(-50, 50, i * 0.0005));
         edges.push_back(edge(50, -50, i * 0.0005));
     }
-    const std::vector<FoldedPoint> folded = foldEdges(edges, true);
+    const auto forward = foldEdges(edges, true);
+    ASSERT_TRUE(forward);
+    const std::vector<FoldedPoint>& folded = forward->points;
     unsigned samples = 0;
     for (const FoldedPoint& point : folded) {
         samples += point.samples;
@@ -151,25 +153,27 @@ TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
     }
     EXPECT_EQ(samples, 4 * 100U);
     EXPECT_GE(folded.size(), 120U) << "one edge has 100 samples";
-    const auto run = foldedRun(edges, true);
-    ASSERT_TRUE(run);
-    EXPECT_EQ(run->taken.from, -50);
-    ASSERT_TRUE(run->metrics.rise);
+    EXPECT_EQ(forward->run.taken.from, -50);
+    ASSERT_TRUE(forward->run.metrics.rise);
     // ln 9 time constants.
-    EXPECT_NEAR(run->metrics.rise->value, 0.02 * std::log(9.0), 0.001);
-    for (const FoldedPoint& point : foldEdges(edges, false))
+    EXPECT_NEAR(forward->run.metrics.rise->value, 0.02 * std::log(9.0), 0.001);
+    const auto back = foldEdges(edges, false);
+    ASSERT_TRUE(back);
+    for (const FoldedPoint& point : back->points)
         EXPECT_LE(point.position, 0.0);
 }
 
 TEST(EdgeFold, LeavesOutEdgesWithOtherGains) {
     const std::vector<StepRun> edges{edge(-50, 50, 0, 100), edge(-50, 50, 0, 300)};
+    const auto forward = foldEdges(edges, true);
+    ASSERT_TRUE(forward);
     unsigned samples = 0;
-    for (const FoldedPoint& point : foldEdges(edges, true))
+    for (const FoldedPoint& point : forward->points)
         samples += point.samples;
     EXPECT_EQ(samples, 100U);
-    EXPECT_EQ(foldedRun(edges, true)->taken.gains.kp, 300);
-    EXPECT_FALSE(foldedRun(edges, false));
-    EXPECT_TRUE(foldEdges({}, true).empty());
+    EXPECT_EQ(forward->run.taken.gains.kp, 300);
+    EXPECT_FALSE(foldEdges(edges, false));
+    EXPECT_FALSE(foldEdges({}, true));
 }
 
 }  // namespace

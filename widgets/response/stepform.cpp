@@ -8,7 +8,7 @@
 #include <QPushButton>
 
 #include "model/intent/gainsplan.h"
-#include "model/intent/stepresponseplan.h"
+#include "model/intent/looptestplan.h"
 #include "model/response/steprun.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/icons.h"

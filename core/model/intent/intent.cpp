@@ -8,7 +8,6 @@
 #include "model/intent/looptestplan.h"
 #include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
-#include "model/intent/stepresponseplan.h"
 #include "model/intent/travel.h"
 
 namespace nmc {

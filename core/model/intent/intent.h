@@ -82,7 +82,7 @@ struct StepBy {
     CountsPerTickSquared acceleration;
 };
 /// A small move without a profile, from the position that the servo holds, to see how it follows
-/// (stepresponseplan.h). A procedure.
+/// (looptestplan.h). A procedure.
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed
     StepWay way = StepWay::Profile;

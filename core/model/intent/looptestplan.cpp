@@ -4,17 +4,17 @@
 #include <cstdlib>
 
 #include "bus/standstill.h"
-#include "model/intent/stepresponseplan.h"
 #include "model/intent/travel.h"
 
 namespace nmc {
 
-bool wouldTrip(std::int64_t counts, std::int64_t errorLimit) {
-    return counts + counts / 10 + kStillCounts > errorLimit;
-}
+namespace {
 
-std::optional<Refusal> whyNotTest(const ModuleState& module, const std::optional<servo::SetGain>& gains,
-                                  std::int64_t error, std::int64_t low, std::int64_t high) {
+/// What every test needs: a servo that holds with known gains, where its position error may be `error`
+/// counts, and where it may go to `low` and `high` counts off the position that it holds.
+[[nodiscard]] std::optional<Refusal> whyNotTest(const ModuleState& module,
+                                                const std::optional<servo::SetGain>& gains,
+                                                std::int64_t error, std::int64_t low, std::int64_t high) {
     if (const auto refusal = whyNot(Request::Move, module))
         return refusal;
     if (!gains)
@@ -36,6 +36,26 @@ std::optional<Refusal> whyNotTest(const ModuleState& module, const std::optional
         if (const auto problem = travelProblem(intent::StepResponse{static_cast<std::int32_t>(off)}, module))
             return problem->refusal;
     }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool wouldTrip(std::int64_t counts, std::int64_t errorLimit) {
+    return counts + counts / 10 + kStillCounts > errorLimit;
+}
+
+std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module) {
+    const auto& gains = wanted.gains ? wanted.gains : module.gains;
+    const std::int64_t counts = wanted.counts;
+    if (const auto refusal = whyNotTest(module, gains, std::abs(counts), counts, counts))
+        return refusal;
+    if (const auto refusal = wanted.gains ? whyNot(Request::ApplyGains, module) : std::nullopt)
+        return refusal;
+    if (wanted.way == StepWay::StopHere && module.info.identity.version < servo::kStopHereVersion)
+        return Refusal::VersionLacksIt;
+    if (!(wanted.record >= kShortestRecord && wanted.record <= kLongestRecord))
+        return Refusal::RecordTime;
     return std::nullopt;
 }
 

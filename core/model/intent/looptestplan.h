@@ -6,11 +6,19 @@
 
 #include "model/intent/intent.h"
 
-/// What the longer tests of a loop need before they can be asked for. As in stepresponseplan.h, they begin at
-/// the position that the servo holds. Pure.
+/// What the tests of a loop need before they can be asked for. Whatever makes one impossible is found before
+/// anything is sent. They start from the position that the servo holds (ModuleState::goal()), not from where
+/// a load or friction keeps the shaft: steps there and back end where they began. The position error is the
+/// whole jump when the command has jumped, so the position error limit must be above it with a margin. Pure.
 namespace nmc {
 
-/// Counts to either side of it.
+/// Longest step, counts: "test motions should be small motions" (DS-V 4.3).
+inline constexpr std::int32_t kLongestStep = 2'000;
+inline constexpr std::int32_t kFirstStep = 100;
+/// Seconds; the bus can be given to one module for 5 s (bus::Engine::focus).
+inline constexpr double kShortestRecord = 0.02;
+inline constexpr double kLongestRecord = 3.0;
+/// Counts to either side.
 inline constexpr std::int32_t kWidestSine = 500;
 inline constexpr std::int32_t kFirstSine = 20;
 /// Hz.
@@ -25,12 +33,7 @@ inline constexpr unsigned kMostPeriods = 200;
 /// servo swings at standstill.
 [[nodiscard]] bool wouldTrip(std::int64_t counts, std::int64_t errorLimit);
 
-/// What every test of the loop needs: a servo that holds with known gains, where its position error may be
-/// `error` counts, and where it may go to `low` and `high` counts off the position that it holds.
-[[nodiscard]] std::optional<Refusal> whyNotTest(const ModuleState& module,
-                                                const std::optional<servo::SetGain>& gains,
-                                                std::int64_t error, std::int64_t low, std::int64_t high);
-
+[[nodiscard]] std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::FrequencyResponse& wanted,
                                             const ModuleState& module);

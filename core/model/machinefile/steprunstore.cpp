@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/intent/stepresponseplan.h"
+#include "model/intent/looptestplan.h"
 #include "model/machinefile/fieldreader.h"
 #include "model/machinefile/fieldwriter.h"
 

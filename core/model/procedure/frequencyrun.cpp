@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <tuple>
 
 #include "model/frequency/frequencyresponse.h"
 #include "model/intent/looptestplan.h"
@@ -60,14 +59,9 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
     return swingNext(module);
 }
 
-void FrequencyRun::whileSwinging(const ModuleState& module) {
-    if (module.silent)
-        std::ignore = fail(ProcedureFailure::ModuleSilent);
-    else if (!module.servoOn())
-        std::ignore = fail(ProcedureFailure::WentOff);
-    else if (std::abs(std::int64_t{countsBetween(stood(), *module.latest->position)}) >
-             kTooFar * m_wanted.amplitude + kStillCounts)
-        std::ignore = fail(ProcedureFailure::TravelLimit);
+bool FrequencyRun::goneTooFar(const ModuleState& module) const {
+    return std::abs(std::int64_t{countsBetween(stood(), *module.latest->position)}) >
+           kTooFar * m_wanted.amplitude + kStillCounts;
 }
 
 }  // namespace nmc

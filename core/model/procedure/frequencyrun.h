@@ -22,7 +22,7 @@ public:
 private:
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
-    void whileSwinging(const ModuleState& module) override;
+    [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
     [[nodiscard]] Next swingNext(const ModuleState& module);
 
     intent::FrequencyResponse m_wanted;

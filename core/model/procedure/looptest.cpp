@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/looptest.h"
 
+#include <tuple>
 #include <utility>
 
 namespace nmc {
@@ -18,13 +19,24 @@ constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 }  // namespace
 
 LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
-    if (module.silent)
-        return fail(ProcedureFailure::ModuleSilent);
-    if (!module.servoOn())
-        return fail(ProcedureFailure::WentOff);
+    if (const auto failure = trouble(module))
+        return fail(*failure);
     if (m_report.stage == ProcedureStage::Preparing)
         return prepare(module, now);
     return m_report.stage == ProcedureStage::Moving ? goOn(module, now) : settle(module, now);
+}
+
+std::optional<ProcedureFailure> LoopTest::trouble(const ModuleState& module) {
+    if (module.silent)
+        return ProcedureFailure::ModuleSilent;
+    return module.servoOn() ? std::nullopt : std::optional(ProcedureFailure::WentOff);
+}
+
+void LoopTest::whileSwinging(const ModuleState& module) {
+    if (const auto failure = trouble(module))
+        std::ignore = fail(*failure);
+    else if (goneTooFar(module))
+        std::ignore = fail(ProcedureFailure::TravelLimit);
 }
 
 LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
@@ -64,10 +76,16 @@ LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) 
     return send(std::move(both));
 }
 
-LoopTest::Next LoopTest::giveWay() {
-    m_mayRun = false;
-    cancel();
-    return Wait{};
+std::optional<LoopTest::Next> LoopTest::record(const ModuleState& module, TimePoint now,
+                                               const StepTaken& taken) {
+    if (module.motionCommandedAt != taken.at) {  // something else moves or has stopped it
+        m_mayRun = false;
+        cancel();
+        return Wait{};
+    }
+    if (goneTooFar(module))
+        return fail(ProcedureFailure::TravelLimit);
+    return toSeconds(now - taken.at) < taken.record ? std::optional(Next(Wait{})) : std::nullopt;
 }
 
 LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {

@@ -27,6 +27,8 @@ protected:
     [[nodiscard]] virtual Next begin(const ModuleState& module) = 0;
     /// Stage Moving, nothing in flight.
     [[nodiscard]] virtual Next goOn(const ModuleState& module, TimePoint now) = 0;
+    /// Farther than the test allows.
+    [[nodiscard]] virtual bool goneTooFar(const ModuleState& module) const = 0;
 
     /// Counts, that the servo held when it began.
     [[nodiscard]] std::int32_t from() const { return m_from; }
@@ -35,20 +37,26 @@ protected:
     /// The command position goes there in one tick.
     [[nodiscard]] std::vector<bus::Step> jump(const ModuleState& module, std::int32_t goal,
                                               StepWay way) const;
+    /// While `taken` is recorded: what comes next until it is over. The motion may be somebody else's by
+    /// then, or go too far.
+    [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,
+                                             const StepTaken& taken);
     /// The test is over: it is held at `goal`.
     [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
-    /// Its motion is somebody else's now.
-    [[nodiscard]] Next giveWay();
     [[nodiscard]] std::vector<bus::Step> steps(std::vector<ServoCommand> commands) const;
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
     [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const final;
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) final;
+    void whileSwinging(const ModuleState& module) final;
     [[nodiscard]] Next prepare(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Step> hold(const ModuleState& module) const;
     [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
+
+    /// Of a module that cannot be tested any more.
+    [[nodiscard]] static std::optional<ProcedureFailure> trouble(const ModuleState& module);
 
     std::int32_t m_from = 0;
     std::int32_t m_stood = 0;

@@ -69,12 +69,8 @@ SquareWaveRun::Next SquareWaveRun::goOn(const ModuleState& module, TimePoint now
         if (m_edges > 1)
             m_report.step = m_taken;
     }
-    if (module.motionCommandedAt != m_taken.at)  // something else moves or has stopped it
-        return giveWay();
-    if (goneTooFar(module))
-        return fail(ProcedureFailure::TravelLimit);
-    if (toSeconds(now - m_taken.at) < m_taken.record)
-        return Wait{};
+    if (auto next = record(module, now, m_taken))
+        return std::move(*next);
     // The first edge is but half of one.
     return m_edges <= 2 * m_wanted.rounds ? edge(module) : conclude(module, from());
 }

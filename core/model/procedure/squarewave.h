@@ -22,7 +22,7 @@ private:
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next edge(const ModuleState& module);
-    [[nodiscard]] bool goneTooFar(const ModuleState& module) const;
+    [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
 
     intent::SquareWave m_wanted;
     unsigned m_edges = 0;  ///< those that were commanded

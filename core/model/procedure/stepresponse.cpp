@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/intent/gainsplan.h"
-#include "model/intent/stepresponseplan.h"
+#include "model/intent/looptestplan.h"
 
 namespace nmc {
 
@@ -27,12 +27,8 @@ StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint
         m_taken.at = module.motionCommandedAt;
         m_report.step = m_taken;
     }
-    if (module.motionCommandedAt != m_taken.at)  // something else moves or has stopped it
-        return giveWay();
-    if (goneTooFar(module))
-        return fail(ProcedureFailure::TravelLimit);
-    if (toSeconds(now - m_taken.at) < m_taken.record)
-        return Wait{};
+    if (auto next = record(module, now, m_taken))
+        return std::move(*next);
     return conclude(module, m_taken.goal);
 }
 

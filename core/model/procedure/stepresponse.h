@@ -20,7 +20,7 @@ private:
     [[nodiscard]] std::optional<Next> beforeStandstill(const ModuleState& module) override;
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
-    [[nodiscard]] bool goneTooFar(const ModuleState& module) const;
+    [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
 
     intent::StepResponse m_wanted;
     StepTaken m_taken;
