@@ -9,7 +9,6 @@
 #include <cstdlib>
 
 #include "model/intent/looptestplan.h"
-#include "model/intent/stepresponseplan.h"
 #include "model/response/edgefold.h"
 #include "widgets/common/look.h"
 #include "widgets/common/quantityfield.h"
@@ -26,17 +25,19 @@ constexpr double kFirstPeriod = 0.6;  ///< s
 constexpr unsigned kFirstRounds = 20;
 constexpr std::int32_t kFirstExcursion = 200;
 
-[[nodiscard]] SquarePlot::Fold foldOf(std::span<const StepRun> edges) {
+[[nodiscard]] SquarePlot::Fold drawn(std::span<const StepRun> edges, const std::optional<EdgeFold>& forward) {
     if (edges.empty())
         return {};
-    SquarePlot::Fold fold;
-    fold.forward = foldEdges(edges, true);
-    fold.back = foldEdges(edges, false);
-    // What comes before the way back is the end of the way there.
-    std::erase_if(fold.back, [](const FoldedPoint& point) { return point.seconds < 0; });
     const StepTaken& last = edges.back().taken;
+    SquarePlot::Fold fold;
     fold.counts = static_cast<double>(std::abs(std::int64_t{last.goal} - last.from));
     fold.half = last.record;
+    if (forward)
+        fold.forward = forward->points;
+    if (auto back = foldEdges(edges, false))
+        fold.back = std::move(back->points);
+    // What comes before the way back is the end of the way there.
+    std::erase_if(fold.back, [](const FoldedPoint& point) { return point.seconds < 0; });
     return fold;
 }
 }  // namespace
@@ -122,40 +123,36 @@ void SquareWavePage::showEdge(KeptRun edge) {
     refresh();
 }
 
-std::optional<KeptRun> SquareWavePage::folded() const {
-    auto run = foldedRun(m_edges, true);
-    if (!run)
-        return std::nullopt;
-    KeptRun kept = m_labels;
-    kept.run = std::move(*run);
-    return kept;
-}
-
 void SquareWavePage::refresh() {
     // Those with other gains than the last one's, from before they were changed.
     const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const StepRun& edge) {
         return edge.taken.gains != m_edges.back().taken.gains;
     });
-    m_plot->showFold(foldOf(m_edges), foldOf({m_edges.begin(), changed.base()}), m_labels.scale);
+    const std::span<const StepRun> before(m_edges.begin(), changed.base());
+    const auto forward = foldEdges(m_edges, true);
+    m_plot->showFold(drawn(m_edges, forward), drawn(before, foldEdges(before, true)), m_labels.scale);
+    m_folded = forward ? std::optional(forward->run) : std::nullopt;
     QStringList lines;
-    const auto kept = folded();
-    if (kept) {
-        const StepMetrics& metrics = kept->run.metrics;
+    if (m_folded) {
+        const StepMetrics& metrics = m_folded->metrics;
         lines << tr("Edges with these gains: %1").arg(std::distance(m_edges.rbegin(), changed))
               << tr("Rise %1").arg(texts::stepTime(metrics.rise))
               << tr("Overshoot %1").arg(texts::stepOvershoot(metrics.overshoot))
               << tr("Settling %1").arg(texts::stepTime(metrics.settling))
-              << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, kept->scale));
+              << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, m_labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
-    look::setPossible(m_keep, kept ? QString() : tr("No edge is recorded yet."),
+    look::setPossible(m_keep, m_folded ? QString() : tr("No edge is recorded yet."),
                       tr("Puts the median of the edges towards higher counts into the list of step "
                          "responses."));
 }
 
 void SquareWavePage::keep() {
-    if (const auto kept = folded())
-        emit runKept(*kept);
+    if (!m_folded)
+        return;
+    KeptRun kept = m_labels;
+    kept.run = *m_folded;
+    emit runKept(kept);
 }
 
 }  // namespace nmc

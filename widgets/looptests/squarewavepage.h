@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "model/response/steprunfile.h"
@@ -33,8 +34,6 @@ public:
     void clear();
     void showEdge(KeptRun edge);
 
-    [[nodiscard]] const std::vector<StepRun>& edges() const { return m_edges; }
-
 signals:
     void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// The edges towards higher counts as one step response, to be compared with others.
@@ -43,7 +42,6 @@ signals:
 private:
     void refresh();
     void keep();
-    [[nodiscard]] std::optional<KeptRun> folded() const;
 
     TestForm* m_form;
     QuantityField* m_counts;
@@ -55,7 +53,8 @@ private:
     QLabel* m_results;
     QPushButton* m_keep;
     std::vector<StepRun> m_edges;
-    KeptRun m_labels;  ///< of the edges: where they come from
+    std::optional<StepRun> m_folded;  ///< those towards higher counts, with the present gains
+    KeptRun m_labels;                 ///< of the edges: where they come from
 };
 
 }  // namespace nmc

@@ -50,22 +50,18 @@ constexpr double kSamplesInPlace = 3.0;
     return folded;
 }
 
-}  // namespace
-
-std::vector<FoldedPoint> foldEdges(std::span<const StepRun> edges, bool forward) {
+[[nodiscard]] std::vector<FoldedPoint> laidOver(const std::vector<const StepRun*>& edges) {
     std::vector<StepPoint> all;
-    double width = toSeconds(kServoTick);
-    double span = 0.0;
-    for (const StepRun* edge : alike(edges, forward)) {
-        span = edge->taken.record + toSeconds(kBeforeStep);
+    for (const StepRun* edge : edges)
         for (const StepPoint& point : edge->points)
             all.push_back({point.seconds, point.position - edge->taken.from});
-    }
     if (all.empty())
         return {};
     std::sort(all.begin(), all.end(),
               [](const StepPoint& a, const StepPoint& b) { return a.seconds < b.seconds; });
-    width = std::max(width, kSamplesInPlace * span / static_cast<double>(all.size()));
+    const double span = edges.front()->taken.record + toSeconds(kBeforeStep);
+    const double width =
+        std::max(toSeconds(kServoTick), kSamplesInPlace * span / static_cast<double>(all.size()));
     const auto placeOf = [width](const StepPoint& point) {
         return static_cast<std::int64_t>(std::floor(point.seconds / width));
     };
@@ -79,17 +75,21 @@ std::vector<FoldedPoint> foldEdges(std::span<const StepRun> edges, bool forward)
     return folded;
 }
 
-std::optional<StepRun> foldedRun(std::span<const StepRun> edges, bool forward) {
+}  // namespace
+
+std::optional<EdgeFold> foldEdges(std::span<const StepRun> edges, bool forward) {
     const std::vector<const StepRun*> found = alike(edges, forward);
     if (found.empty())
         return std::nullopt;
-    StepRun run = *found.front();
-    run.points.clear();
-    for (const FoldedPoint& point : foldEdges(edges, forward))
-        run.points.push_back({point.seconds, run.taken.from + point.position});
-    run.pwm.reset();
-    setBand(run, run.bandPercent);
-    return run;
+    EdgeFold fold;
+    fold.run = *found.front();
+    fold.run.points.clear();
+    fold.run.pwm.reset();
+    fold.points = laidOver(found);
+    for (const FoldedPoint& point : fold.points)
+        fold.run.points.push_back({point.seconds, fold.run.taken.from + point.position});
+    setBand(fold.run, fold.run.bandPercent);
+    return fold;
 }
 
 }  // namespace nmc

@@ -19,12 +19,13 @@ struct FoldedPoint {
     unsigned samples = 0;
 };
 
-/// Edges that go the same way: those of `edges` that have the gains and the direction of the last one that
-/// does. `forward`: towards higher counts. Places are as wide as the samples permit, but not narrower than a
-/// servo tick. Empty without any. Pure.
-[[nodiscard]] std::vector<FoldedPoint> foldEdges(std::span<const StepRun> edges, bool forward);
+struct EdgeFold {
+    std::vector<FoldedPoint> points;
+    StepRun run;  ///< the same as one step response, of the median, judged as any other
+};
 
-/// The same as one step response, judged as any other: of the median; nothing without edges.
-[[nodiscard]] std::optional<StepRun> foldedRun(std::span<const StepRun> edges, bool forward);
+/// Edges that go the same way, with the gains of the last one that does. `forward`: towards higher counts.
+/// Places are as wide as the samples permit, but not narrower than a servo tick. Nothing without any. Pure.
+[[nodiscard]] std::optional<EdgeFold> foldEdges(std::span<const StepRun> edges, bool forward);
 
 }  // namespace nmc
