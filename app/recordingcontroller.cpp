@@ -24,7 +24,8 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
     connect(&files, &ScopeFiles::recordRequested, this, &RecordingController::start);
     connect(&files, &ScopeFiles::recordingEndRequested, this, &RecordingController::end);
     connect(&window, &MainWindow::saveRequested, this, &RecordingController::save);
-    connect(&files, &ScopeFiles::openRequested, &m_loader, &RecordingLoader::start);
+    connect(&files, &ScopeFiles::openRequested, this, [this](const QString& path) { load(path, false); });
+    connect(&files, &ScopeFiles::underRequested, this, [this](const QString& path) { load(path, true); });
     connect(&files, &ScopeFiles::openingCancelled, this, [this, &files] {
         m_loader.cancel();
         files.showOpening({});
@@ -154,6 +155,11 @@ void RecordingController::failed(const RecordingFailure& failure) {
 
 // ---- files ----
 
+void RecordingController::load(const QString& path, bool under) {
+    m_under = under;
+    m_loader.start(path);
+}
+
 void RecordingController::loaded(std::shared_ptr<LoadedRecording> recording) {
     m_window.scopeFiles().showOpening({});
     if (recording->problem)
@@ -164,8 +170,12 @@ void RecordingController::loaded(std::shared_ptr<LoadedRecording> recording) {
         m_window.endMessage(texts::key::openedRecording());
     if (recording->samples == 0)
         return;
-    m_window.showRecord(std::make_shared<const ScopeRecord>(
-        recordOf(QFileInfo(recording->path).fileName(), recording->header, std::move(recording->history))));
+    auto record = std::make_shared<const ScopeRecord>(
+        recordOf(QFileInfo(recording->path).fileName(), recording->header, std::move(recording->history)));
+    if (m_under)
+        m_window.showUnder(std::move(record));
+    else
+        m_window.showRecord(std::move(record));
 }
 
 void RecordingController::save(const QString& path, const FileWriter::Content& content) {

@@ -35,6 +35,7 @@ private:
     void writeNews();
     void showRecording();
     void failed(const RecordingFailure& failure);
+    void load(const QString& path, bool under);
     void loaded(std::shared_ptr<LoadedRecording> recording);
     void save(const QString& path, const FileWriter::Content& content);
     void write(std::string text);
@@ -43,6 +44,7 @@ private:
     const BusStore& m_store;
     RecordingWriter m_writer;
     RecordingLoader m_loader;
+    bool m_under = false;  ///< what is being loaded goes under the live traces
     FileWriter m_files;
     QTimer m_clock;    ///< of what is shown of a recording
     TimePoint m_zero;  ///< as the scope counts its time

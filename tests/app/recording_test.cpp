@@ -2,9 +2,13 @@
 // Recording and opening recordings, with the whole program: on the simulator, under a German locale.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
+#include <QTest>
 #include <bit>
 
 #include "model/recording/recordingreader.h"
@@ -120,6 +124,24 @@ TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
     ASSERT_TRUE(told("\"move.csv\" is recorded"));
     emit files().openRequested(path("move.csv"));
     ASSERT_TRUE(panel.waitFor([&] { return scopeTitle() == QLatin1String("move.csv (simulator)"); }));
+    EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
+}
+
+TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
+    record(path("move.csv"));
+    setGoing();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    emit files().recordingEndRequested();
+    ASSERT_TRUE(told("\"move.csv\" is recorded"));
+    files().underAction()->trigger();
+    auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("layUnderDialog"));
+    ASSERT_NE(dialog, nullptr);
+    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(path("move.csv"));
+    QTest::keyClick(name, Qt::Key_Return);
+    auto* label = panel.window().findChild<QLabel*>(QStringLiteral("scopeUnderLabel"));
+    EXPECT_TRUE(panel.waitFor([&] { return label->text().endsWith(QLatin1String("move.csv (simulator)")); }));
+    EXPECT_EQ(scopeTitle(), QString()) << "the scope stays live";
     EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);
 }
 

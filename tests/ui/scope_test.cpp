@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 
@@ -219,6 +222,38 @@ TEST_F(Scope, NumbersAtTheAxesAndInWordsLookAlike) {
     EXPECT_EQ(texts::numberAt(0.1 + 0.2, 0.1), u"0.3"_s);
     EXPECT_EQ(texts::numberAt(-0.004, 0.1), u"0.0"_s);
     EXPECT_EQ(texts::numberAt(12'345'678, 1'000), u"12\u202f345\u202f678"_s);
+}
+
+/// Recorded: at rest for 3 s, then 400 counts/s. Live: at rest for 5 s, then 200 counts/s. A second after the
+/// beginning of either they are at 400 and 200 counts, one over the other.
+TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
+    auto recorded = std::make_shared<ScopeRecord>();
+    HandMadeHistory old;
+    HandMadeHistory live;
+    for (int i = 0; i <= 1000; ++i) {
+        old.add(i / 100.0, std::max(0, 4 * (i - 300)));
+        live.add(i / 100.0, std::max(0, 2 * (i - 500)));
+    }
+    recorded->title = u"mill.csv"_s;
+    recorded->history = old.history().cut(HandMadeHistory::at(0), HandMadeHistory::at(10));
+    show(live, 10);
+    window->showUnder(recorded);
+    show(live, 10);
+    EXPECT_EQ(find<QLabel>(u"scopeUnderLabel"_s)->text(), u"Pale below the live traces: mill.csv"_s);
+    const auto rowOf = [&](double counts) {
+        const QRectF area = plot()->plotArea();
+        const AxisRange::Range range = plot()->valueRange();
+        return area.bottom() - (counts - range.min) / (range.max - range.min) * area.height();
+    };
+    const QList<int> both = rowsAt(u"scopePlot1"_s, 6);
+    ASSERT_FALSE(both.isEmpty());
+    EXPECT_NEAR(both.first(), rowOf(400), 4);
+    EXPECT_NEAR(both.last(), rowOf(200), 4);
+
+    QTest::mouseClick(find<QPushButton>(u"scopeUnderEndButton"_s), Qt::LeftButton);
+    show(live, 10);
+    EXPECT_NEAR(rowsAt(u"scopePlot1"_s, 6).first(), rowOf(200), 4) << "removed";
+    EXPECT_FALSE(find<QLabel>(u"scopeUnderLabel"_s)->isVisible());
 }
 
 TEST_F(Scope, NothingIsBuiltUntilItIsSeen) {

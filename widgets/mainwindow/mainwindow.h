@@ -78,6 +78,8 @@ public:
     void showTime(TimePoint now);
     /// In the scope, instead of what is live, until the user goes back; opens the scope if it is closed.
     void showRecord(std::shared_ptr<const ScopeRecord> record);
+    /// The same below what is live.
+    void showUnder(std::shared_ptr<const ScopeRecord> record);
     /// How the scope reads the modules that are there, or were last.
     [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const;
     /// What the user has told about the machine: names, units, values kept for each axis.

@@ -37,6 +37,11 @@ void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
     m_scope->showRecord(std::move(record));
 }
 
+void MainWindow::showUnder(std::shared_ptr<const ScopeRecord> record) {
+    showDockOf(*m_scope);
+    m_scope->showUnder(std::move(record));
+}
+
 std::vector<ModuleIndex> MainWindow::watchedModules() const {
     std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
     if (m_axes->seen())

@@ -68,6 +68,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly,
     window.machineMenu().addTo(*file);
     file->addSeparator();
     file->addAction(window.scopeFiles().openAction());
+    file->addAction(window.scopeFiles().underAction());
     file->addSeparator();
     file->addAction(window.operatorLock().action());
     file->addSeparator();

@@ -22,6 +22,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr double kMove = 0.005;  ///< of the time that is seen, at each press
+
 const QString kSuffix = QString::fromLatin1(kRecordingSuffix.data(), kRecordingSuffix.size());
 
 }  // namespace
@@ -31,7 +33,8 @@ ScopeFiles::ScopeFiles(QWidget* panel)
       m_panel(panel),
       m_export(panel),
       m_record(new QAction(panel)),
-      m_open(new QAction(tr("Open &recording…"), panel)) {
+      m_open(new QAction(tr("Open &recording…"), panel)),
+      m_under(new QAction(tr("&Lay a recording under the live traces…"), panel)) {
     look::name(this, u"scopeFiles"_s, tr("Recordings"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -40,6 +43,12 @@ ScopeFiles::ScopeFiles(QWidget* panel)
                             tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
     m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), tr("Cancel"),
                           tr("Leaves the file alone; the scope stays as it is."));
+    m_underRow = addRow(u"scopeUnder"_s, tr("Under the live traces"), tr("Remove"),
+                        tr("Takes the recording out of the plots. Its file stays as it is."));
+    addMoveButton(u"scopeUnderEarlierButton"_s, tr("◂ Earlier"), tr("Moves the recording to the left."),
+                  -kMove);
+    addMoveButton(u"scopeUnderLaterButton"_s, tr("Later ▸"), tr("Moves the recording to the right."), kMove);
+    connect(m_underRow.button, &QPushButton::clicked, this, &ScopeFiles::underRemoved);
     connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
     connect(m_openingRow.button, &QPushButton::clicked, this, &ScopeFiles::openingCancelled);
     connect(&m_export, &ScopeExport::saveRequested, this, &ScopeFiles::saveRequested);
@@ -52,9 +61,17 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     m_open->setObjectName(u"openRecordingAction"_s);
     m_open->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
     m_open->setToolTip(tr("Shows a recording in the scope. Control of the motors goes on."));
-    connect(m_open, &QAction::triggered, this, &ScopeFiles::chooseToOpen);
+    connect(m_open, &QAction::triggered, this,
+            [this] { choose(u"openRecordingDialog"_s, tr("Open recording"), &ScopeFiles::openRequested); });
+    m_under->setObjectName(u"layUnderAction"_s);
+    m_under->setToolTip(
+        tr("Draws a recording pale below what is live, its first motion where the last one here began."));
+    connect(m_under, &QAction::triggered, this, [this] {
+        choose(u"layUnderDialog"_s, tr("Lay a recording under the live traces"), &ScopeFiles::underRequested);
+    });
     showRecording({});
     showOpening({});
+    showUnder({});
 }
 
 ScopeFiles::Row ScopeFiles::addRow(const QString& name, const QString& title, const QString& verb,
@@ -108,6 +125,22 @@ void ScopeFiles::showOpening(const std::optional<Opening>& opening) {
     m_openingRow.widget->setVisible(opening.has_value());
 }
 
+void ScopeFiles::showUnder(const QString& title) {
+    look::setText(m_underRow.label, tr("Pale below the live traces: %1").arg(title));
+    m_underRow.widget->setVisible(!title.isEmpty());
+}
+
+void ScopeFiles::addMoveButton(const QString& objectName, const QString& text, const QString& meaning,
+                               double share) {
+    auto* button = new QPushButton(text, m_underRow.widget);
+    look::name(button, objectName, text);
+    button->setToolTip(meaning);
+    button->setAutoRepeat(true);
+    connect(button, &QPushButton::clicked, this, [this, share] { emit underMoved(share); });
+    auto* row = static_cast<QHBoxLayout*>(m_underRow.widget->layout());
+    row->insertWidget(row->indexOf(m_underRow.button), button);
+}
+
 void ScopeFiles::recordOrEnd() {
     if (m_recording)
         emit recordingEndRequested();
@@ -131,16 +164,16 @@ void ScopeFiles::chooseToRecord() {
     dialog->show();
 }
 
-void ScopeFiles::chooseToOpen() {
-    QFileDialog* dialog =
-        newFileDialog(m_panel, u"openRecordingDialog"_s, tr("Open recording"),
-                      {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
+void ScopeFiles::choose(const QString& objectName, const QString& title,
+                        void (ScopeFiles::*wanted)(const QString&)) {
+    QFileDialog* dialog = newFileDialog(
+        m_panel, objectName, title, {tr("Recordings (*.%1)").arg(kSuffix), tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    connect(dialog, &QFileDialog::fileSelected, this, [this, wanted](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
-        emit openRequested(path);
+        emit(this->*wanted)(path);
     });
     dialog->show();
 }

@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace nmc {
 
-/// The scope and files: recording to one, opening one, and what is exported. It asks for names and says how
-/// it goes, in a row for each thing that goes on; others do it.
+/// The scope and files: recording to one, opening one, laying one under the live traces, and what is
+/// exported. It asks for names and says how it goes, in a row for each thing that goes on; others do it.
 class ScopeFiles : public QWidget {
     Q_OBJECT
 
@@ -32,6 +32,7 @@ public:
 
     [[nodiscard]] QAction* recordAction() const { return m_record; }
     [[nodiscard]] QAction* openAction() const { return m_open; }
+    [[nodiscard]] QAction* underAction() const { return m_under; }
     [[nodiscard]] ScopeExport& exporting() { return m_export; }
 
     /// There is something to be recorded.
@@ -40,12 +41,18 @@ public:
     void showRecording(const std::optional<Recording>& recording);
     /// What is being opened; nothing: no file.
     void showOpening(const std::optional<Opening>& opening);
+    /// What lies under the live traces; empty: nothing.
+    void showUnder(const QString& title);
 
 signals:
     /// The user has agreed that the file is replaced.
     void recordRequested(const QString& path);
     void recordingEndRequested();
     void openRequested(const QString& path);
+    void underRequested(const QString& path);
+    /// By a share of the time that is seen; later is positive.
+    void underMoved(double share);
+    void underRemoved();
     void openingCancelled();
     void saveRequested(const QString& path, const nmc::FileContent& content);
     /// One page, by the system's usual printer.
@@ -61,14 +68,17 @@ private:
     void showRecordAction();
     void recordOrEnd();
     void chooseToRecord();
-    void chooseToOpen();
+    void choose(const QString& objectName, const QString& title, void (ScopeFiles::*wanted)(const QString&));
+    void addMoveButton(const QString& objectName, const QString& text, const QString& meaning, double share);
 
     QWidget* m_panel;
     ScopeExport m_export;
     QAction* m_record;
     QAction* m_open;
+    QAction* m_under;
     Row m_recordingRow;
     Row m_openingRow;
+    Row m_underRow;
     bool m_recording = false;
     bool m_connected = false;
     QString m_folder;

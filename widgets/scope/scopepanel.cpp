@@ -18,6 +18,7 @@
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
 #include "widgets/scope/triggercontrol.h"
+#include "widgets/scope/underlay.h"
 
 namespace nmc {
 
@@ -54,6 +55,8 @@ ScopePanel::ScopePanel(QWidget* parent)
     setSetup(m_setup);
 }
 
+ScopePanel::~ScopePanel() = default;
+
 void ScopePanel::connectBar() {
     connect(m_bar, &ScopeBar::widthChosen, this, &ScopePanel::setWidth);
     connect(m_bar, &ScopeBar::pauseRequested, this, &ScopePanel::setPaused);
@@ -66,6 +69,8 @@ void ScopePanel::connectBar() {
 }
 
 void ScopePanel::addFileButtons() {
+    connect(m_files, &ScopeFiles::underMoved, this, &ScopePanel::moveUnder);
+    connect(m_files, &ScopeFiles::underRemoved, this, &ScopePanel::removeUnder);
     ScopeExport& exporting = m_files->exporting();
     connect(&exporting, &ScopeExport::frameWanted, this, &ScopePanel::touch);
     QAction* action = exporting.menu()->menuAction();
@@ -199,6 +204,7 @@ void ScopePanel::contextMenuEvent(QContextMenuEvent* event) {
     menu.addMenu(m_files->exporting().menu());
     menu.addAction(m_files->recordAction());
     menu.addAction(m_files->openAction());
+    menu.addAction(m_files->underAction());
     menu.exec(event->globalPos());
 }
 
@@ -324,11 +330,22 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
     }
     if (std::exchange(m_another, false)) {
         m_strips->forget();
+        if (m_under)
+            m_under->forget();
         showTime();
     }
     showTrigger();
     if (m_touched || m_strips->time().rolls())
-        draw(history, toSeconds(now - m_zero.value_or(now)));
+        drawLive(history, now);
+}
+
+void ScopePanel::drawLive(const History& history, TimePoint now) {
+    m_strips->showUnder(m_under.get());
+    const bool whole = !m_under || m_under->follow(history, m_selected, now, m_strips->shownSignals());
+    draw(history, toSeconds(now - m_zero.value_or(now)));
+    m_strips->showUnder(nullptr);
+    if (!whole)
+        touch();
 }
 
 void ScopePanel::showTrigger() {
@@ -362,8 +379,11 @@ void ScopePanel::draw(const History& history, double now) {
     const bool upToDate = !m_readings->isVisible() || m_readings->showReadings(*m_strips, history);
     if (!upToDate || m_strips->isBehind())
         touch();
+    const QString title = m_record  ? m_record->title
+                          : m_under ? tr("Pale below: %1").arg(m_under->record().title)
+                                    : QString();
     m_files->exporting().take(*m_strips, history, m_record && m_record->origin ? *m_record->origin : m_origin,
-                              m_record ? m_record->title : QString());
+                              title);
 }
 
 void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
@@ -393,6 +413,29 @@ void ScopePanel::backToLive() {
     m_strips->forget();
     applyModules();
     showTime();
+}
+
+// ---- what lies under the live traces ----
+
+void ScopePanel::showUnder(std::shared_ptr<const ScopeRecord> record) {
+    if (record == nullptr || record->history.empty())
+        return;
+    m_files->showUnder(record->simulated ? tr("%1 (simulator)").arg(record->title) : record->title);
+    m_under = std::make_unique<Underlay>(std::move(record));
+    backToLive();
+    touch();
+}
+
+void ScopePanel::removeUnder() {
+    m_under.reset();
+    m_files->showUnder({});
+    touch();
+}
+
+void ScopePanel::moveUnder(double share) {
+    if (m_under && m_strips != nullptr)
+        m_under->shift(share * m_strips->time().width());
+    touch();
 }
 
 }  // namespace nmc

@@ -22,6 +22,7 @@ class ScopeBar;
 class ScopeFiles;
 class ScopeStrips;
 class TriggerControl;
+class Underlay;
 
 /// The scope: its tool bar, the strips, and what cursors read. Rolls with the present, stands while paused,
 /// or shows a record that is over. The charts are built when the panel is first seen, and painted only while
@@ -31,6 +32,7 @@ class ScopePanel : public QWidget {
 
 public:
     explicit ScopePanel(QWidget* parent = nullptr);
+    ~ScopePanel() override;
 
     /// How to read the live samples, and whose are "the selected module's".
     void showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected);
@@ -40,6 +42,9 @@ public:
     /// Instead of what is live, until backToLive().
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     void backToLive();
+    /// Below the live traces, until removeUnder() or another one.
+    void showUnder(std::shared_ptr<const ScopeRecord> record);
+    void removeUnder();
     [[nodiscard]] bool showsRecord() const { return m_record != nullptr; }
     /// What the user has arranged.
     void setSetup(const ScopeSetup& setup);
@@ -81,7 +86,9 @@ private:
     void restartTrigger();
     /// The next frame is drawn whether it rolls or not.
     void touch();
+    void drawLive(const History& history, TimePoint now);
     void draw(const History& history, double now);
+    void moveUnder(double share);
 
     QVBoxLayout* m_layout;
     ScopeBar* m_bar;
@@ -95,6 +102,7 @@ private:
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
     std::shared_ptr<const ScopeRecord> m_record;
+    std::unique_ptr<Underlay> m_under;
     ScopeOrigin m_origin;                            ///< of what is live
     std::optional<TimePoint> m_zero;                 ///< of the live history
     bool m_another = false;                          ///< history than the strips have shown

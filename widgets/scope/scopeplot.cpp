@@ -11,6 +11,7 @@
 #include "widgets/common/words.h"
 #include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
+#include "widgets/scope/underlay.h"
 
 namespace nmc {
 
@@ -20,6 +21,7 @@ namespace {
 constexpr double kWheelZoom = 1.25;     ///< for each notch
 constexpr double kWheelPan = 0.1;       ///< of what is seen, for each notch
 constexpr double kSmallestPart = 1e-4;  ///< of a count: zooming ends here
+constexpr float kPale = 0.4F;           ///< of what lies under the traces
 constexpr double kBandRoom = 2.0;       ///< a band may take so much more, on either side, than its signals
 }  // namespace
 
@@ -44,6 +46,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         forget();
     m_traces = std::move(traces);
     m_drawings.resize(m_traces.size());
+    m_under.resize(m_traces.size());
     std::vector<ChartBackdrop::LegendEntry> legend;
     for (std::size_t i = 0; i < m_traces.size(); ++i) {
         const Trace& trace = m_traces[i];
@@ -52,6 +55,9 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
             look::traceColour(static_cast<int>(m_traces.front().signal) + static_cast<int>(i), palette());
         drawing.dashed = trace.signal == ScopeSignal::Command;
         drawing.tag = trace.tag;
+        m_under[i].dashed = drawing.dashed;
+        m_under[i].colour = drawing.colour;
+        m_under[i].colour.setAlphaF(kPale);
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
         const QString label = isCalculated(trace.signal) && trace.samplesPerSecond == 0
                                   ? tr("%1 · not known now").arg(trace.label)
@@ -65,20 +71,26 @@ void ScopePlot::setTimeLabels(bool shown) {
     m_timeLabels = shown;
 }
 
-void ScopePlot::showFrame(const View& view, const History& history, double now,
-                          const DerivedSignals& derived) {
+void ScopePlot::showFrame(const View& view, const History& history, double now, const DerivedSignals& derived,
+                          const Underlay* under) {
     m_view = view;
     m_geometry.area = plotArea();
     m_geometry.left = view.left;
     m_geometry.right = view.right;
-    for (std::size_t i = 0; i < m_traces.size(); ++i) {
-        const auto source = derived.source(history, {m_traces[i].module, m_traces[i].signal});
-        if (source.samples != nullptr)
-            m_drawings[i].take(*source.samples, source.signal, m_traces[i].scale, view.zero, m_geometry,
-                               devicePixelRatioF());
-        else
-            m_drawings[i].clear();
-    }
+    const auto take = [&](std::vector<TraceDrawing>& drawings, TimePoint zero, const auto& sourceOf) {
+        for (std::size_t i = 0; i < m_traces.size(); ++i) {
+            const DerivedSignals::Source source = sourceOf({m_traces[i].module, m_traces[i].signal});
+            if (source.samples != nullptr)
+                drawings[i].take(*source.samples, source.signal, m_traces[i].scale, zero, m_geometry,
+                                 devicePixelRatioF());
+            else
+                drawings[i].clear();
+        }
+    };
+    take(m_drawings, view.zero, [&](const ModuleSignal& of) { return derived.source(history, of); });
+    take(m_under, under != nullptr ? under->zero() : view.zero, [&](const ModuleSignal& of) {
+        return under != nullptr ? under->source(of) : DerivedSignals::Source{};
+    });
     m_backdrop.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);
     noteBand();
@@ -100,6 +112,10 @@ void ScopePlot::fitValues(double now) {
     double high = -low;
     double lowBand = low;
     double highBand = high;
+    for (const TraceDrawing& drawing : m_under) {
+        low = std::min(low, drawing.lowest());
+        high = std::max(high, drawing.highest());
+    }
     for (const TraceDrawing& drawing : m_drawings) {
         low = std::min(low, drawing.lowest());
         high = std::max(high, drawing.highest());
@@ -144,6 +160,8 @@ void ScopePlot::forget() {
     m_range.reset();
     m_manual.reset();
     for (TraceDrawing& drawing : m_drawings)
+        drawing.clear();
+    for (TraceDrawing& drawing : m_under)
         drawing.clear();
     update();
 }
@@ -218,6 +236,8 @@ void ScopePlot::paintOver(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(look::scaled(font(), 0.9));
     painter.setClipRect(m_geometry.area);
+    for (const TraceDrawing& drawing : m_under)
+        drawing.paint(painter, m_geometry);
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
     for (const Trace& trace : m_traces)

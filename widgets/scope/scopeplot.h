@@ -14,6 +14,8 @@
 
 namespace nmc {
 
+class Underlay;
+
 /// The times of the two cursors, seconds since the history's zero.
 using CursorTimes = std::array<double, 2>;
 
@@ -48,8 +50,10 @@ public:
     void setTraces(std::vector<Trace> traces);
     [[nodiscard]] const std::vector<Trace>& traces() const { return m_traces; }
     void setTimeLabels(bool shown);
-    /// One frame. `now` (s) paces the value axis while that fits itself; `derived` has what samples have not.
-    void showFrame(const View& view, const History& history, double now, const DerivedSignals& derived = {});
+    /// One frame. `now` (s) paces the value axis while that fits itself; `derived` has what samples have not;
+    /// `under` is drawn pale below the traces.
+    void showFrame(const View& view, const History& history, double now, const DerivedSignals& derived = {},
+                   const Underlay* under = nullptr);
     /// Other data: the value axis may jump.
     void forget();
     void showCursors(const std::optional<CursorTimes>& cursors);
@@ -116,6 +120,7 @@ private:
     ChartBackdrop m_backdrop;
     std::vector<Trace> m_traces;
     std::vector<TraceDrawing> m_drawings;
+    std::vector<TraceDrawing> m_under;  ///< of the same traces
     View m_view;
     bool m_timeLabels = true;
     AxisRange m_range;

@@ -223,7 +223,7 @@ void ScopeStrips::showFrame(const History& history, double now) {
     const ScopePlot::View view{history.zero().value_or(TimePoint{}), m_time.left(), m_time.right(),
                                m_time.division()};
     for (ScopePlot* plot : shownPlots()) {
-        plot->showFrame(view, history, now, m_derived);
+        plot->showFrame(view, history, now, m_derived, m_under);
         std::optional<double> level;
         if (m_level)
             for (const ScopePlot::Trace& trace : plot->traces())

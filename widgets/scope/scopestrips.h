@@ -39,6 +39,8 @@ public:
     [[nodiscard]] const std::optional<CursorTimes>& cursors() const { return m_cursors; }
     /// Where something happened, s.
     void showMarker(const std::optional<double>& seconds);
+    /// A recording below the live traces, while it lives; null: none.
+    void showUnder(const Underlay* under) { m_under = under; }
     /// A trigger's level, in the strips that show this signal.
     void showLevel(std::optional<std::pair<SignalRef, double>> level);
 
@@ -51,6 +53,7 @@ public:
     [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
     [[nodiscard]] std::optional<ModuleIndex> selected() const { return m_selected; }
     [[nodiscard]] std::vector<ScopePlot*> shownPlots() const;
+    [[nodiscard]] std::vector<ModuleSignal> shownSignals() const;
     /// What samples have not, of the signals that are shown.
     [[nodiscard]] const DerivedSignals& derived() const { return m_derived; }
     /// There is more of them to come: another frame is wanted.
@@ -77,7 +80,6 @@ private:
     [[nodiscard]] ScopePlot* newPlot(std::size_t strip);
     void arrange();
     [[nodiscard]] std::vector<SignalRef> signalsOf(std::size_t strip) const;
-    [[nodiscard]] std::vector<ModuleSignal> shownSignals() const;
     void shareHeight();
     [[nodiscard]] std::array<double, ScopeSetup::kStrips> heights() const;
     [[nodiscard]] bool followsSelection() const;
@@ -96,6 +98,7 @@ private:
     std::array<ScopePlot*, ScopeSetup::kStrips> m_plots{};
     std::array<std::vector<SignalRef>, ScopeSetup::kStrips> m_signals;  ///< that are shown
     DerivedSignals m_derived;
+    const Underlay* m_under = nullptr;
     bool m_behind = false;
     StatusLane* m_lane;
     ScopeSetup m_setup;

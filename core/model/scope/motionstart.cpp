@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "model/scope/motionstart.h"
+
+#include "base/strong.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr std::int32_t kPlace = 4;  ///< counts: less is no motion, but noise or a servo that holds
+
+}  // namespace
+
+bool MotionStart::follow(const ModuleHistory& history) {
+    m_count = history.visitSince(
+        m_count, [this](const ScopeSample& sample) { take(sample); }, kAtOnce);
+    return m_count >= history.count();
+}
+
+void MotionStart::take(const ScopeSample& sample) {
+    if (!m_place) {
+        m_place = sample;
+        m_lastThere = sample.time;
+        return;
+    }
+    const std::int32_t away = countsBetween(m_place->position, sample.position);
+    if (away >= -kPlace && away <= kPlace) {
+        m_moves = m_moves && sample.time - m_place->time < kRest;
+        m_lastThere = sample.time;
+        return;
+    }
+    if (!m_moves) {
+        m_last = m_lastThere;
+        if (!m_first)
+            m_first = m_last;
+    }
+    m_moves = true;
+    m_place = sample;
+    m_lastThere = sample.time;
+}
+
+}  // namespace nmc
