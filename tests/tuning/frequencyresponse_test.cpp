@@ -59,6 +59,16 @@ TEST(FrequencyFigures, SayNothingOfWhatWasNotMeasured) {
     EXPECT_FALSE(figures.phaseMargin);
 }
 
+TEST(FrequencyFigures, TellWhatTwoStandardDeviationsLeaveOpen) {
+    const FrequencySpread spread = spreadOf({1.0, {0.0, -0.5}, 0.05});  // |T| from 0.4 to 0.6
+    EXPECT_NEAR(spread.lowest, -7.959, 0.001);
+    EXPECT_NEAR(spread.highest, -4.437, 0.001);
+    EXPECT_NEAR(spread.degrees, 11.537, 0.001) << "the tangents to a circle of 0.1 about 0.5";
+    const FrequencySpread nothing = spreadOf({1.0, 0.05, 0.05});
+    EXPECT_EQ(nothing.lowest, kFaintest);
+    EXPECT_EQ(nothing.degrees, 180.0);
+}
+
 TEST(FrequencyFigures, PhasesGoOnBeyondHalfATurn) {
     std::vector<Complex> turning;
     for (int i = 0; i < 8; ++i)

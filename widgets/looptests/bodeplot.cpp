@@ -41,6 +41,7 @@ struct BodePlot::Pane {
     double level;  ///< a line that means something
     bool tellsFrequencies;
     std::array<std::vector<double>, 2> curves;
+    std::vector<std::array<double, 2>> spread;  ///< of the first: from, to
 
     [[nodiscard]] double x(double hertz) const {
         return area.left() + std::log(hertz / from) / std::log(to / from) * area.width();
@@ -55,7 +56,7 @@ BodePlot::BodePlot(QWidget* parent) : QWidget(parent) {
     setToolTip(
         tr("T: how the position follows the command. L: what the loop makes of its error; where it "
            "crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate "
-           "is too low to measure."));
+           "is too low to measure. Bars: two standard deviations of T."));
     setFont(look::tabular(look::scaled(font(), 0.9)));
 }
 
@@ -90,11 +91,15 @@ void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
         open.push_back(point.open());
     }
     std::array<std::vector<double>, 2> magnitudes;
+    const std::array<std::vector<double>, 2> turned{phases(closed), phases(open)};
+    std::vector<std::array<double, 2>> loud, late;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
         magnitudes[0].push_back(decibels(closed[i]));
         magnitudes[1].push_back(decibels(open[i]));
+        const FrequencySpread spread = spreadOf(m_points[i]);
+        loud.push_back({spread.lowest, spread.highest});
+        late.push_back({turned[0][i] - spread.degrees, turned[0][i] + spread.degrees});
     }
-    const std::array<std::vector<double>, 2> turned{phases(closed), phases(open)};
     const double left = metrics.horizontalAdvance(u"-270"_s) + metrics.height();
     const double below = metrics.height() * 2.6;
     const double gap = metrics.height() * 1.6;
@@ -105,9 +110,9 @@ void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
     const auto [lowest, highest] = rangeOf(magnitudes, kLowestDecibels, kHighestDecibels, 20);
     const auto [behind, ahead] = rangeOf(turned, kFarthestBehind, kAhead, 90);
     paintPane(painter, {QRectF(area.left() + left, area.top() + gap, wide, high), tr("Magnitude, dB"), from,
-                        to, lowest, highest, 20, 0, false, magnitudes});
+                        to, lowest, highest, 20, 0, false, magnitudes, loud});
     paintPane(painter, {QRectF(area.left() + left, area.top() + 2 * gap + high, wide, high),
-                        tr("Phase, degrees"), from, to, behind, ahead, 90, -180, true, turned});
+                        tr("Phase, degrees"), from, to, behind, ahead, 90, -180, true, turned, late});
     paintLegend(painter, QRectF(area.left() + left, area.top(), wide, gap));
 }
 
@@ -158,6 +163,21 @@ void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
         for (const QPointF& point : line)
             painter.drawEllipse(point, 2, 2);
         painter.setBrush(Qt::NoBrush);
+        paintSpread(painter, pane, line);
+    }
+}
+
+void BodePlot::paintSpread(QPainter& painter, const Pane& pane, const QPolygonF& points) {
+    constexpr double kFoot = 3;
+    for (std::size_t i = 0; i < pane.spread.size(); ++i) {
+        const double x = points[static_cast<qsizetype>(i)].x();
+        const double low = pane.y(std::max(pane.spread[i][0], pane.bottom));
+        const double high = pane.y(std::min(pane.spread[i][1], pane.top));
+        if (low - high < 2 * kFoot)  // within the dot
+            continue;
+        painter.drawLine(QLineF(x, low, x, high));
+        for (const double y : {low, high})
+            painter.drawLine(QLineF(x - kFoot, y, x + kFoot, y));
     }
 }
 

@@ -18,7 +18,6 @@ public:
 
     /// Ascending. `honest`: Hz, beyond which the line is too slow; 0: none is known.
     void showPoints(const std::vector<FrequencyPoint>& points, double honest);
-    void paintTo(QPainter& painter, const QRectF& area) const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -27,6 +26,8 @@ protected:
 
 private:
     struct Pane;
+    void paintTo(QPainter& painter, const QRectF& area) const;
+    static void paintSpread(QPainter& painter, const Pane& pane, const QPolygonF& points);
     void paintPane(QPainter& painter, const Pane& pane) const;
     void paintLegend(QPainter& painter, const QRectF& area) const;
 

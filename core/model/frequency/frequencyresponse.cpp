@@ -126,6 +126,17 @@ double decibels(Complex value) {
     return 20 * std::log10(std::abs(value));
 }
 
+FrequencySpread spreadOf(const FrequencyPoint& point) {
+    const double size = std::abs(point.closed);
+    const double wide = 2 * point.doubt;
+    FrequencySpread spread{kFaintest, decibels(size + wide), 180.0};
+    if (wide < size) {
+        spread.lowest = std::max(decibels(size - wide), kFaintest);
+        spread.degrees = std::asin(wide / size) * kDegrees;
+    }
+    return spread;
+}
+
 std::vector<double> phases(std::span<const Complex> values) {
     std::vector<double> phases;
     for (const Complex& value : values) {

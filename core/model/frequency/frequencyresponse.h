@@ -33,6 +33,14 @@ struct FrequencyFigures {
 [[nodiscard]] FrequencyFigures figuresOf(std::span<const FrequencyPoint> points);
 
 [[nodiscard]] double decibels(std::complex<double> value);
+/// What two standard deviations of a point leave open of T. Where they reach 0 its phase is not known, and
+/// its magnitude ends at kFaintest.
+struct FrequencySpread {
+    double lowest = 0.0, highest = 0.0;  ///< dB
+    double degrees = 0.0;                ///< to either side
+};
+[[nodiscard]] FrequencySpread spreadOf(const FrequencyPoint& point);
+inline constexpr double kFaintest = -120.0;  ///< dB
 /// Degrees, each within half a turn of the one before, so that a phase goes on beyond -180; from the first
 /// one's own.
 [[nodiscard]] std::vector<double> phases(std::span<const std::complex<double>> values);
