@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
+#include <QWidget>
 #include <algorithm>
 
 namespace nmc {
@@ -15,7 +16,6 @@ namespace nmc {
 namespace {
 
 constexpr double kSharpness = 2.0;
-constexpr int kScreenDpi = 96;
 constexpr double kMargin = 10.0;  ///< mm of a page
 
 [[nodiscard]] QSize sizeOf(const Picture& picture) {
@@ -41,6 +41,11 @@ void paint(QPainter& painter, const Picture& picture) {
 
 }  // namespace
 
+Picture pictureOf(const QWidget& widget, const QStringList& caption,
+                  const std::function<void(QPainter&)>& paint) {
+    return {widget.size(), widget.palette(), widget.font(), widget.logicalDpiX(), caption, paint};
+}
+
 QImage imageOf(const Picture& picture) {
     QImage image((sizeOf(picture).toSizeF() * kSharpness).toSize(), QImage::Format_RGB32);
     image.setDevicePixelRatio(kSharpness);
@@ -63,7 +68,7 @@ QByteArray svgOf(const Picture& picture) {
     generator.setOutputDevice(&buffer);
     generator.setSize(sizeOf(picture));
     generator.setViewBox(QRect(QPoint(), sizeOf(picture)));
-    generator.setResolution(kScreenDpi);
+    generator.setResolution(picture.dpi);
     generator.setTitle(picture.caption.value(0));
     QPainter painter(&generator);
     paint(painter, picture);
@@ -76,7 +81,8 @@ QByteArray pdfOf(const Picture& picture) {
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setResolution(kScreenDpi);
+    // That of the screen: its fonts and lines have the size that they have there, and are vectors anyway.
+    writer.setResolution(picture.dpi);
     const bool imperial = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
     writer.setPageLayout({QPageSize(imperial ? QPageSize::Letter : QPageSize::A4),
                           QPageLayout::Landscape,
@@ -86,7 +92,7 @@ QByteArray pdfOf(const Picture& picture) {
     QPainter painter(&writer);
     const QSizeF room = painter.viewport().size();
     const QSizeF size = sizeOf(picture);
-    const double scale = std::min({1.0, room.width() / size.width(), room.height() / size.height()});
+    const double scale = std::min(room.width() / size.width(), room.height() / size.height());
     painter.scale(scale, scale);
     paint(painter, picture);
     painter.end();

@@ -9,6 +9,7 @@
 #include <functional>
 
 class QPainter;
+class QWidget;
 
 namespace nmc {
 
@@ -18,9 +19,13 @@ struct Picture {
     QSize size;  ///< of what is painted
     QPalette palette;
     QFont font;
+    int dpi = 96;  ///< of the screen
     QStringList caption;
     std::function<void(QPainter&)> paint;
 };
+/// Of a widget that paints itself by `paint`.
+[[nodiscard]] Picture pictureOf(const QWidget& widget, const QStringList& caption,
+                                const std::function<void(QPainter&)>& paint);
 
 /// Twice as sharp as the screen: it may be printed.
 [[nodiscard]] QImage imageOf(const Picture& picture);

@@ -3,11 +3,12 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QImage>
 #include <QLocale>
 #include <QPdfWriter>
-#include <QPixmap>
 #include <QTextDocument>
 
+#include "widgets/common/picture.h"
 #include "widgets/common/words.h"
 #include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
@@ -40,16 +41,13 @@ QString picture(QWidget& plot, const QSize& size, const QString& what) {
     plot.setPalette(paper);
     plot.resize(size);
     plot.ensurePolished();
-    QPixmap image(size * kSharp);
+    QImage image(size * kSharp, QImage::Format_RGB32);
     image.setDevicePixelRatio(kSharp);
     image.fill(Qt::white);
     plot.render(&image);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    image.save(&buffer, "PNG");
     return u"<img width=\"%1\" height=\"%2\" alt=\"%3\" src=\"data:image/png;base64,%4\">"_s.arg(size.width())
         .arg(size.height())
-        .arg(what.toHtmlEscaped(), QString::fromLatin1(bytes.toBase64()));
+        .arg(what.toHtmlEscaped(), QString::fromLatin1(pngOf(image).toBase64()));
 }
 
 QString lines(const QStringList& lines) {

@@ -154,8 +154,9 @@ Picture StepView::picture() const {
     caption << m_shown;
     for (const auto& row : m_plot->readings())
         caption << tr("%1: cursor 1 %2, cursor 2 %3, difference %4").arg(row[0], row[1], row[2], row[3]);
-    return {m_plot->size(), palette(), font(), caption,
-            [this](QPainter& painter) { m_plot->renderTo(painter); }};
+    Picture picture = pictureOf(*m_plot, caption, [this](QPainter& painter) { m_plot->renderTo(painter); });
+    picture.font = font();
+    return picture;
 }
 
 void StepView::choose(Kind kind) {

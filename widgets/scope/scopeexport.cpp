@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopeexport.h"
 
-#include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -15,8 +14,8 @@
 #include "model/recording/widerecording.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/picture.h"
 #include "widgets/common/words.h"
-#include "widgets/scope/scopepicture.h"
 #include "widgets/scope/scopestrips.h"
 
 namespace nmc {
@@ -103,13 +102,6 @@ QStringList captionOf(const ScopeOrigin& origin, const QString& title, double le
     return lines;
 }
 
-std::string pngOf(const QImage& image) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    image.save(&buffer, "PNG");
-    return bytes.toStdString();
-}
-
 }  // namespace
 
 ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_menu(new QMenu(panel)) {
@@ -172,26 +164,28 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, const ScopeO
     if (!m_wanted)
         return;
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
-    const QStringList caption = captionOf(origin, title, strips.time().left());
+    const Picture picture = pictureOf(strips, captionOf(origin, title, strips.time().left()),
+                                      [&strips](QPainter& painter) { strips.renderTo(painter); });
     switch (wanted.kind) {
         case Kind::Csv:
             emit saveRequested(wanted.path,
                                contentOf(seenOf(strips, history), strips.modules(), origin, wanted.form));
             break;
         case Kind::Png:
-            emit saveRequested(wanted.path, [image = scopeImage(strips, caption)] { return pngOf(image); });
+            emit saveRequested(wanted.path,
+                               [image = imageOf(picture)] { return pngOf(image).toStdString(); });
             break;
         case Kind::Svg:
-            emit saveRequested(wanted.path, [svg = scopeSvg(strips, caption)] { return svg.toStdString(); });
+            emit saveRequested(wanted.path, [svg = svgOf(picture)] { return svg.toStdString(); });
             break;
         case Kind::Pdf:
-            emit saveRequested(wanted.path, [pdf = scopePdf(strips, caption)] { return pdf.toStdString(); });
+            emit saveRequested(wanted.path, [pdf = pdfOf(picture)] { return pdf.toStdString(); });
             break;
         case Kind::Printer:
-            emit printRequested(scopePdf(strips, caption));
+            emit printRequested(pdfOf(picture));
             break;
         case Kind::Clipboard:
-            copy(scopeImage(strips, caption), fewSamples(seenOf(strips, history), strips.modules(), origin));
+            copy(imageOf(picture), fewSamples(seenOf(strips, history), strips.modules(), origin));
             break;
     }
 }
