@@ -204,6 +204,7 @@ TEST(BadMachineFile, ValuesOfAnotherType) {
         {"\"gains\": {\"Kp\": true}", {.field = "Kp", .wanted = Wanted::WholeNumber}},
         {"\"io\": {\"limit1_is_input\": 1}", {.field = "limit1_is_input", .wanted = Wanted::YesOrNo}},
         {"\"output_names\": \"Pump\"", {.field = "output_names", .wanted = Wanted::List}},
+        {"\"pins\": {\"pins\": 1}", {.field = "pins", .wanted = Wanted::List}},
         {"\"output_names\": [1]", {.field = "output_names", .wanted = Wanted::Text}},
     };
     for (const auto& [line, expected] : cases) {

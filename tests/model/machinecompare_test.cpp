@@ -84,6 +84,21 @@ TEST(MachineCompare, NamesTheFieldsThatDifferAndNoOthers) {
     EXPECT_EQ(rows[1].applying, Applying::ChangesPanel);
 }
 
+TEST(MachineCompare, PinsThatWereSetAreNamedOneByOne) {
+    Machine file;
+    file.axes.resize(1);
+    file.axes[0].pins.emplace();
+    PinSettings::in(file.axes[0].pins->pins, 2) = {"Lamp", true, false};
+    PinSettings::in(file.axes[0].pins->analog, 1).name = "Pressure";
+    const auto rows = compare(file, Machine{}, {});
+    ASSERT_THAT(ids(rows), ElementsAre(PartId{kFirst, MachinePart::PinNames}));
+    ASSERT_EQ(rows[0].fields.size(), 2U);
+    EXPECT_EQ(rows[0].fields[0].key, "IO3");
+    EXPECT_EQ(rows[0].fields[0].file, FieldValue(std::string("name Lamp, asks yes, off_at_stop no")));
+    EXPECT_EQ(rows[0].fields[1].key, "AD2");
+    EXPECT_EQ(applied(file, Machine{}, {}, ids(rows)), file);
+}
+
 TEST(MachineCompare, PointsAndSequencesGoTogether) {
     Machine now = testing_support::taughtMill();
     std::get<action::Wait>(now.program.sequences[0].rows[3]).seconds = 0.5;

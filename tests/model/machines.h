@@ -84,6 +84,20 @@ inline std::string pickName() {
                                           "<b>");
 }
 
+/// Each says something: a comparison shows what was set.
+inline PinSettings anyPins() {
+    PinSettings settings;
+    settings.pins.resize(pickWhole<std::size_t>(1, 12));
+    settings.pwm.resize(pickWhole<std::size_t>(0, 2));
+    settings.analog.resize(pickWhole<std::size_t>(0, 3));
+    for (auto* list : {&settings.pins, &settings.pwm})
+        for (OutputSettings& output : *list)
+            output = {"Lamp " + pickName(), coin(), coin()};
+    for (AnalogInput& input : settings.analog)
+        input = {"Air " + pickName(), {pick(-10, 10), pick(-100, 100), "bar"}};
+    return settings;
+}
+
 inline AxisSettings anyAxis() {
     AxisSettings axis;
     axis.name = pickName();
@@ -132,6 +146,8 @@ inline AxisSettings anyAxis() {
         name = pickName();
     for (std::string& name : axis.inputNames)
         name = pickName();
+    if (coin())
+        axis.pins = anyPins();
     return axis;
 }
 

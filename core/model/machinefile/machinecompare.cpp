@@ -123,6 +123,25 @@ Fields machineFields(const Machine& machine, MachinePart part) {
     return list.fields();
 }
 
+/// Those that were set, each in one text.
+template <typename Part>
+void listSet(FieldList& list, const std::string& key, const std::vector<Part>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!(parts[i] == Part{}))
+            list.add(key + std::to_string(i + 1), Quantity::Plain, inOneText(std::vector{parts[i]}));
+}
+
+void listPins(FieldList& list, const PinSettings& settings) {
+    listSet(list, "IO", settings.pins);
+    listSet(list, "PWM", settings.pwm);
+    for (std::size_t i = 0; i < settings.analog.size(); ++i) {
+        list.text("AD" + std::to_string(i + 1), settings.analog[i].name);
+        if (!(settings.analog[i].scale == AnalogScale{}))
+            list.add("AD" + std::to_string(i + 1) + " scale", Quantity::Plain,
+                     inOneText(std::vector{settings.analog[i].scale}));
+    }
+}
+
 Fields axisFields(const AxisSettings& axis, MachinePart part) {
     FieldList list;
     switch (part) {
@@ -146,6 +165,8 @@ Fields axisFields(const AxisSettings& axis, MachinePart part) {
         case MachinePart::PinNames:
             list.names("output", axis.outputNames);
             list.names("input", axis.inputNames);
+            if (axis.pins)
+                listPins(list, *axis.pins);
             break;
         case MachinePart::AccelerationTime:
             if (axis.accelerationTime > 0)
@@ -350,6 +371,7 @@ void take(const PartId& id, const AxisSettings& from, AxisSettings& into) {
         case MachinePart::PinNames:
             into.outputNames = from.outputNames;
             into.inputNames = from.inputNames;
+            into.pins = from.pins;
             break;
         case MachinePart::AccelerationTime:
             into.accelerationTime = from.accelerationTime;

@@ -22,6 +22,9 @@ inline constexpr int kVersion = 1;
 inline constexpr std::string_view kFormat = "nmc-panel-machine";
 inline constexpr std::size_t kMaxAxes = 32;    ///< modules on a line (DS-V 4.1)
 inline constexpr std::size_t kMaxGroups = 32;  ///< each module is in one
+inline constexpr std::size_t kMaxPins = 12;    ///< of a PIC-I/O; with 2 PWM outputs and 3 A/D inputs
+inline constexpr std::size_t kMaxPwm = 2;
+inline constexpr std::size_t kMaxAnalog = 3;
 inline constexpr std::size_t kMaxPoints = 200;
 inline constexpr std::size_t kMaxSequences = 50;
 inline constexpr std::size_t kMaxRows = 200;
@@ -220,10 +223,33 @@ void fields(Form& form, T& parameters) {
     form.flag("motor_off_on_limit_or_estop", motorOffOnLimitOrEstop);
 }
 
+template <typename Form, As<OutputSettings> T>
+void fields(Form& form, T& output) {
+    auto& [name, asks, offAtStop] = output;
+    form.text("name", name);
+    form.flag("asks", asks);
+    form.flag("off_at_stop", offAtStop);
+}
+
+template <typename Form, As<AnalogInput> T>
+void fields(Form& form, T& input) {
+    auto& [name, scale] = input;
+    form.text("name", name);
+    form.part("scale", scale);
+}
+
+template <typename Form, As<PinSettings> T>
+void fields(Form& form, T& settings) {
+    auto& [pins, pwm, analog] = settings;
+    form.list("pins", pins, kMaxPins);
+    form.list("pwm", pwm, kMaxPwm);
+    form.list("analog", analog, kMaxAnalog);
+}
+
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
     auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, parameters,
-           accelerationTime, outputNames, inputNames] = axis;
+           accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on the names of the numbers say what this chip counts in.
@@ -241,6 +267,7 @@ void fields(Form& form, T& axis) {
     form.real("acceleration_time", accelerationTime, {0, 255, true}, Need::Optional);
     form.names("output_names", outputNames);
     form.names("input_names", inputNames);
+    form.part("pins", pins);
 }
 
 template <typename Form, As<GroupSettings> T>

@@ -9,8 +9,10 @@
 
 #include "base/strong.h"
 #include "model/sequence/sequence.h"
+#include "model/settings/analogscale.h"
 #include "model/settings/axisscale.h"
 #include "model/settings/operatorrights.h"
+#include "model/settings/pinsettings.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
 #include "protocol/stepcommands.h"
@@ -88,15 +90,6 @@ struct LimitStopSettings {
     bool operator==(const LimitStopSettings&) const = default;
 };
 
-/// What the A/D value stands for: `perCount` of `unit` ("A", "V") each, from `atZero` on.
-struct AnalogScale {
-    double perCount = 5.0 / 255.0;  ///< 0 to 5 V on the input (DS-V 3)
-    double atZero = 0.0;
-    std::string unit = "V";
-
-    bool operator==(const AnalogScale&) const = default;
-};
-
 /// One module as the user knows it.
 struct AxisSettings {
     std::string name;                        ///< UTF-8, as the user typed it; empty: "Module 1"
@@ -116,6 +109,8 @@ struct AxisSettings {
     double accelerationTime = 0.0;                  ///< 1..255, of profiles; 0: not set
     std::array<std::string, 5> outputNames;         ///< OUT1..OUT5
     std::array<std::string, 2> inputNames;          ///< IN1, IN2
+    // PIC-I/O
+    std::optional<PinSettings> pins;
 
     bool operator==(const AxisSettings&) const = default;
 };
