@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 
 #include "tests/app/panel.h"
+#include "tests/support/choosefile.h"
 
 namespace nmc {
 namespace {
@@ -93,8 +94,7 @@ TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
         ASSERT_NO_FATAL_FAILURE(panel.click("tuningReportButton"));
         auto* dialog = panel.window().findChild<QFileDialog*>(u"reportFileDialog"_s);
         ASSERT_NE(dialog, nullptr);
-        dialog->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(directory.filePath(name));
-        QTest::keyClick(dialog->findChild<QLineEdit*>(u"fileNameEdit"_s), Qt::Key_Return);
+        testing_support::chooseFile(*dialog, directory.filePath(name));
         ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(directory.filePath(name)); }));
     }
     QFile html(directory.filePath(u"report.html"_s));

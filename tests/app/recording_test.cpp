@@ -6,13 +6,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
-#include <QTest>
 #include <bit>
 
 #include "model/recording/recordingreader.h"
 #include "panel.h"
+#include "tests/support/choosefile.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -136,9 +135,7 @@ TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
     files().underAction()->trigger();
     auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("layUnderDialog"));
     ASSERT_NE(dialog, nullptr);
-    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    name->setText(path("move.csv"));
-    QTest::keyClick(name, Qt::Key_Return);
+    chooseFile(*dialog, path("move.csv"));
     auto* label = panel.window().findChild<QLabel*>(QStringLiteral("scopeUnderLabel"));
     EXPECT_TRUE(panel.waitFor([&] { return label->text().endsWith(QLatin1String("move.csv (simulator)")); }));
     EXPECT_EQ(scopeTitle(), QString()) << "the scope stays live";

@@ -10,6 +10,7 @@
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/steprunstore.h"
 #include "tests/app/panel.h"
+#include "tests/support/choosefile.h"
 #include "widgets/response/stepresponsedock.h"
 
 namespace nmc {
@@ -61,8 +62,7 @@ protected:
         QTest::keyClick(&panel.window(), keys.key(), keys.keyboardModifiers());
         auto* asked = panel.window().findChild<QFileDialog*>(QLatin1String(dialog));
         ASSERT_NE(asked, nullptr) << dialog;
-        emit asked->fileSelected(path);
-        asked->close();
+        testing_support::chooseFile(*asked, path);
     }
     void startWith(IntentPanel& panel, const QString& machine) {
         Start start;

@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "tests/app/panel.h"
+#include "tests/support/choosefile.h"
 
 namespace nmc {
 namespace {
@@ -48,8 +49,7 @@ protected:
     void choose(const char* dialog, const QString& path) {
         auto* asked = find<QFileDialog>(dialog);
         ASSERT_NE(asked, nullptr) << dialog;
-        emit asked->fileSelected(path);
-        asked->close();
+        testing_support::chooseFile(*asked, path);
     }
     void nameTheAxis() {
         auto* name = find<QLineEdit>("axisNameField");
@@ -175,8 +175,7 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
         auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("saveMachineDialog"));
         ASSERT_NE(dialog, nullptr);
         const QString file = QLatin1String(name) + QStringLiteral(".json");
-        emit dialog->fileSelected(directory.filePath(file));
-        dialog->close();
+        testing_support::chooseFile(*dialog, directory.filePath(file));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         ASSERT_TRUE(panel.waitFor([&] { return panel.standing(file) != nullptr; }));
         EXPECT_TRUE(panel.window().isWindowModified());

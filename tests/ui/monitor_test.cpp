@@ -10,6 +10,7 @@
 #include <QTableView>
 
 #include "tests/model/packetrecords.h"
+#include "tests/support/choosefile.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/monitor/packetmonitor.h"
 #include "windowtest.h"
@@ -59,7 +60,7 @@ protected:
     QByteArray saved(const QString& name) {
         QSignalSpy saves(window.get(), &MainWindow::saveRequested);
         click(u"packetSave"_s);
-        emit find<QFileDialog>(u"packetSaveDialog"_s)->fileSelected(directory.filePath(name));
+        testing_support::chooseFile(*find<QFileDialog>(u"packetSaveDialog"_s), directory.filePath(name));
         if (saves.size() != 1)
             return {};
         EXPECT_EQ(saves[0][0].toString(), directory.filePath(name));
