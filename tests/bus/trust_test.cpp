@@ -17,7 +17,7 @@ constexpr std::uint8_t kShort = 0x0F;
 /// What is passed on of a reply with this status.
 class Servo {
 public:
-    Servo() { trust.emplace(ModuleType::Servo); }
+    Servo() { trust.emplace(ModuleIdentity{ModuleType::Servo, 4}); }
     [[nodiscard]] std::optional<std::uint8_t> says(std::uint8_t status, std::uint8_t items) {
         const auto trusted = trust->confirm(report(status, items));
         return trusted ? std::optional(trusted->status) : std::nullopt;
