@@ -54,6 +54,7 @@ struct Belief::Sent {
     void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::SetParameters,
                                 servo::IoControl, step::SetOutputs, servo::SetHoming, step::SetHoming,
                                 SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const servo::LaterCommand auto&) const {}
 };
 
 struct Belief::Executed {
@@ -96,6 +97,7 @@ struct Belief::Executed {
     void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, servo::IoControl,
                                 step::SetOutputs, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const servo::LaterCommand auto&) const {}
 };
 
 void Belief::onSent(const ModuleCommand& command, TimePoint latched) {

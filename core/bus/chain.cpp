@@ -85,11 +85,11 @@ Ask Chain::look(Purpose purpose, ModuleIndex module) const {
 }
 
 ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const {
-    const ModuleType type = module.info().identity.type;
+    const ModuleIdentity identity = module.info().identity;
     if (payload.code == CommandCode::ReadStatus || payload.code == CommandCode::DefineStatus)
-        return {type, StatusItems(payload.data[0])};
+        return {identity, StatusItems(payload.data[0])};
     // What another host has defined may be anything.
-    return {type, module.items().value_or(m_readOnly ? kAllItems : kStandingItems)};
+    return {identity, module.items().value_or(m_readOnly ? kAllItems : kStandingItems)};
 }
 
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {

@@ -36,7 +36,7 @@ public:
         explicit Module(const ModuleInfo& info)
             : belief(info),
               plausibility(info.identity),
-              trust(info.identity.type),
+              trust(info.identity),
               ownMotion(info.identity.type) {}
         Belief belief;
         Plausibility plausibility;

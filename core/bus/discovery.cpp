@@ -224,7 +224,7 @@ Discovery::Next Discovery::changeRate() {
     if (!m_rateChange) {
         std::vector<RateChange::Target> chain;
         for (const ModuleInfo& module : m_modules)
-            chain.push_back({module.address, {module.identity.type, StatusItems{}}});
+            chain.push_back({module.address, {module.identity, StatusItems{}}});
         m_rateChange.emplace(std::move(chain), std::vector{kEverybody}, kPowerUpBaud, m_config.baud,
                              RateChange::WayBack::None);
     }
@@ -261,7 +261,7 @@ Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
 }
 
 Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
-    return question({m_modules[m_at].address, payload, {m_modules[m_at].identity.type, items}}, repeats,
+    return question({m_modules[m_at].address, payload, {m_modules[m_at].identity, items}}, repeats,
                     Quarantine::Full);
 }
 

@@ -44,9 +44,9 @@ inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 /// The layout of a reply, which the request and the module's defined items determine: there is no length on
 /// the wire.
 struct ReplyLayout {
-    ModuleType type = ModuleType::Servo;
+    ModuleIdentity module;
     StatusItems items;
-    [[nodiscard]] std::size_t length() const { return replyLength(type, items); }
+    [[nodiscard]] std::size_t length() const { return replyLength(module, items); }
     bool operator==(const ReplyLayout&) const = default;
 };
 

@@ -39,6 +39,7 @@ struct Judge {
     Verdict operator()(const SetAddress&) const { return Verdict::Never; }
     Verdict operator()(const SetBaud&) const { return Verdict::Never; }
     Verdict operator()(const HardReset&) const { return Verdict::Never; }
+    Verdict operator()(const servo::LaterCommand auto&) const { return Verdict::Never; }
     Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
     Verdict operator()(const SaveAsHome&) const { return Verdict::Allowed; }
     Verdict operator()(const StartMotion&) const {
@@ -100,11 +101,11 @@ struct Judge {
 }
 
 /// The command is one of the chip's own, within the data sheet's ranges.
-[[nodiscard]] bool belongs(ModuleType type, const ModuleCommand& command) {
-    switch (type) {
+[[nodiscard]] bool belongs(const ModuleIdentity& module, const ModuleCommand& command) {
+    switch (module.type) {
         case ModuleType::Servo: {
             const auto* c = std::get_if<ServoCommand>(&command);
-            return c != nullptr && decodeServoCommand(encode(*c)).has_value();
+            return c != nullptr && decodeServoCommand(module, encode(*c)).has_value();
         }
         case ModuleType::Step: {
             const auto* c = std::get_if<StepCommand>(&command);
@@ -120,7 +121,7 @@ struct Judge {
 }  // namespace
 
 Verdict judge(const Belief& belief, const ModuleCommand& command) {
-    if (belief.restarted() || !belongs(belief.info().identity.type, command))
+    if (belief.restarted() || !belongs(belief.info().identity, command))
         return Verdict::Never;
     return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
 }

@@ -250,7 +250,7 @@ void Line::complete(TimePoint now) {
         return;
     }
     ReplyEnd end = endOf(pending, ReplyResult::Accepted, now);
-    const auto report = decodeStatus(pending.layout.type, pending.layout.items, pending.received);
+    const auto report = decodeStatus(pending.layout.module, pending.layout.items, pending.received);
     if (!report) {
         end.result = ReplyResult::BadChecksum;
         m_ends.push_back(end);
@@ -299,7 +299,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     const ByteSpan all(end.bytes);
     const bool answer = pending.framing == Framing::Open
                             ? all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back()
-                            : decodeStatus(pending.layout.type, pending.layout.items, all).has_value();
+                            : decodeStatus(pending.layout.module, pending.layout.items, all).has_value();
     if (m_echo.expected() && !m_echo.begun() && answer)
         m_echo.cease();
     m_ends.push_back(end);

@@ -41,6 +41,7 @@ struct MotionWatch::Sent {
                                 step::SetParameters, step::StopMotor, servo::IoControl, step::SetOutputs,
                                 servo::SetHoming, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const servo::LaterCommand auto&) const {}
 };
 
 void MotionWatch::onSent(const ModuleCommand& command) {

@@ -24,7 +24,7 @@ void OwnMotion::onSent(const ModuleCommand& command) {
         case CommandCode::SetBaud:
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
         case CommandCode::HardReset:
             break;
     }

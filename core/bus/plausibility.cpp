@@ -80,6 +80,7 @@ struct Plausibility::Sent {
     }
     void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::SetParameters, servo::IoControl,
                                 step::SetOutputs, SetBaud, Nop, HardReset> auto&) const {}
+    void operator()(const servo::LaterCommand auto&) const {}
 
     void homing() const {
         p.m_homing.open(latched);

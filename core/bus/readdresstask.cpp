@@ -184,7 +184,7 @@ void ReaddressTask::moved() {
 Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusItems items) const {
     Ask ask;
     ask.purpose = Purpose::Connect;
-    ask.request = {address, payload, {m_chain.belief(*m_module).info().identity.type, items}};
+    ask.request = {address, payload, {m_chain.belief(*m_module).info().identity, items}};
     ask.ownTrouble = true;
     ask.believed = false;
     return ask;

@@ -44,7 +44,7 @@ struct RetryRule {
             return {};
         case CommandCode::SetBaud:  // no reply by design; never an exchange
         case CommandCode::HardReset:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
             return {AfterSilence::GiveUp, 0, 1};
     }
     return {};
@@ -60,6 +60,8 @@ struct RetryRule {
             return data && (payload.data[0] & 0x80U) != 0;
         case CommandCode::StopMotor:
             return data && (payload.data[0] & 0x10U) != 0;  // PIC-SERVO: stop here, at a position
+        case CommandCode::AddPathPoints:
+            return !data;  // starts the path
         case CommandCode::ResetPosition:
         case CommandCode::SetAddress:
         case CommandCode::DefineStatus:
@@ -70,7 +72,6 @@ struct RetryRule {
         case CommandCode::SetBaud:
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
-        case CommandCode::Reserved:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return false;

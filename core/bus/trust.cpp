@@ -46,15 +46,15 @@ constexpr std::uint8_t kStandstill = 0x01;                        // both chips'
 
 Trust::Permits Trust::permitsOf(const StatusReport& report) const {
     Permits permits;
-    permits.status = statusMeaning(m_type).permits(report.status);
+    permits.status = statusMeaning(m_module.type).permits(report.status);
     // Inputs that were not asked for say nothing new.
-    permits.aux = report.aux ? auxMeaning(m_type).permits(*report.aux) : m_granted.aux;
+    permits.aux = report.aux ? auxMeaning(m_module.type).permits(*report.aux) : m_granted.aux;
     return permits;
 }
 
 std::optional<StatusReport> Trust::confirm(const StatusReport& report) {
     const Permits now = permitsOf(report);
-    const std::size_t length = replyLength(m_type, report.items);
+    const std::size_t length = replyLength(m_module, report.items);
     const bool second = m_last && m_last->length != length;
     const auto grant = [&](std::uint8_t granted, std::uint8_t asked, std::uint8_t before) {
         const unsigned confirmed = second ? unsigned{before} : 0U;
@@ -67,9 +67,9 @@ std::optional<StatusReport> Trust::confirm(const StatusReport& report) {
     if (std::exchange(m_first, false))
         return std::nullopt;
     StatusReport trusted = report;
-    trusted.status = statusMeaning(m_type).withhold(report.status, m_granted.status);
+    trusted.status = statusMeaning(m_module.type).withhold(report.status, m_granted.status);
     if (report.aux)
-        trusted.aux = auxMeaning(m_type).withhold(*report.aux, m_granted.aux);
+        trusted.aux = auxMeaning(m_module.type).withhold(*report.aux, m_granted.aux);
     return trusted;
 }
 

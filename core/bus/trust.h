@@ -16,7 +16,7 @@ namespace nmc::bus {
 /// Pure.
 class Trust {
 public:
-    explicit Trust(ModuleType type) : m_type(type) {}
+    explicit Trust(const ModuleIdentity& module) : m_module(module) {}
 
     /// The report as it may be believed and shown; nothing for the first of all, which alone permits nothing.
     [[nodiscard]] std::optional<StatusReport> confirm(const StatusReport& report);
@@ -36,7 +36,7 @@ private:
     };
     [[nodiscard]] Permits permitsOf(const StatusReport& report) const;
 
-    ModuleType m_type;
+    ModuleIdentity m_module;
     bool m_first = true;
     Permits m_granted;
     std::optional<Last> m_last;

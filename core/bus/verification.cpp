@@ -57,6 +57,7 @@ struct Look {
                                    servo::SetHoming, step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
         return Carried::Unknown;
     }
+    Carried operator()(const servo::LaterCommand auto&) const { return Carried::Unknown; }
 };
 
 struct CanLook {
@@ -70,6 +71,7 @@ struct CanLook {
                                 step::SetHoming, SetBaud, Nop, HardReset> auto&) const {
         return false;
     }
+    bool operator()(const servo::LaterCommand auto&) const { return false; }
 };
 
 }  // namespace

@@ -115,15 +115,81 @@ Payload HardReset::encode() const {
 }
 
 tl::expected<HardReset, CommandError> HardReset::decode(const Payload& payload) {
-    return decodeBare<HardReset>(payload, CommandCode::HardReset);
+    return decodeBare<HardReset>(payload, CommandCode::HardReset, 1);
 }
 
-tl::expected<ServoCommand, CommandError> decodeServoCommand(const Payload& payload) {
-    return decodeAny<ServoCommand>(payload);
+namespace {
+
+using FirstServoCommand =
+    std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, StartMotion,
+                 servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,
+                 servo::ClearStickyBits, SaveAsHome, Nop, HardReset>;
+
+template <typename Command>
+tl::expected<ServoCommand, CommandError> decodeAs(const Payload& payload) {
+    return Command::decode(payload).map([](const Command& command) { return ServoCommand(command); });
+}
+
+tl::expected<ServoCommand, CommandError> decodeFirst(const Payload& payload) {
+    return decodeAny<FirstServoCommand>(payload).map([](const FirstServoCommand& command) {
+        return std::visit([](const auto& c) { return ServoCommand(c); }, command);
+    });
+}
+
+tl::expected<ServoCommand, CommandError> decodeReset(const ModuleIdentity& module, const Payload& payload) {
+    const std::uint8_t control = payload.data.empty() ? std::uint8_t{0} : payload.data[0];
+    if (isSc(module) && (detail::bitOf(control, 1) || payload.data.size() > 1))
+        return decodeAs<servo::SetPosition>(payload);
+    return detail::bitOf(control, 0) ? decodeAs<servo::ResetRelativeToHome>(payload) : decodeFirst(payload);
+}
+
+/// Bits and bytes of the first commands that only later versions read.
+struct LaterParts {
+    const ModuleIdentity& module;
+    const Payload& payload;
+    [[nodiscard]] bool bit(unsigned number) const { return detail::bitOf(payload.data[0], number); }
+
+    void operator()(servo::LoadTrajectory& load) const {
+        const bool relative = load.servo && load.profile == servo::ProfileMode::Trapezoidal && load.reverse;
+        load.relative = relative;
+        load.reverse = load.reverse && !relative;
+    }
+    void operator()(servo::SetGain& gains) const {
+        if (isSc(module) && payload.data.size() > 14)
+            gains.sm = payload.data[14];
+    }
+    void operator()(servo::StopMotor& stop) const { stop.advancedFeatures = !isSc(module) && bit(5); }
+    void operator()(servo::IoControl& control) const { control.fastPath = bit(6); }
+    template <typename Command>
+    void operator()(Command&) const {}
+};
+
+}  // namespace
+
+tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
+                                                            const Payload& payload) {
+    if (!hasPathBuffer(module))
+        return decodeFirst(payload);
+    if (payload.code == CommandCode::ResetPosition)
+        return decodeReset(module, payload);
+    if (payload.code == CommandCode::AddPathPoints)
+        return decodeAs<servo::AddPathPoints>(payload);
+    if (isSc(module) && payload.code == CommandCode::IoControl)
+        return decodeAs<servo::ScIoControl>(payload);
+    if (isSc(module) && payload.code == CommandCode::HardReset && !payload.data.empty())
+        return decodeAs<servo::HardReset>(payload);
+    auto command = decodeFirst(payload);
+    if (command)
+        std::visit(LaterParts{module, payload}, *command);
+    return command;
 }
 
 tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload) {
     return decodeAny<StepCommand>(payload);
+}
+
+tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload) {
+    return decodeAny<IoCommand>(payload);
 }
 
 }  // namespace nmc

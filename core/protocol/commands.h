@@ -9,6 +9,8 @@
 
 #include "base/strong.h"
 #include "protocol/frame.h"
+#include "protocol/iocommands.h"
+#include "protocol/laterservocommands.h"
 #include "protocol/moduletype.h"
 #include "protocol/servocommands.h"
 #include "protocol/status.h"
@@ -16,8 +18,9 @@
 
 namespace nmc {
 
-// Commands that mean the same to both chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one command;
-// encode() makes its payload, decode() reads a payload of that code and refuses what the data sheet does.
+// Commands that mean the same to several chips (DS-V 5.2, DS-S 5.1). Each struct is the meaning of one
+// command; encode() makes its payload, decode() reads a payload of that code and refuses what the data sheet
+// does.
 
 /// Position, and on a PIC-SERVO the command position, become 0. Not in a trapezoidal move; on a PIC-STEP not
 /// in motion.
@@ -82,24 +85,34 @@ struct Nop {
     bool operator==(const Nop&) const = default;
 };
 
-/// Back to the power-up state; no reply.
+/// Back to the power-up state; no reply. Chips without saved configuration ignore a control byte.
 struct HardReset {
     [[nodiscard]] Payload encode() const;
     static tl::expected<HardReset, CommandError> decode(const Payload& payload);
     bool operator==(const HardReset&) const = default;
 };
 
+/// What all versions of a PIC-SERVO have, then what only later ones know: takes() in unsupported.h tells.
 using ServoCommand =
     std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, StartMotion,
                  servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,
-                 servo::ClearStickyBits, SaveAsHome, Nop, HardReset>;
+                 servo::ClearStickyBits, SaveAsHome, Nop, HardReset, servo::ResetRelativeToHome,
+                 servo::SetPosition, servo::ScIoControl, servo::AddPathPoints, servo::HardReset>;
 
 using StepCommand = std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, step::LoadTrajectory,
                                  StartMotion, step::SetParameters, step::StopMotor, step::SetOutputs,
                                  step::SetHoming, SetBaud, SaveAsHome, Nop, HardReset>;
 
-[[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const Payload& payload);
+using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadStatus, io::SetPwm,
+                               io::SynchOutput, io::SetOutput, io::SetSynchOutput, io::SetTimerMode, SetBaud,
+                               io::SynchInput, Nop, HardReset>;
+
+/// What the version makes of the bytes: it ignores what only later ones read. A version that is not known is
+/// taken for one of the first data sheet.
+[[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
+                                                                          const Payload& payload);
 [[nodiscard]] tl::expected<StepCommand, CommandError> decodeStepCommand(const Payload& payload);
+[[nodiscard]] tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload);
 
 template <typename... Commands>
 [[nodiscard]] Payload encode(const std::variant<Commands...>& command) {

@@ -3,16 +3,20 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
+#include <vector>
 
 #include "protocol/frame.h"
 #include "protocol/moduletype.h"
 
 namespace nmc {
 
-/// One command of one chip: the single place that says what it is called and how long it may be.
+/// One command of one chip: the single place that says which versions have it, what it is called and how long
+/// it may be.
 struct CommandRow {
+    ModuleType type;
+    std::uint8_t firstVersion;
+    std::uint8_t lastVersion;
     CommandCode code;
     std::string_view key;   ///< snake case, as in nmcsim's `stats`
     std::string_view name;  ///< the data sheet's name
@@ -20,10 +24,10 @@ struct CommandRow {
     std::uint8_t maxData;
 };
 
-/// All commands of a chip in the order of their codes; empty for a type without a data sheet here.
-[[nodiscard]] std::span<const CommandRow> commandTable(ModuleType type);
+/// All commands of a module in the order of their codes; empty for one that is not known (isKnown).
+[[nodiscard]] std::vector<CommandRow> commandTable(const ModuleIdentity& module);
 
-/// The row for a code, or nothing when the chip has no such command.
-[[nodiscard]] std::optional<CommandRow> findCommand(ModuleType type, CommandCode code);
+/// The row for a code, or nothing when the module has no such command or is not known.
+[[nodiscard]] std::optional<CommandRow> findCommand(const ModuleIdentity& module, CommandCode code);
 
 }  // namespace nmc

@@ -18,12 +18,14 @@ using namespace describe;
 
 namespace {
 
-std::string itemNames(ModuleType type, StatusItems items) {
+using Module = const ModuleIdentity&;
+
+std::string itemNames(Module module, StatusItems items) {
     Phrases phrases;
-    for (const StatusItemRow& row : statusItemTable(type))
+    for (const StatusItemRow& row : statusItemTable(module))
         phrases.addIf(items.has(row.bit), row.name);
-    // Bits 6 and 7 are "clear to zero".
-    const auto beyond = static_cast<std::uint8_t>(items.mask() & ~StatusItems::All);
+    // Bits that the chip has no item for are "clear to zero".
+    const auto beyond = static_cast<std::uint8_t>(items.mask() & ~allItems(module).mask());
     if (beyond != 0)
         phrases.add("undefined " + toHex(std::array{beyond}));
     return phrases.empty() ? "status byte only" : phrases.text();
@@ -31,95 +33,71 @@ std::string itemNames(ModuleType type, StatusItems items) {
 
 // What follows the name of the command; empty when the name says it all.
 
-std::string meaning(const SetAddress& c, ModuleType) {
+std::string meaning(const SetAddress& c, Module) {
     return Phrases()
         .add("address " + std::to_string(c.address.value()))
         .add("group " + toHex(std::array{c.group.value()}))
         .add(c.leader ? "leader" : "member")
         .text();
 }
-std::string meaning(const DefineStatus& c, ModuleType type) {
-    return itemNames(type, c.items);
+std::string meaning(const DefineStatus& c, Module module) {
+    return itemNames(module, c.items);
 }
-std::string meaning(const ReadStatus& c, ModuleType type) {
-    return itemNames(type, c.items);
+std::string meaning(const ReadStatus& c, Module module) {
+    return itemNames(module, c.items);
 }
-std::string meaning(const SetBaud& c, ModuleType) {
+std::string meaning(const SetBaud& c, Module) {
     for (const BaudRow& row : kBaudRows)
         if (c.brd == row.brd || c.brd == row.dataSheetBrd)
             return "code " + std::to_string(c.brd) + ", " + std::to_string(row.nominal) + " Bd";
     return "code " + std::to_string(c.brd) + ", " + std::to_string(std::lround(realRate(c.brd))) + " Bd";
 }
-std::string meaning(const ResetPosition&, ModuleType) {
+/// A command that one chip has alone has its words in describeparts.h, or its name says it all.
+template <typename Command>
+std::string meaning(const Command& c, Module) {
+    if constexpr (requires { ownWords(c); })
+        return ownWords(c);
     return {};
 }
-std::string meaning(const StartMotion&, ModuleType) {
-    return {};
-}
-std::string meaning(const SaveAsHome&, ModuleType) {
-    return {};
-}
-std::string meaning(const Nop&, ModuleType) {
-    return {};
-}
-std::string meaning(const HardReset&, ModuleType) {
-    return {};
-}
-std::string meaning(const servo::ClearStickyBits&, ModuleType) {
-    return {};
-}
-std::string meaning(const servo::LoadTrajectory& c, ModuleType) {
-    return servoTrajectory(c);
-}
-std::string meaning(const servo::SetGain& c, ModuleType) {
-    return servoGains(c);
-}
-std::string meaning(const servo::StopMotor& c, ModuleType) {
-    return servoStop(c);
-}
-std::string meaning(const servo::IoControl& c, ModuleType) {
-    return servoIo(c);
-}
-std::string meaning(const servo::SetHoming& c, ModuleType) {
-    return servoHoming(c);
-}
-std::string meaning(const step::LoadTrajectory& c, ModuleType) {
-    return stepTrajectory(c);
-}
-std::string meaning(const step::SetParameters& c, ModuleType) {
-    return stepParameters(c);
-}
-std::string meaning(const step::StopMotor& c, ModuleType) {
-    return stepStop(c);
-}
-std::string meaning(const step::SetOutputs& c, ModuleType) {
-    return stepOutputs(c);
-}
-std::string meaning(const step::SetHoming& c, ModuleType) {
-    return stepHoming(c);
+
+template <typename... Commands>
+std::string sentence(Module module, const std::variant<Commands...>& command) {
+    const auto row = findCommand(module, encode(command).code);
+    const std::string name(row ? row->name : "");
+    const std::string text = std::visit([&module](const auto& c) { return meaning(c, module); }, command);
+    return text.empty() ? name : name + ": " + text;
 }
 
 template <typename Command>
-std::optional<std::string> meaningOf(const tl::expected<Command, CommandError>& command, ModuleType type) {
-    if (!command)
-        return std::nullopt;
-    return std::visit([type](const auto& c) { return meaning(c, type); }, *command);
+std::optional<std::string> sentenceOf(Module module, const tl::expected<Command, CommandError>& command) {
+    return command ? std::optional(sentence(module, *command)) : std::nullopt;
 }
 
-std::string describePayload(ModuleType type, const Payload& payload) {
-    // A module of another type is only ever sent what all types have in common.
-    const ModuleType chip = type == ModuleType::Step ? ModuleType::Step : ModuleType::Servo;
-    const auto row = findCommand(chip, payload.code);
+std::optional<std::string> sentenceOf(Module module, const Payload& payload) {
+    switch (module.type) {
+        case ModuleType::Step:
+            return sentenceOf(module, decodeStepCommand(payload));
+        case ModuleType::Io:
+            return sentenceOf(module, decodeIoCommand(payload));
+        case ModuleType::Servo:
+        case ModuleType::Adc:
+            break;
+    }
+    return sentenceOf(module, decodeServoCommand(module, payload));
+}
+
+constexpr ModuleIdentity kFirstServo{ModuleType::Servo, servo::kDeadbandVersion};
+
+std::string describePayload(Module addressee, const Payload& payload) {
+    // A module that is not known is only ever sent what all have in common.
+    const ModuleIdentity module = isKnown(addressee) ? addressee : kFirstServo;
+    const auto row = findCommand(module, payload.code);
     const std::string data = payload.data.empty() ? "no data" : toHex(payload.data);
     if (!row)
         return "command " + std::to_string(static_cast<int>(payload.code)) +
                ", which the chip does not have: " + data;
-    const auto text = chip == ModuleType::Step ? meaningOf(decodeStepCommand(payload), chip)
-                                               : meaningOf(decodeServoCommand(payload), chip);
-    const std::string name(row->name);
-    if (!text)
-        return name + ", not as the data sheet has it: " + data;
-    return text->empty() ? name : name + ": " + *text;
+    const auto text = sentenceOf(module, payload);
+    return text ? *text : std::string(row->name) + ", not as the data sheet has it: " + data;
 }
 
 /// Takes the packet that the bytes begin with, as far as it goes.
@@ -130,10 +108,10 @@ ByteSpan firstPacket(ByteSpan bytes) {
     return bytes.first(std::min(length, bytes.size()));
 }
 
-std::string describePacket(ModuleType type, ByteSpan packet) {
+std::string describePacket(Module module, ByteSpan packet) {
     const auto frame = parsePacket(packet);
     if (frame)
-        return describePayload(type, frame->payload);
+        return describePayload(module, frame->payload);
     switch (frame.error()) {
         case FrameError::TooShort:
         case FrameError::LengthMismatch:
@@ -148,7 +126,7 @@ std::string describePacket(ModuleType type, ByteSpan packet) {
 
 }  // namespace
 
-std::string describeCommand(ModuleType type, ByteSpan bytes) {
+std::string describeCommand(const ModuleIdentity& module, ByteSpan bytes) {
     Phrases parts("; ");
     while (!bytes.empty()) {
         // Whatever stands in front of a header is skipped by the modules.
@@ -162,11 +140,24 @@ std::string describeCommand(ModuleType type, ByteSpan bytes) {
             bytes = bytes.subspan(before);
         } else {
             const ByteSpan packet = firstPacket(bytes);
-            parts.add(describePacket(type, packet));
+            parts.add(describePacket(module, packet));
             bytes = bytes.subspan(packet.size());
         }
     }
     return parts.text();
+}
+
+std::string describeCommand(const ServoCommand& command) {
+    // The SC has every command and every status item.
+    return sentence({ModuleType::Servo, kScVersion}, command);
+}
+
+std::string describeCommand(const StepCommand& command) {
+    return sentence({ModuleType::Step, 1}, command);
+}
+
+std::string describeCommand(const IoCommand& command) {
+    return sentence({ModuleType::Io, 1}, command);
 }
 
 }  // namespace nmc

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/iocommands.h"
+#include "protocol/laterservocommands.h"
 #include "protocol/servocommands.h"
 #include "protocol/stepcommands.h"
 
@@ -29,16 +31,30 @@ private:
 /// "1 null", "16 nulls"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
 
-[[nodiscard]] std::string servoTrajectory(const servo::LoadTrajectory& load);
-[[nodiscard]] std::string servoGains(const servo::SetGain& gains);
-[[nodiscard]] std::string servoStop(const servo::StopMotor& stop);
-[[nodiscard]] std::string servoIo(const servo::IoControl& io);
-[[nodiscard]] std::string servoHoming(const servo::SetHoming& homing);
+/// "IO1 IO12" of the bits that are set.
+[[nodiscard]] std::string pinNames(std::uint16_t pins, std::string_view none);
 
-[[nodiscard]] std::string stepTrajectory(const step::LoadTrajectory& load);
-[[nodiscard]] std::string stepParameters(const step::SetParameters& parameters);
-[[nodiscard]] std::string stepStop(const step::StopMotor& stop);
-[[nodiscard]] std::string stepOutputs(const step::SetOutputs& outputs);
-[[nodiscard]] std::string stepHoming(const step::SetHoming& homing);
+[[nodiscard]] std::string ownWords(const servo::LoadTrajectory& load);
+[[nodiscard]] std::string ownWords(const servo::SetGain& gains);
+[[nodiscard]] std::string ownWords(const servo::StopMotor& stop);
+[[nodiscard]] std::string ownWords(const servo::IoControl& io);
+[[nodiscard]] std::string ownWords(const servo::SetHoming& homing);
+[[nodiscard]] std::string ownWords(const servo::ResetRelativeToHome& reset);
+[[nodiscard]] std::string ownWords(const servo::SetPosition& set);
+[[nodiscard]] std::string ownWords(const servo::ScIoControl& io);
+[[nodiscard]] std::string ownWords(const servo::HardReset& reset);
+[[nodiscard]] std::string ownWords(const servo::AddPathPoints& add);
+
+[[nodiscard]] std::string ownWords(const step::LoadTrajectory& load);
+[[nodiscard]] std::string ownWords(const step::SetParameters& parameters);
+[[nodiscard]] std::string ownWords(const step::StopMotor& stop);
+[[nodiscard]] std::string ownWords(const step::SetOutputs& outputs);
+[[nodiscard]] std::string ownWords(const step::SetHoming& homing);
+
+[[nodiscard]] std::string ownWords(const io::SetDirection& set);
+[[nodiscard]] std::string ownWords(const io::SetPwm& set);
+[[nodiscard]] std::string ownWords(const io::SetOutput& set);
+[[nodiscard]] std::string ownWords(const io::SetSynchOutput& set);
+[[nodiscard]] std::string ownWords(const io::SetTimerMode& set);
 
 }  // namespace nmc::describe

@@ -22,20 +22,69 @@ std::string bitNames(ModuleType type, const BitNames& names, std::uint8_t bits) 
     return phrases.empty() ? "00" : phrases.text();
 }
 
-std::string value(ModuleType type, const StatusReport& report, std::uint8_t item) {
-    const bool step = type == ModuleType::Step;
+const BitNames& statusBitNames(ModuleType type) {
+    switch (type) {
+        case ModuleType::Step:
+            return step::kStatusBitNames;
+        case ModuleType::Io:
+            return io::kStatusBitNames;
+        case ModuleType::Servo:
+        case ModuleType::Adc:
+            break;
+    }
+    return servo::kStatusBitNames;
+}
+
+const BitNames& auxBitNames(const ModuleIdentity& module) {
+    if (module.type == ModuleType::Step)
+        return step::kInputBitNames;
+    if (isSc(module))
+        return servo::kScAuxBitNames;
+    return hasPathBuffer(module) ? servo::kCmcAuxBitNames : servo::kAuxBitNames;
+}
+
+template <typename T>
+std::string number(const std::optional<T>& item) {
+    return std::to_string(item.value_or(T{}));
+}
+
+std::string ioValue(const StatusReport& report, std::uint8_t item) {
+    switch (item) {
+        case StatusItems::Pins:
+            return describe::pinNames(report.pins.value_or(0), "all low");
+        case StatusItems::Analog1:
+            return number(report.analogs[0]);
+        case StatusItems::Analog2:
+            return number(report.analogs[1]);
+        case StatusItems::Analog3:
+            return number(report.analogs[2]);
+        case StatusItems::Counter:
+            return number(report.counter);
+        case StatusItems::LatchedPins:
+            return describe::pinNames(report.latchedPins.value_or(0), "all low");
+        case StatusItems::LatchedCounter:
+            return number(report.latchedCounter);
+        default:
+            return {};
+    }
+}
+
+std::string motorValue(const ModuleIdentity& module, const StatusReport& report, std::uint8_t item) {
     switch (item) {
         case StatusItems::Position:
-            return std::to_string(report.position.value_or(0));
+            return number(report.position);
         case StatusItems::Analog:
-            return std::to_string(report.analog.value_or(0));
+            return number(report.analog);
         case StatusItems::Velocity:  // and StatusItems::TimerCount
-            return std::to_string(step ? int{report.timerCount.value_or(0)}
-                                       : int{report.velocity.value_or(0)});
+            return module.type == ModuleType::Step ? number(report.timerCount) : number(report.velocity);
         case StatusItems::Aux:  // and StatusItems::Inputs
-            return bitNames(type, step ? step::kInputBitNames : servo::kAuxBitNames, report.aux.value_or(0));
+            return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
         case StatusItems::Home:
-            return std::to_string(report.home.value_or(0));
+            return number(report.home);
+        case StatusItems::PositionError:
+            return number(report.positionError);
+        case StatusItems::PathPoints:
+            return number(report.pathPoints);
         default:
             return {};
     }
@@ -46,28 +95,28 @@ std::string identity(const StatusReport& report) {
     return "type " + std::to_string(static_cast<int>(is.type)) + ", version " + std::to_string(is.version);
 }
 
-std::string describeReport(ModuleType type, const StatusReport& report) {
+std::string describeReport(const ModuleIdentity& module, const StatusReport& report) {
     Phrases phrases;
-    for (const StatusItemRow& row : statusItemTable(type)) {
+    for (const StatusItemRow& row : statusItemTable(module)) {
         if (!report.items.has(row.bit))
             continue;
         if (row.bit == StatusItems::Identity)
             phrases.add(identity(report));
         else
-            phrases.add(std::string(row.name) + ' ' + value(type, report, row.bit));
+            phrases.add(std::string(row.name) + ' ' +
+                        (module.type == ModuleType::Io ? ioValue(report, row.bit)
+                                                       : motorValue(module, report, row.bit)));
     }
-    const bool step = type == ModuleType::Step;
-    const std::string bits =
-        bitNames(type, step ? step::kStatusBitNames : servo::kStatusBitNames, report.status);
+    const std::string bits = bitNames(module.type, statusBitNames(module.type), report.status);
     return phrases.add(report.status == 0 ? "status 00" : bits).text();
 }
 
 }  // namespace
 
-std::string describeReply(ModuleType type, StatusItems items, ByteSpan bytes) {
+std::string describeReply(const ModuleIdentity& module, StatusItems items, ByteSpan bytes) {
     if (bytes.empty())
         return {};
-    const std::size_t length = replyLength(type, items);
+    const std::size_t length = replyLength(module, items);
     if (bytes.size() < length)
         return std::to_string(bytes.size()) + " of " + describe::counted(length, "byte");
     Phrases phrases("; ");
@@ -76,8 +125,8 @@ std::string describeReply(ModuleType type, StatusItems items, ByteSpan bytes) {
         phrases.add("sum " + toHex(std::array{reply.back()}) + " instead of " + toHex(std::array{sum}));
         reply.back() = sum;  // what it would say
     }
-    if (const auto report = decodeStatus(type, items, reply))
-        phrases.add(describeReport(type, *report));
+    if (const auto report = decodeStatus(module, items, reply))
+        phrases.add(describeReport(module, *report));
     if (bytes.size() > length)
         phrases.add(describe::counted(bytes.size() - length, "byte") + " too many");
     return phrases.text();

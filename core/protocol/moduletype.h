@@ -30,4 +30,33 @@ struct ModuleIdentity {
     return false;
 }
 
+/// The first PIC-SERVO with a path buffer and a reported position error (PIC-SERVO CMC).
+inline constexpr std::uint8_t kPathVersion = 5;
+/// PIC-SERVO SC.
+inline constexpr std::uint8_t kScVersion = 10;
+
+/// Members whose commands and status items are described here: those with a data sheet, PIC-SERVO CMC and SC,
+/// PIC-I/O (docs/family.md).
+[[nodiscard]] constexpr bool isKnown(const ModuleIdentity& module) {
+    switch (module.type) {
+        case ModuleType::Servo:
+            return hasDataSheet(module) || module.version == kPathVersion || module.version == kScVersion;
+        case ModuleType::Io:
+            return module.version == 1;
+        case ModuleType::Step:
+            return hasDataSheet(module);
+        case ModuleType::Adc:
+            break;
+    }
+    return false;
+}
+
+[[nodiscard]] constexpr bool isSc(const ModuleIdentity& module) {
+    return module.type == ModuleType::Servo && module.version == kScVersion;
+}
+/// A PIC-SERVO with items 6 and 7 and Add Path Points: CMC or SC.
+[[nodiscard]] constexpr bool hasPathBuffer(const ModuleIdentity& module) {
+    return isSc(module) || (module.type == ModuleType::Servo && module.version == kPathVersion);
+}
+
 }  // namespace nmc

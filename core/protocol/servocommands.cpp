@@ -12,8 +12,8 @@ using detail::packBits;
 Payload LoadTrajectory::encode() const {
     Payload payload{CommandCode::LoadTrajectory, {}};
     payload.data.push_back(packBits(position.has_value(), velocity.has_value(), acceleration.has_value(),
-                                    pwm.has_value(), servo, profile == ProfileMode::Velocity, reverse,
-                                    startNow));
+                                    pwm.has_value(), servo, profile == ProfileMode::Velocity,
+                                    reverse || relative, startNow));
     if (position)
         payload.data.appendLittleEndian(position->value());
     if (velocity)
@@ -67,6 +67,8 @@ Payload SetGain::encode() const {
     payload.data.push_back(sr);
     if (db)
         payload.data.push_back(*db);
+    if (db && sm)
+        payload.data.push_back(*sm);
     return payload;
 }
 
@@ -97,7 +99,7 @@ Payload StopMotor::encode() const {
     Payload payload{CommandCode::StopMotor, {}};
     payload.data.push_back(packBits(amplifierEnable, manner == StopManner::MotorOff,
                                     manner == StopManner::Abruptly, manner == StopManner::Smoothly,
-                                    manner == StopManner::Here));
+                                    manner == StopManner::Here, advancedFeatures));
     if (manner == StopManner::Here)
         payload.data.appendLittleEndian(here.value());
     return payload;
@@ -135,7 +137,8 @@ tl::expected<StopMotor, CommandError> StopMotor::decode(const Payload& payload) 
 }
 
 Payload IoControl::encode() const {
-    return {CommandCode::IoControl, {packBits(limit1Output, limit2Output, limit1IsInput, limit2IsInput)}};
+    return {CommandCode::IoControl,
+            {packBits(limit1Output, limit2Output, limit1IsInput, limit2IsInput, false, false, fastPath)}};
 }
 
 tl::expected<IoControl, CommandError> IoControl::decode(const Payload& payload) {

@@ -24,7 +24,7 @@ inline constexpr ValueRange kServoRateRange{1, 0xFF};        ///< SR
 inline constexpr std::uint8_t kDeadbandVersion = 4;
 /// The first version that can stop by itself when home is found.
 inline constexpr std::uint8_t kAutoStopVersion = 3;
-/// The first version whose I/O Control means something else (protocol.md 5): not for this program.
+/// The first version whose I/O Control means something else: ScIoControl.
 inline constexpr std::uint8_t kOtherIoVersion = 10;
 /// The first version that has Stop Here.
 inline constexpr std::uint8_t kStopHereVersion = 2;
@@ -41,13 +41,16 @@ struct LoadTrajectory {
     ProfileMode profile = ProfileMode::Trapezoidal;
     bool reverse = false;  ///< velocity and PWM modes
     bool startNow = false;
+    /// Trapezoidal mode of CMC and SC: position counts from the current command position. The same bit as
+    /// reverse, which older versions ignore in that mode.
+    bool relative = false;
 
     [[nodiscard]] Payload encode() const;
     static tl::expected<LoadTrajectory, CommandError> decode(const Payload& payload);
     bool operator==(const LoadTrajectory&) const = default;
 };
 
-/// Set Gain. 14 data bytes with a deadband (version 4), 13 without.
+/// Set Gain. 14 data bytes with a deadband (version 4), 13 without, 15 with a step rate multiplier (SC).
 struct SetGain {
     std::uint16_t kp = 0;
     std::uint16_t kd = 0;
@@ -58,9 +61,10 @@ struct SetGain {
     std::uint16_t el = 0;  ///< counts
     std::uint8_t sr = 1;   ///< servo tick = sr x 0.512 ms
     std::optional<std::uint8_t> db;
+    std::optional<std::uint8_t> sm = {};  ///< SC: step rate multiplier; sent with db only
 
     [[nodiscard]] Payload encode() const;
-    /// A fifteenth byte is ignored, as the chip does.
+    /// A fifteenth byte is ignored, as the chip does; decodeServoCommand() reads that of an SC.
     static tl::expected<SetGain, CommandError> decode(const Payload& payload);
     bool operator==(const SetGain&) const = default;
 };
@@ -77,18 +81,21 @@ enum class StopManner : std::uint8_t {
 struct StopMotor {
     bool amplifierEnable = false;  ///< AMP_EN is set or cleared whatever else
     StopManner manner = StopManner::AmplifierOnly;
-    Counts here;  ///< only for StopManner::Here
+    Counts here;                    ///< only for StopManner::Here
+    bool advancedFeatures = false;  ///< CMC only: switches them on
 
     [[nodiscard]] Payload encode() const;
     static tl::expected<StopMotor, CommandError> decode(const Payload& payload);
     bool operator==(const StopMotor&) const = default;
 };
 
+/// Versions 1 to 5; that of an SC is ScIoControl.
 struct IoControl {
     bool limit1Output = false;  ///< value when an output
     bool limit2Output = false;
     bool limit1IsInput = true;
     bool limit2IsInput = true;
+    bool fastPath = false;  ///< CMC only: path points at 60 and 120 Hz instead of 30 and 60
 
     [[nodiscard]] Payload encode() const;
     static tl::expected<IoControl, CommandError> decode(const Payload& payload);

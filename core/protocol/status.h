@@ -27,9 +27,20 @@ public:
     static constexpr std::uint8_t Aux = 0x08;         ///< PIC-SERVO: auxiliary status byte
     static constexpr std::uint8_t Inputs = 0x08;      ///< PIC-STEP: inputs byte
     static constexpr std::uint8_t Home = 0x10;
-    static constexpr std::uint8_t Identity = 0x20;
+    static constexpr std::uint8_t Identity = 0x20;       ///< the same on every chip
+    static constexpr std::uint8_t PositionError = 0x40;  ///< PIC-SERVO CMC and SC
+    static constexpr std::uint8_t PathPoints = 0x80;     ///< PIC-SERVO CMC and SC: left in the buffer
     /// What both data sheets define; bits 6 and 7 are "clear to zero".
     static constexpr std::uint8_t All = 0x3F;
+
+    // PIC-I/O
+    static constexpr std::uint8_t Pins = 0x01;
+    static constexpr std::uint8_t Analog1 = 0x02;
+    static constexpr std::uint8_t Analog2 = 0x04;
+    static constexpr std::uint8_t Analog3 = 0x08;
+    static constexpr std::uint8_t Counter = 0x10;
+    static constexpr std::uint8_t LatchedPins = 0x40;
+    static constexpr std::uint8_t LatchedCounter = 0x80;
 
     [[nodiscard]] constexpr std::uint8_t mask() const { return m_mask; }
     [[nodiscard]] constexpr bool has(std::uint8_t item) const { return (m_mask & item) != 0; }
@@ -45,12 +56,15 @@ struct StatusItemRow {
     std::uint8_t size;  ///< bytes
 };
 
-/// The items of a chip in the order in which they are sent (DS-V 5.2, DS-S 5.1 Define Status).
-[[nodiscard]] std::span<const StatusItemRow> statusItemTable(ModuleType type);
+/// The items of a module in the order in which they are sent (DS-V 5.2, DS-S 5.1 Define Status).
+[[nodiscard]] std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module);
 
-/// Bytes of a whole reply: status byte, items, checksum. 2..16.
-[[nodiscard]] std::size_t replyLength(ModuleType type, StatusItems items);
-inline constexpr std::size_t kMaxReply = 16;
+/// Every item of the module.
+[[nodiscard]] StatusItems allItems(const ModuleIdentity& module);
+
+/// Bytes of a whole reply: status byte, items, checksum. 2..19.
+[[nodiscard]] std::size_t replyLength(const ModuleIdentity& module, StatusItems items);
+inline constexpr std::size_t kMaxReply = 19;
 
 /// PIC-SERVO status byte (DS-V 5.3).
 namespace servo {
@@ -66,7 +80,7 @@ struct StatusByte {
     [[nodiscard]] constexpr bool homeInProgress() const { return (bits & 0x80U) != 0; }
     bool operator==(const StatusByte&) const = default;
 };
-/// PIC-SERVO auxiliary status byte (DS-V 5.3).
+/// Auxiliary status byte of a PIC-SERVO up to version 5 (DS-V 5.3); ScAuxByte is that of an SC.
 struct AuxByte {
     std::uint8_t bits = 0;
     [[nodiscard]] constexpr bool indexComplement() const { return (bits & 0x01U) != 0; }
@@ -75,7 +89,20 @@ struct AuxByte {
     [[nodiscard]] constexpr bool accelDone() const { return (bits & 0x08U) != 0; }
     [[nodiscard]] constexpr bool slewDone() const { return (bits & 0x10U) != 0; }
     [[nodiscard]] constexpr bool servoOverrun() const { return (bits & 0x20U) != 0; }
+    [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }  ///< CMC only
     bool operator==(const AuxByte&) const = default;
+};
+/// Auxiliary status byte of a PIC-SERVO SC.
+struct ScAuxByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool index() const { return (bits & 0x01U) != 0; }  ///< not its complement
+    [[nodiscard]] constexpr bool positionWrap() const { return (bits & 0x02U) != 0; }
+    [[nodiscard]] constexpr bool servoOn() const { return (bits & 0x04U) != 0; }
+    [[nodiscard]] constexpr bool accelerating() const { return (bits & 0x08U) != 0; }
+    [[nodiscard]] constexpr bool slewing() const { return (bits & 0x10U) != 0; }  ///< or stopped
+    [[nodiscard]] constexpr bool servoOverrun() const { return (bits & 0x20U) != 0; }
+    [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }
+    bool operator==(const ScAuxByte&) const = default;
 };
 /// The data sheet's names of the bits, bit 0 first; empty where undefined.
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{
@@ -83,6 +110,10 @@ inline constexpr std::array<std::string_view, 8> kStatusBitNames{
     "pos_error", "limit1",      "limit2",      "home_in_progress"};
 inline constexpr std::array<std::string_view, 8> kAuxBitNames{
     "index", "pos_wrap", "servo_on", "accel_done", "slew_done", "servo_overrun", "", ""};
+inline constexpr std::array<std::string_view, 8> kCmcAuxBitNames{
+    "index", "pos_wrap", "servo_on", "accel_done", "slew_done", "servo_overrun", "path_mode", ""};
+inline constexpr std::array<std::string_view, 8> kScAuxBitNames{
+    "index", "pos_wrap", "servo_on", "accel", "slew", "servo_overrun", "path_mode", ""};
 }  // namespace servo
 
 /// PIC-STEP status byte (DS-S 5.2).
@@ -122,21 +153,41 @@ inline constexpr std::array<std::string_view, 8> kInputBitNames{"E-stop", "IN1",
                                                                 "limit2", "home switch", "",    ""};
 }  // namespace step
 
+/// PIC-I/O status byte (docs/family.md).
+namespace io {
+struct StatusByte {
+    std::uint8_t bits = 0;
+    [[nodiscard]] constexpr bool checksumError() const { return (bits & 0x02U) != 0; }
+    bool operator==(const StatusByte&) const = default;
+};
+inline constexpr std::array<std::string_view, 8> kStatusBitNames{"", "cksum_error", "", "", "", "", "", ""};
+}  // namespace io
+
 /// One decoded reply. An item that was not asked for is empty.
 struct StatusReport {
     StatusItems items;
     std::uint8_t status = 0;
     std::optional<std::int32_t> position;     ///< counts or steps
     std::optional<std::uint8_t> analog;       ///< A/D, 255 = 5 V
-    std::optional<std::int16_t> velocity;     ///< PIC-SERVO, counts/tick; the wire carries its negative
+    std::optional<std::int16_t> velocity;     ///< PIC-SERVO, counts/tick; up to v4 the wire has its negative
     std::optional<std::uint16_t> timerCount;  ///< PIC-STEP, current initial timer count
     std::optional<std::uint8_t> aux;          ///< PIC-SERVO auxiliary status or PIC-STEP inputs
     std::optional<std::int32_t> home;
     std::optional<ModuleIdentity> identity;
+    std::optional<std::int16_t> positionError;  ///< CMC and SC, counts: command position - position
+    std::optional<std::uint8_t> pathPoints;     ///< CMC and SC: left in the path buffer
+
+    // PIC-I/O
+    std::optional<std::uint16_t> pins;                   ///< bit 0 is IO1, bit 11 IO12
+    std::array<std::optional<std::uint8_t>, 3> analogs;  ///< A/D 1 to 3, 255 = 5 V
+    std::optional<std::uint32_t> counter;                ///< or timer
+    std::optional<std::uint16_t> latchedPins;            ///< by Synch Input
+    std::optional<std::uint32_t> latchedCounter;
 
     [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
     [[nodiscard]] step::StatusByte stepStatus() const { return {status}; }
-    /// Bit 1 means the same on both chips: the command was refused and not carried out.
+    [[nodiscard]] io::StatusByte ioStatus() const { return {status}; }
+    /// Bit 1 means the same on all chips: the command was refused and not carried out.
     [[nodiscard]] bool commandRefused() const { return (status & 0x02U) != 0; }
     bool operator==(const StatusReport&) const = default;
 };
@@ -144,7 +195,7 @@ struct StatusReport {
 enum class StatusError : std::uint8_t { Length, Checksum };
 
 /// Decodes a whole reply, whose layout the host must know beforehand: there is neither header nor length.
-[[nodiscard]] tl::expected<StatusReport, StatusError> decodeStatus(ModuleType type, StatusItems items,
-                                                                   ByteSpan reply);
+[[nodiscard]] tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& module,
+                                                                   StatusItems items, ByteSpan reply);
 
 }  // namespace nmc

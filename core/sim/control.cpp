@@ -271,7 +271,7 @@ Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_vi
 
 Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
     Json executed = Json::object();
-    for (const CommandRow& row : commandTable(m.type))
+    for (const CommandRow& row : commandTable(m.identity))
         if (const std::uint64_t count = m.executions(row.code); count > 0)
             executed[std::string(row.key)] = count;
     return {{"module", number},

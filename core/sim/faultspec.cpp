@@ -224,7 +224,7 @@ private:
             const auto index = static_cast<std::uint8_t>(i);
             if (!m_spec.onBus() && std::ranges::count(m_spec.modules, index) == 0)
                 continue;
-            for (const CommandRow& row : commandTable(m_chain[i].type)) {
+            for (const CommandRow& row : commandTable(m_chain[i])) {
                 if (m_spec.kind == FaultKind::Foreign && std::ranges::count(kForeignCommands, row.code) == 0)
                     continue;
                 if (row.key == word) {

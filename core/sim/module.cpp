@@ -18,7 +18,7 @@ constexpr std::uint8_t kCommunicationError = 0x02;
 Module::Module(ModuleIdentity identity, std::uint8_t index, const ModuleOptions& options,
                ViolationLog& violations)
     : m_identity(identity), m_index(index), m_options(options), m_violations(violations) {
-    m_statistics.type = identity.type;
+    m_statistics.identity = identity;
     m_deafUntil = TimePoint{} + options.resetDeadTime;
 }
 
@@ -128,7 +128,7 @@ void Module::executeGood(const Pending& command) {
             return;
         case CommandCode::ReadStatus:
         case CommandCode::Nop:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
             return;
         case CommandCode::ResetPosition:
         case CommandCode::LoadTrajectory:
@@ -145,7 +145,7 @@ void Module::executeGood(const Pending& command) {
 }
 
 void Module::checkLength(const Packet& packet) {
-    const auto row = findCommand(m_identity.type, packet.code());
+    const auto row = findCommand(m_identity, packet.code());
     if (!row)
         violates(ViolationKind::UnknownCommand);
     else if (packet.length() < row->minData || packet.length() > row->maxData)

@@ -41,7 +41,7 @@ void ServoModule::executeOwn(const Packet& packet) {
         case CommandCode::DefineStatus:
         case CommandCode::ReadStatus:
         case CommandCode::SetBaud:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return;  // Module's.

@@ -13,7 +13,7 @@ namespace nmc::sim {
 
 /// What one module has done since the chain was made; a reset does not clear it.
 struct ModuleStatistics {
-    ModuleType type = ModuleType::Servo;
+    ModuleIdentity identity;
     std::array<std::uint64_t, 16> executed{};  ///< by command code
     std::uint64_t checksumErrors = 0;          ///< packets for it with a wrong sum or a framing error
     std::uint64_t replies = 0;                 ///< sent to the last byte

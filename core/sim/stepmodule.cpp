@@ -32,7 +32,7 @@ void StepModule::executeOwn(const Packet& packet) {
         case CommandCode::DefineStatus:
         case CommandCode::ReadStatus:
         case CommandCode::SetBaud:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return;  // Module's.

@@ -21,7 +21,8 @@ class EchoingLine : public testing::Test {
 protected:
     void ask(Framing framing = Framing::Settled) {
         now += 100ms;
-        line.begin({BusAddress(1), Nop{}.encode(), {ModuleType::Servo, StatusItems{0x0B}}, framing}, now);
+        line.begin({BusAddress(1), Nop{}.encode(), {{ModuleType::Servo, 4}, StatusItems{0x0B}}, framing},
+                   now);
     }
     /// So long after the command began to leave.
     bool hear(const std::string& hex, Duration after) { return line.onBytes(fromHex(hex), now + after); }
@@ -62,8 +63,9 @@ TEST_F(EchoingLine, IsRecognisedByOneExactEchoWhichIsNoAnswer) {
 
 TEST_F(EchoingLine, IsRecognisedWhereTheLastBytesComeBehindTheReplysLength) {
     now += 100ms;  // five bytes out, four back
-    line.begin({BusAddress(1), ReadStatus{kIdentityItems}.encode(), {ModuleType::Servo, kIdentityItems}, {}},
-               now);
+    line.begin(
+        {BusAddress(1), ReadStatus{kIdentityItems}.encode(), {{ModuleType::Servo, 4}, kIdentityItems}, {}},
+        now);
     for (const char* byte : {"AA ", "01 ", "13 ", "20 "})
         hear(byte, 20ms);
     EXPECT_EQ(end().result, ReplyResult::Echo);

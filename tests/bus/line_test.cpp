@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr StatusItems kPoll{0x0B};
 
 [[nodiscard]] Request nop(StatusItems items = kPoll) {
-    return {BusAddress(1), Nop{}.encode(), {ModuleType::Servo, items}};
+    return {BusAddress(1), Nop{}.encode(), {{ModuleType::Servo, 4}, items}};
 }
 
 /// How the exchange in flight ends when nothing more comes.
@@ -85,7 +85,7 @@ TEST(Line, LetsNothingLeaveThatIsNotPermitted) {
 TEST(Line, EndsAnExchangeThatIsNotPermittedInSilence) {
     Line line(4ms, 10ms);
     line.permit(Line::Permit::Questions);
-    line.begin({BusAddress(1), DefineStatus{kPoll}.encode(), {ModuleType::Servo, kPoll}}, TimePoint(1s));
+    line.begin({BusAddress(1), DefineStatus{kPoll}.encode(), {{ModuleType::Servo, 4}, kPoll}}, TimePoint(1s));
     EXPECT_TRUE(line.takeOutput().empty());
     const auto end = endOf(line);
     ASSERT_TRUE(end);

@@ -73,7 +73,7 @@ struct StepState {
 [[nodiscard]] inline bus::ReplyEnd accepted(ModuleType type, std::uint8_t items,
                                             const std::vector<std::uint8_t>& bytes, TimePoint latched) {
     bus::ReplyEnd end;
-    const auto report = decodeStatus(type, StatusItems(items), bytes);
+    const auto report = decodeStatus({type, 1}, StatusItems(items), bytes);
     end.result = report ? bus::ReplyResult::Accepted : bus::ReplyResult::BadChecksum;
     if (report)
         end.report = *report;

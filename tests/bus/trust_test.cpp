@@ -17,7 +17,7 @@ constexpr std::uint8_t kShort = 0x0F;
 /// What is passed on of a reply with this status.
 class Servo {
 public:
-    Servo() { trust.emplace(ModuleType::Servo); }
+    Servo() { trust.emplace(ModuleIdentity{ModuleType::Servo, 4}); }
     [[nodiscard]] std::optional<std::uint8_t> says(std::uint8_t status, std::uint8_t items) {
         const auto trusted = trust->confirm(report(status, items));
         return trusted ? std::optional(trusted->status) : std::nullopt;
@@ -105,7 +105,7 @@ TEST(Trust, WantsStandstillShownAnewAfterAStart) {
 }
 
 TEST(Trust, WithholdsAReleasedEstopOfAStepperOnce) {
-    Trust trust(ModuleType::Step);
+    Trust trust({ModuleType::Step, 1});
     const auto says = [&](std::uint8_t status, std::uint8_t inputs, std::uint8_t items) {
         const StepState state{.status = status, .timer = 60'000, .inputs = inputs};
         return trust.confirm(accepted(ModuleType::Step, items, bytesOf(state, items), {}).report);
@@ -130,7 +130,7 @@ TEST(Trust, WithholdsAReleasedEstopOfAStepperOnce) {
 }
 
 TEST(Trust, PassesOnWhatAnUnknownModuleSays) {
-    Trust trust(ModuleType::Io);
+    Trust trust({ModuleType::Io, 1});
     const auto says = [&](std::uint8_t status) {
         const auto bytes = withSum({status, 2, 1});
         return trust.confirm(accepted(ModuleType::Io, 0x20, bytes, {}).report);

@@ -28,7 +28,7 @@ constexpr StatusItems kLong{StatusItems::Position | StatusItems::Identity};
 
 /// A PIC-SERVO that has been moving for as long as it is known.
 [[nodiscard]] Trust trustInAMotion() {
-    Trust trust(ModuleType::Servo);
+    Trust trust({ModuleType::Servo, 4});
     EXPECT_FALSE(trust.confirm(report(kShort, kMoves))) << "the first of all";
     EXPECT_EQ(trust.confirm(report(kLong, kMoves))->status, kMoves);
     return trust;

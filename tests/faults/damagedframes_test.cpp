@@ -34,7 +34,7 @@ void moveAbout(FaultyBus& bus, Duration time) {
             items = StatusItems(sent.bytes[3]);
     if (codeOf(bus.sent.back().bytes) == CommandCode::ReadStatus)
         items = StatusItems(bus.sent.back().bytes[3]);
-    return replyLength(ModuleType::Servo, items);
+    return replyLength({ModuleType::Servo, 4}, items);
 }
 
 class DamagedFrames : public testing::Test {

@@ -171,7 +171,7 @@ bool changesSomething(CommandCode code) {
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
         case CommandCode::HardReset:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
             return true;
     }
     return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a packet, as a payload and as a reply: nothing is read that is not there, and what was
 // understood encodes to what it was read from.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,14 +17,38 @@ void expect(bool condition) {
         std::abort();
 }
 
+/// One of each layout.
+constexpr std::array<nmc::ModuleIdentity, 6> kModules{{{nmc::ModuleType::Servo, 1},
+                                                       {nmc::ModuleType::Servo, 4},
+                                                       {nmc::ModuleType::Servo, 5},
+                                                       {nmc::ModuleType::Servo, 10},
+                                                       {nmc::ModuleType::Io, 1},
+                                                       {nmc::ModuleType::Step, 1}}};
+
+/// A word that is a point goes out as it came in, but for the sign of nothing.
+void expectWholePath(const nmc::ServoCommand& command) {
+    const auto* add = std::get_if<nmc::servo::AddPathPoints>(&command);
+    if (add == nullptr)
+        return;
+    for (const std::uint16_t word : add->words())
+        for (const bool fastPath : {false, true})
+            if (const auto point = nmc::servo::fromPathWord(word, fastPath); point && point->counts != 0)
+                expect(nmc::servo::toPathWord(*point, fastPath) == word);
+}
+
 void decodePacket(nmc::ByteSpan bytes) {
     const auto frame = nmc::parsePacket(bytes);
     if (!frame)
         return;
     const nmc::PacketBytes again = nmc::toPacket(*frame);
     expect(nmc::toHex(again) == nmc::toHex(bytes));
-    if (const auto command = nmc::decodeServoCommand(frame->payload))
-        expect(nmc::decodeServoCommand(nmc::encode(*command)) == command);
+    for (const nmc::ModuleIdentity& module : kModules)
+        if (const auto command = nmc::decodeServoCommand(module, frame->payload)) {
+            expect(nmc::decodeServoCommand(module, nmc::encode(*command)) == command);
+            expectWholePath(*command);
+        }
+    if (const auto command = nmc::decodeIoCommand(frame->payload))
+        expect(nmc::decodeIoCommand(nmc::encode(*command)) == command);
     if (const auto command = nmc::decodeStepCommand(frame->payload))
         expect(nmc::decodeStepCommand(nmc::encode(*command)) == command);
 }
@@ -32,9 +57,9 @@ void decodeReply(nmc::ByteSpan bytes) {
     if (bytes.empty())
         return;
     const nmc::StatusItems items(bytes[0]);
-    for (const nmc::ModuleType type : {nmc::ModuleType::Servo, nmc::ModuleType::Step})
-        if (const auto report = nmc::decodeStatus(type, items, bytes.subspan(1)))
-            expect(bytes.size() - 1 == nmc::replyLength(type, items) && report->status == bytes[1]);
+    for (const nmc::ModuleIdentity& module : kModules)
+        if (const auto report = nmc::decodeStatus(module, items, bytes.subspan(1)))
+            expect(bytes.size() - 1 == nmc::replyLength(module, items) && report->status == bytes[1]);
 }
 
 }  // namespace

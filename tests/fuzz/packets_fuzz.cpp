@@ -45,9 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     else
         require(file.error().ends_with('.'));
     const nmc::StatusItems items(bytes.empty() ? std::uint8_t{0} : bytes[0]);
-    for (const nmc::ModuleType type : {nmc::ModuleType::Servo, nmc::ModuleType::Step, nmc::ModuleType::Io}) {
-        require(nmc::describeCommand(type, bytes).empty() == bytes.empty());
-        require(nmc::describeReply(type, items, bytes).empty() == bytes.empty());
+    using nmc::ModuleType;
+    for (const nmc::ModuleIdentity& module :
+         {nmc::ModuleIdentity{ModuleType::Servo, 4}, nmc::ModuleIdentity{ModuleType::Servo, 10},
+          nmc::ModuleIdentity{ModuleType::Step, 1}, nmc::ModuleIdentity{ModuleType::Io, 1}}) {
+        require(nmc::describeCommand(module, bytes).empty() == bytes.empty());
+        require(nmc::describeReply(module, items, bytes).empty() == bytes.empty());
     }
     return 0;
 }

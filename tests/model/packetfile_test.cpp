@@ -71,7 +71,7 @@ TEST(PacketFile, IsReadAsDescribed) {
     const PacketEntry& poll = file->entries[1];
     EXPECT_TRUE(poll.afterGap);
     EXPECT_EQ(poll.record.module, ModuleIndex(0));
-    EXPECT_EQ(poll.record.layout, (bus::ReplyLayout{ModuleType::Servo, StatusItems(0x05)}));
+    EXPECT_EQ(poll.record.layout, (bus::ReplyLayout{{ModuleType::Servo, 0}, StatusItems(0x05)}));
     EXPECT_EQ(poll.record.end, bus::ExchangeEnd::Rejected);
     EXPECT_EQ(poll.record.rejection, bus::Rejection::HomeChanged);
     EXPECT_EQ(poll.record.reply.size(), 9U);
@@ -161,8 +161,9 @@ bus::ExchangeRecord anyRecord(std::uint64_t number) {
         record.module = ModuleIndex(*rc::gen::inRange<std::uint8_t>(0, 32));
     record.command = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
     record.reply = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
-    record.layout = {static_cast<ModuleType>(*rc::gen::arbitrary<std::uint8_t>()),
-                     StatusItems(*rc::gen::arbitrary<std::uint8_t>())};
+    record.layout = {
+        {static_cast<ModuleType>(*rc::gen::arbitrary<std::uint8_t>()), *rc::gen::arbitrary<std::uint8_t>()},
+        StatusItems(*rc::gen::arbitrary<std::uint8_t>())};
     record.end = static_cast<bus::ExchangeEnd>(*rc::gen::inRange(0, 8));
     if (record.end == bus::ExchangeEnd::Rejected)
         record.rejection = static_cast<bus::Rejection>(*rc::gen::inRange(0, 16));

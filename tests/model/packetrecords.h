@@ -21,7 +21,7 @@ inline bus::ExchangeRecord pollRecord(std::uint64_t number, std::int64_t microse
     const auto address = static_cast<std::uint8_t>(module + 1);
     record.command = {0xAA, address, 0x13, 0x05, static_cast<std::uint8_t>(address + 0x18)};
     record.reply = {0x09, 0xD2, 0x04, 0x00, 0x00, 0xFE, 0xFF, 0xDC};
-    record.layout = {ModuleType::Servo, StatusItems(0x05)};
+    record.layout = {{ModuleType::Servo, 0}, StatusItems(0x05)};
     return record;
 }
 

@@ -91,6 +91,27 @@ RC_GTEST_PROP(ServoStop, DecodesToWhatWasEncoded, ()) {
     expectRoundTrip(stop);
 }
 
+RC_GTEST_PROP(LaterServoCommands, DecodeToWhatWasEncoded, ()) {
+    expectRoundTrip(servo::SetPosition{Counts(*rc::gen::arbitrary<std::int32_t>())});
+    expectRoundTrip(servo::HardReset{flag(), flag(), flag(), flag(), flag(), flag(), flag(), flag()});
+    servo::ScIoControl control{static_cast<servo::LimitStop>(*rc::gen::inRange(0, 3)), flag(), flag(), flag(),
+                               false};
+    expectRoundTrip(control);
+    control.limitStop = servo::LimitStop::None;
+    control.stepAndDirection = true;
+    expectRoundTrip(control);
+}
+
+RC_GTEST_PROP(IoCommands, DecodeToWhatWasEncoded, ()) {
+    const auto pins = [] { return *rc::gen::inRange<std::uint16_t>(0, 0x1000); };
+    const auto byte = [] { return *rc::gen::arbitrary<std::uint8_t>(); };
+    expectRoundTrip(io::SetDirection{pins()});
+    expectRoundTrip(io::SetPwm{byte(), byte()});
+    expectRoundTrip(io::SetOutput{pins()});
+    expectRoundTrip(io::SetSynchOutput{pins(), byte(), byte()});
+    expectRoundTrip(io::SetTimerMode{flag(), flag(), static_cast<io::Prescaler>(*rc::gen::inRange(0, 4))});
+}
+
 RC_GTEST_PROP(StepCommands, DecodeToWhatWasEncoded, ()) {
     expectRoundTrip(step::SetParameters{
         static_cast<step::SpeedMode>(*rc::gen::inRange(0, 4)), flag(), flag(), flag(),
@@ -102,13 +123,17 @@ RC_GTEST_PROP(StepCommands, DecodeToWhatWasEncoded, ()) {
     expectRoundTrip(step::SetHoming{flag(), flag(), flag(), false, false, flag()});
 }
 
-RC_GTEST_PROP(Decoders, NeverReadBeyondAnyPayload, (std::uint8_t code, std::vector<std::uint8_t> bytes)) {
+RC_GTEST_PROP(Decoders, NeverReadBeyondAnyPayload,
+              (std::uint8_t version, std::uint8_t code, std::vector<std::uint8_t> bytes)) {
     bytes.resize(bytes.size() % (kMaxData + 1));
     const Payload payload{static_cast<CommandCode>(code & 0xFU), DataBytes(bytes)};
-    const auto asServo = decodeServoCommand(payload);
+    const auto asServo = decodeServoCommand({ModuleType::Servo, version}, payload);
+    const auto asIo = decodeIoCommand(payload);
     const auto asStep = decodeStepCommand(payload);
     if (asServo)
         RC_ASSERT(encode(*asServo).code == payload.code);
+    if (asIo)
+        RC_ASSERT(encode(*asIo).code == payload.code);
     if (asStep)
         RC_ASSERT(encode(*asStep).code == payload.code);
 }
@@ -180,6 +205,56 @@ TEST(StepCommandBits, AreWhereTheDataSheetPutsThem) {
     load.timer = step::TimerCount{0xFE0C, 50};
     load.reverse = load.startNow = true;
     EXPECT_EQ(toHex(load.encode().data), "98 0C FE 32");
+}
+
+TEST(IoCommandBits, AreWhereTheFamilyPagePutsThem) {
+    // IO1 and IO12; bits 0 enable, 1 counter, 5 and 4 prescaler.
+    EXPECT_EQ(toHex(io::SetDirection{0x0801}.encode().data), "01 08");
+    EXPECT_EQ(toHex(io::SetOutput{0x0FFF}.encode().data), "FF 0F");
+    EXPECT_EQ(toHex(io::SetSynchOutput{0x0102, 3, 4}.encode().data), "02 01 03 04");
+    EXPECT_EQ(toHex(io::SetPwm{7, 8}.encode().data), "07 08");
+    EXPECT_EQ(toHex(io::SetTimerMode{true, false, io::Prescaler::X8}.encode().data), "31");
+    EXPECT_EQ(toHex(io::SetTimerMode{true, true, io::Prescaler::X2}.encode().data), "13");
+    EXPECT_EQ(io::SynchOutput{}.encode().commandByte(), 0x05);
+    EXPECT_EQ(io::SynchInput{}.encode().commandByte(), 0x0C);
+    EXPECT_EQ(io::SetDirection::decode({CommandCode::ResetPosition, {0, 0xF1}})->inputs, 0x0100);
+}
+
+TEST(ScCommandBits, AreWhereTheFamilyPagePutsThem) {
+    servo::ScIoControl control;
+    control.limitStop = servo::LimitStop::MotorOff;
+    EXPECT_EQ(toHex(control.encode().data), "04");
+    control.limitStop = servo::LimitStop::Abruptly;
+    control.antiphase = control.fastPath = true;
+    EXPECT_EQ(toHex(control.encode().data), "68");
+    EXPECT_EQ(toHex((servo::HardReset{true, false, false, false, false, true, false, true}).encode().data),
+              "A1");
+    servo::StopMotor stop;
+    stop.advancedFeatures = true;
+    EXPECT_EQ(toHex(stop.encode().data), "20");
+    servo::IoControl first;
+    first.fastPath = true;
+    EXPECT_EQ(toHex(first.encode().data), "4C");
+    servo::LoadTrajectory load;
+    load.relative = true;
+    EXPECT_EQ(toHex(load.encode().data), "50");
+}
+
+TEST(ScIoControl, RefusesStepAndDirectionWithALimitStop) {
+    for (const DataBytes& control : {DataBytes{0x84}, DataBytes{0x88}, DataBytes{0x0C}})
+        EXPECT_EQ(servo::ScIoControl::decode({CommandCode::IoControl, control}).error(),
+                  CommandError::OutOfRange);
+}
+
+TEST(AddPathPoints, TakesWholePointsOnly) {
+    EXPECT_EQ(servo::AddPathPoints::decode({CommandCode::AddPathPoints, {1, 2, 3}}).error(),
+              CommandError::Length);
+    EXPECT_EQ(servo::AddPathPoints::decode(
+                  {CommandCode::AddPathPoints, DataBytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}})
+                  .error(),
+              CommandError::Length);
+    const std::vector<servo::PathPoint> eight(8);
+    EXPECT_FALSE(servo::AddPathPoints::of(eight, false).has_value());
 }
 
 TEST(SetAddress, ClearsBit7ForALeaderAndReadsItBackAsTheGroup) {

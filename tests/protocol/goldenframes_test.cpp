@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frames of protocol.md section 4: bytes that came from data sheets and host programs, not from our
-// encoder.
+// The frames of protocol.md section 4, and those printed in section 5.2 of the data sheet of PIC-SERVO SC:
+// bytes that came from data sheets and host programs, not from our encoder.
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "protocol/commands.h"
 #include "protocol/frame.h"
+#include "protocol/unsupported.h"
 
 namespace nmc {
 namespace {
+
+constexpr ModuleIdentity kFirst{ModuleType::Servo, 4};
+constexpr ModuleIdentity kSc{ModuleType::Servo, 10};
 
 struct Golden {
     std::string name;
@@ -97,13 +101,103 @@ TEST_P(GoldenFrames, DecodeToTheirMeaning) {
     const auto frame = parsePacket(fromHex(golden.hex));
     ASSERT_TRUE(frame.has_value());
     EXPECT_EQ(frame->address.value(), golden.address);
-    const auto command = decodeServoCommand(frame->payload);
+    const auto command = decodeServoCommand(kFirst, frame->payload);
     ASSERT_TRUE(command.has_value());
     EXPECT_EQ(*command, golden.command);
 }
 
+TEST_P(GoldenFrames, SayTheSameToAnSc) {
+    // The sheet of PIC-SERVO SC prints the same frames.
+    const Golden& golden = GetParam();
+    const auto command = decodeServoCommand(kSc, encode(golden.command));
+    ASSERT_TRUE(command.has_value());
+    EXPECT_EQ(*command, golden.command);
+    EXPECT_TRUE(takes(kSc, golden.command));
+}
+
 INSTANTIATE_TEST_SUITE_P(ProtocolPage, GoldenFrames, testing::ValuesIn(goldenFrames()),
                          [](const auto& golden) { return golden.param.name; });
+
+servo::SetGain scGains() {
+    return {100, 1'000, 50, 200, 0xFF, 0x35, 4'000, 1, std::uint8_t{0}, std::uint8_t{5}};
+}
+
+servo::ScIoControl threePhaseSteps() {
+    servo::ScIoControl control;
+    control.threePhase = control.stepAndDirection = true;
+    return control;
+}
+
+servo::AddPathPoints fourPoints() {
+    const std::array<servo::PathPoint, 4> points{{{-100, servo::PathRate::Hz60},
+                                                  {-101, servo::PathRate::Hz60},
+                                                  {-102, servo::PathRate::Hz60},
+                                                  {-103, servo::PathRate::Hz60}}};
+    return servo::AddPathPoints::of(points, false).value();
+}
+
+servo::HardReset saved() {
+    servo::HardReset reset;
+    reset.save = reset.restoreAddresses = reset.amplifierOn = reset.servoOn = true;
+    reset.stepAndDirection = reset.threePhase = true;
+    return reset;
+}
+
+/// The frames of that sheet which the first one does not have.
+const std::vector<Golden>& scFrames() {
+    static const std::vector<Golden> frames{
+        {"ResetRelativeToHome", "AA 01 10 01 12", 1, servo::ResetRelativeToHome{}},
+        {"SetPosition", "AA 01 50 02 A2 32 54 01 7C", 1, servo::SetPosition{Counts(0x015432A2)}},
+        {"DefinePositionAndError", "AA 01 12 41 54", 1,
+         DefineStatus{StatusItems(StatusItems::Position | StatusItems::PositionError)}},
+        {"Gains", "AA 01 F6 64 00 E8 03 32 00 C8 00 FF 35 A0 0F 01 00 05 29", 1, scGains()},
+        {"IoControl", "AA 01 18 90 A9", 1, threePhaseSteps()},
+        {"PathPoints", "AA 01 8D 21 03 29 03 31 03 39 03 4E", 1, fourPoints()},
+        {"StartPath", "AA 81 0D 8E", 0x81, servo::AddPathPoints{}},
+        {"Save", "AA 01 1F 5F 7F", 1, saved()},
+        {"Erase", "AA 01 1F 00 20", 1, servo::HardReset{}},
+    };
+    return frames;
+}
+
+class ScFrames : public testing::TestWithParam<Golden> {};
+
+TEST_P(ScFrames, EncodeToTheseBytes) {
+    const Golden& golden = GetParam();
+    EXPECT_EQ(toHex(toPacket({BusAddress(golden.address), encode(golden.command)})), golden.hex);
+}
+
+TEST_P(ScFrames, DecodeToTheirMeaning) {
+    const Golden& golden = GetParam();
+    const auto frame = parsePacket(fromHex(golden.hex));
+    ASSERT_TRUE(frame.has_value());
+    const auto command = decodeServoCommand(kSc, frame->payload);
+    ASSERT_TRUE(command.has_value());
+    EXPECT_EQ(*command, golden.command);
+    EXPECT_TRUE(takes(kSc, golden.command));
+}
+
+INSTANTIATE_TEST_SUITE_P(ScSheet, ScFrames, testing::ValuesIn(scFrames()),
+                         [](const auto& golden) { return golden.param.name; });
+
+TEST(GoldenReply, HasNineteenBytesOnAnSc) {
+    // All items, put together by hand: position 1000, A/D 20, velocity +3, servo on and slewing, home -1,
+    // type 0 version 10, error -2, 5 path points.
+    std::vector<std::uint8_t> reply = fromHex("09 E8 03 00 00 14 03 00 14 FF FF FF FF 00 0A FE FF 05");
+    reply.push_back(sum8(reply));
+    ASSERT_EQ(reply.size(), 19U);
+    const auto report = decodeStatus(kSc, StatusItems(0xFF), reply);
+    ASSERT_TRUE(report.has_value());
+    EXPECT_EQ(report->position, 1'000);
+    EXPECT_EQ(report->analog, 20);
+    EXPECT_EQ(report->velocity, 3);
+    EXPECT_TRUE(servo::ScAuxByte{*report->aux}.servoOn());
+    EXPECT_TRUE(servo::ScAuxByte{*report->aux}.slewing());
+    EXPECT_EQ(report->home, -1);
+    EXPECT_EQ(report->identity, kSc);
+    EXPECT_EQ(report->positionError, -2);
+    EXPECT_EQ(report->pathPoints, 5);
+}
 
 TEST(DataSheetExample, LoadPositionAndAcceleration) {
     // DS-V 5.2 Load Trajectory: "the command byte would be 0x94, the control byte would be 0x15".
@@ -117,7 +211,7 @@ TEST(DataSheetExample, LoadPositionAndAcceleration) {
 
 TEST(GoldenReply, IdleServoWithItems1F) {
     const auto reply = fromHex("11 22 25 00 00 4F 00 00 18 E0 05 00 00 A4");
-    const auto report = decodeStatus(ModuleType::Servo, StatusItems(0x1F), reply);
+    const auto report = decodeStatus(kFirst, StatusItems(0x1F), reply);
     ASSERT_TRUE(report.has_value());
     EXPECT_TRUE(report->servoStatus().moveDone());
     EXPECT_TRUE(report->servoStatus().positionError());

@@ -285,7 +285,7 @@ void StopOath::onSent(const WireItem& item) {
         case CommandCode::SetHoming:
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
             wrong = true;
             break;
     }

@@ -81,11 +81,14 @@ Complaint readLayout(std::string_view text, bus::ExchangeRecord& record) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos)
         return "the layout of the reply has no colon";
-    const auto type = number<std::uint8_t>(text.substr(0, colon));
+    const std::size_t dot = std::min(text.find('.'), colon);
+    const auto type = number<std::uint8_t>(text.substr(0, dot));
+    const auto version =
+        dot < colon ? number<std::uint8_t>(text.substr(dot + 1, colon - dot - 1)) : std::uint8_t{0};
     const auto items = bytesOf(text.substr(colon + 1));
-    if (!type || !items || items->size() != 1)
+    if (!type || !version || !items || items->size() != 1)
         return "the layout of the reply is not a type number and a mask of two hexadecimal digits";
-    record.layout = {static_cast<ModuleType>(*type), StatusItems(items->front())};
+    record.layout = {{static_cast<ModuleType>(*type), *version}, StatusItems(items->front())};
     return std::nullopt;
 }
 

@@ -180,8 +180,8 @@ protected:
             window->findChild<QAction*>(QLatin1StringView(action))->trigger();
     }
 
-    void expectEachHasItsControl(ModuleType type, const std::vector<Cell>& own) {
-        for (const CommandRow& row : commandTable(type)) {
+    void expectEachHasItsControl(const ModuleIdentity& module, const std::vector<Cell>& own) {
+        for (const CommandRow& row : commandTable(module)) {
             const auto isIt = [&](const Cell& cell) { return cell.code == row.code; };
             EXPECT_TRUE(std::any_of(own.begin(), own.end(), isIt) ||
                         std::any_of(kChainCells.begin(), kChainCells.end(), isIt))
@@ -238,13 +238,13 @@ protected:
 
 TEST_F(Cells, EachOfThePicServoSheetHasItsControl) {
     showServo();
-    expectEachHasItsControl(ModuleType::Servo, kServoCells);
+    expectEachHasItsControl({ModuleType::Servo, 4}, kServoCells);
     expectEachBit(kServoCells, kServoBits);
 }
 
 TEST_F(Cells, EachOfThePicStepSheetHasItsControl) {
     window->showLink(connectedTo({Stepper::holding().module}));
-    expectEachHasItsControl(ModuleType::Step, kStepCells);
+    expectEachHasItsControl({ModuleType::Step, 1}, kStepCells);
     expectEachBit(kStepCells, kStepBits);
 }
 

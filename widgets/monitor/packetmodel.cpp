@@ -102,7 +102,7 @@ QString PacketModel::text(const bus::ExchangeRecord& record, int column) const {
         case Command:
             return hex(record.command);
         case Meaning:
-            return QString::fromStdString(describeCommand(record.layout.type, record.command));
+            return QString::fromStdString(describeCommand(record.layout.module, record.command));
         case Reply:
             return hex(record.reply);
         case ReplyMeaning:

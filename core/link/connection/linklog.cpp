@@ -181,10 +181,8 @@ std::string logLine(const WorkerEvent& event) {
 std::string logLine(const bus::Operation& operation) {
     std::string text = "operation " + std::to_string(operation.id.value());
     for (const bus::Step& step : operation.steps) {
-        const ModuleType type =
-            std::holds_alternative<StepCommand>(step.command) ? ModuleType::Step : ModuleType::Servo;
-        const auto packet = toPacket({BusAddress(0), bus::payloadOf(step.command)});
-        text += "; " + name(step.module) + ' ' + describeCommand(type, packet);
+        const auto words = [](const auto& command) { return describeCommand(command); };
+        text += "; " + name(step.module) + ' ' + std::visit(words, step.command);
     }
     return text;
 }

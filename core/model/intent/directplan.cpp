@@ -54,6 +54,9 @@ struct WhyNot {
     std::optional<Refusal> operator()(const servo::IoControl&) const {
         return whyNot(Request::ControlIo, module);
     }
+    std::optional<Refusal> operator()(const servo::LaterCommand auto&) const {
+        return Refusal::VersionLacksIt;
+    }
     std::optional<Refusal> operator()(const servo::ClearStickyBits&) const {
         return whyNot(Request::ClearStickyBits, module);
     }

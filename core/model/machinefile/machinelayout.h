@@ -188,7 +188,7 @@ void fields(Form& form, T& scale) {
 
 template <typename Form, As<servo::SetGain> T>
 void fields(Form& form, T& gains) {
-    auto& [kp, kd, ki, il, ol, cl, el, sr, db] = gains;
+    [[maybe_unused]] auto& [kp, kd, ki, il, ol, cl, el, sr, db, sm] = gains;  // sm: not in files yet
     form.whole("Kp", kp, takenByModule(servo::kGainRange));
     form.whole("Kd", kd, takenByModule(servo::kGainRange));
     form.whole("Ki", ki, takenByModule(servo::kGainRange));
@@ -202,7 +202,8 @@ void fields(Form& form, T& gains) {
 
 template <typename Form, As<servo::IoControl> T>
 void fields(Form& form, T& io) {
-    auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput] = io;
+    // fastPath: not in files yet
+    [[maybe_unused]] auto& [limit1Output, limit2Output, limit1IsInput, limit2IsInput, fastPath] = io;
     form.flag("limit1_is_input", limit1IsInput);
     form.flag("limit2_is_input", limit2IsInput);
     form.flag("limit1_output", limit1Output);

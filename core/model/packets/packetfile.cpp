@@ -40,7 +40,10 @@ std::string microseconds(Duration duration) {
 }
 
 std::string layoutText(const bus::ReplyLayout& layout) {
-    return std::to_string(static_cast<int>(layout.type)) + ':' + toHex(std::array{layout.items.mask()});
+    std::string text = std::to_string(static_cast<int>(layout.module.type));
+    if (layout.module.version != 0)
+        text += '.' + std::to_string(layout.module.version);
+    return text + ':' + toHex(std::array{layout.items.mask()});
 }
 
 std::string verdictText(const bus::ExchangeRecord& record) {

@@ -102,7 +102,7 @@ std::string packetTarget(const bus::ExchangeRecord& record) {
 
 std::string packetReplyMeaning(const bus::ExchangeRecord& record) {
     if (record.end != bus::ExchangeEnd::NotAsked || record.reply.empty())
-        return describeReply(record.layout.type, record.layout.items, record.reply);
+        return describeReply(record.layout.module, record.layout.items, record.reply);
     return std::to_string(record.reply.size()) + (record.reply.size() == 1 ? " byte" : " bytes");
 }
 
@@ -117,7 +117,7 @@ std::string packetTime(TimePoint time, TimePoint zero) {
 std::string packetLine(const bus::ExchangeRecord& record, TimePoint zero, std::string_view verdict) {
     std::string line = packetTime(record.sent, zero) + " s  " + packetTarget(record) + "  " +
                        std::to_string(record.baud) + " Bd  > " + toHex(record.command) + "  (" +
-                       describeCommand(record.layout.type, record.command) + ')';
+                       describeCommand(record.layout.module, record.command) + ')';
     if (!record.reply.empty())
         line += "  < " + toHex(record.reply) + "  (" + packetReplyMeaning(record) + ')';
     return line + "  " + std::string(verdict);

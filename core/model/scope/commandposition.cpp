@@ -43,6 +43,7 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
                    [&](const servo::SetHoming& homing) { arm(homing, executed); },
                    [](const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::IoControl, SetBaud,
                                   servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) {},
+                   [](const servo::LaterCommand auto&) {},
                },
                *command);
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <tl/expected.hpp>
+
+#include "base/overloaded.h"
+#include "base/strong.h"
+#include "protocol/commanderror.h"
+#include "protocol/frame.h"
+#include "protocol/pathpoint.h"
+
+/// What PIC-SERVO CMC (version 5) and SC (version 10) have beyond the first data sheet (docs/family.md).
+namespace nmc::servo {
+
+/// Goal and maximum velocity of CMC and SC, 16.16 counts per tick.
+inline constexpr ValueRange kLaterVelocityRange{0, 83'886'080};
+
+/// Reset Position relative to home: position := position - home. CMC and SC.
+struct ResetRelativeToHome {
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<ResetRelativeToHome, CommandError> decode(const Payload& payload);
+    bool operator==(const ResetRelativeToHome&) const = default;
+};
+
+/// Reset Position to a value; the command position follows. SC.
+struct SetPosition {
+    Counts position;
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<SetPosition, CommandError> decode(const Payload& payload);
+    bool operator==(const SetPosition&) const = default;
+};
+
+/// What a limit input does by itself: LIMIT1 stops forward, LIMIT2 reverse motion.
+enum class LimitStop : std::uint8_t { None, MotorOff, Abruptly };
+
+/// I/O Control of an SC: every bit is applied at each command. Some of them can destroy an amplifier.
+struct ScIoControl {
+    LimitStop limitStop = LimitStop::None;  ///< None with step and direction
+    bool threePhase = false;
+    bool antiphase = false;
+    bool fastPath = false;  ///< path points at 60 and 120 Hz instead of 30 and 60
+    bool stepAndDirection = false;
+
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<ScIoControl, CommandError> decode(const Payload& payload);
+    bool operator==(const ScIoControl&) const = default;
+};
+
+/// Up to seven points into the path buffer; none: starts the path. CMC and SC.
+class AddPathPoints {
+public:
+    static constexpr std::size_t kMaxPoints = 7;
+    AddPathPoints() = default;
+    /// Nothing for too many points, or for one that cannot be sent (toPathWord).
+    [[nodiscard]] static std::optional<AddPathPoints> of(std::span<const PathPoint> points, bool fastPath);
+
+    /// As on the wire; what they mean hangs on the fast path bit of I/O Control.
+    [[nodiscard]] std::span<const std::uint16_t> words() const { return {m_words.data(), m_count}; }
+    [[nodiscard]] bool startsPath() const { return m_count == 0; }
+
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<AddPathPoints, CommandError> decode(const Payload& payload);
+    bool operator==(const AddPathPoints&) const = default;
+
+private:
+    std::array<std::uint16_t, kMaxPoints> m_words{};
+    std::uint8_t m_count = 0;
+};
+
+/// Hard Reset with a control byte, which an SC keeps with its addresses, velocity, acceleration and gains
+/// over a power cycle. SC.
+struct HardReset {
+    bool save = false;  ///< false: erases what was saved
+    bool restoreAddresses = false;
+    bool amplifierOn = false;  ///< this and the next only with restored addresses
+    bool servoOn = false;
+    bool stepAndDirection = false;
+    bool limitProtection = false;
+    bool threePhase = false;  ///< this and the next survive a soft reset, too
+    bool antiphase = false;
+
+    [[nodiscard]] Payload encode() const;
+    static tl::expected<HardReset, CommandError> decode(const Payload& payload);
+    bool operator==(const HardReset&) const = default;
+};
+
+/// A command that only CMC or SC know.
+template <typename T>
+concept LaterCommand = AnyOf<T, ResetRelativeToHome, SetPosition, ScIoControl, AddPathPoints, HardReset>;
+
+}  // namespace nmc::servo
