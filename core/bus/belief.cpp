@@ -55,6 +55,7 @@ struct Belief::Sent {
                                 servo::IoControl, step::SetOutputs, servo::SetHoming, step::SetHoming,
                                 SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
     void operator()(const servo::LaterCommand auto&) const {}
+    void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onSent(command); }
 };
 
 struct Belief::Executed {
@@ -98,6 +99,7 @@ struct Belief::Executed {
                                 step::SetOutputs, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
     void operator()(const servo::LaterCommand auto&) const {}
+    void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onExecuted(command); }
 };
 
 void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
@@ -133,6 +135,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_aux = *report.aux;
     m_status = report.status;
     m_velocity = report.velocity;
+    if (report.pins)
+        m_outputs.onPins(*report.pins);
     if (m_info.identity.type == ModuleType::Step) {
         m_on = report.stepStatus().amplifierEnabled();
         m_mayEnable = m_mayEnable && !fresh();
@@ -160,6 +164,7 @@ void Belief::setRestarted() {
     m_stepLoad.reset();
     m_loaded.reset();
     m_starting.reset();
+    m_outputs.onReset();
 }
 
 unsigned Belief::looksSince(TimePoint time) const {
@@ -173,7 +178,8 @@ bool anySticky(servo::StatusByte status, servo::AuxByte aux) {
 }
 
 StatusItems Belief::otherItems() const {
-    return m_lastItems == kAllItems ? kStandingItems : kAllItems;
+    const ModuleIdentity& identity = m_info.identity;
+    return m_lastItems == fullItems(identity) ? standingItems(identity) : fullItems(identity);
 }
 
 bool Belief::fresh() const {
@@ -185,6 +191,8 @@ bool Belief::mayMove() const {
         return false;
     if (!m_statusTime)
         return true;
+    if (m_info.identity.type == ModuleType::Io)
+        return false;
     if (m_info.identity.type == ModuleType::Step)
         return step::StatusByte{m_status}.moving();
     return m_velocityGoal || m_pwmMayRun || !servo::StatusByte{m_status}.moveDone();
@@ -193,6 +201,8 @@ bool Belief::mayMove() const {
 bool Belief::seenMoving() const {
     if (!m_statusTime)
         return true;
+    if (m_info.identity.type == ModuleType::Io)
+        return false;
     if (m_info.identity.type == ModuleType::Step)
         return step::StatusByte{m_status}.moving();
     return m_pwmMayRun || !servo::StatusByte{m_status}.moveDone() || m_velocity.value_or(0) != 0;

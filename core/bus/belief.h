@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bus/exchange.h"
+#include "bus/iooutputs.h"
 #include "bus/stepgate.h"
 #include "bus/types.h"
 
@@ -34,6 +35,7 @@ public:
     void attach() {
         m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
+        m_outputs.forget();
     }
     /// A load was asked for and refused: an older one that waits must not start in its place.
     void forgetLoad() {
@@ -95,6 +97,13 @@ public:
     [[nodiscard]] bool runsReverse() const { return m_stepReverse; }
     /// PIC-STEP: Set Parameters was answered, or may have been before this connection (DS-S 5.1).
     [[nodiscard]] bool parametersSet() const { return m_parametersSet; }
+    /// PIC-I/O: what it puts out, and which of that a stop takes low.
+    [[nodiscard]] const IoOutputs& outputs() const { return m_outputs; }
+    void setStopOutputs(const StopOutputs& off) { m_outputs.setStopOutputs(off); }
+    void forgetOutputs(const StopOutputs& off) {
+        m_outputs.setStopOutputs(off);
+        m_outputs.forget();
+    }
     /// As answered in this connection.
     [[nodiscard]] const std::optional<step::SetParameters>& parameters() const { return m_parameters; }
 
@@ -130,6 +139,7 @@ private:
     std::optional<step::LoadTrajectory> m_stepLoad;
     bool m_restarted = false;
     std::optional<servo::LoadTrajectory> m_loaded;
+    IoOutputs m_outputs;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
 };
 

@@ -45,7 +45,7 @@ bool Chain::anyRestarted() const {
 void Chain::forgetStates() {
     for (Module& module : m_modules) {
         const auto owed = module.owed;
-        module = Module(module.belief.info());
+        module = Module(module.belief);
         module.belief.forgetItems();
         if (owed)
             module.owed = OwedStop{StopTarget(module.belief), owed->cause};
@@ -72,10 +72,11 @@ Ask Chain::command(Purpose purpose, const Step& step) const {
 }
 
 Ask Chain::status(Purpose purpose, ModuleIndex module, std::optional<StatusItems> items) const {
+    const StatusItems standing = standingItems(belief(module).info().identity);
     if (items || m_readOnly)
-        return command(purpose, {module, ServoCommand(ReadStatus{items.value_or(kStandingItems)})});
+        return command(purpose, {module, ServoCommand(ReadStatus{items.value_or(standing)})});
     if (!belief(module).items())
-        return command(purpose, {module, ServoCommand(DefineStatus{kStandingItems})});
+        return command(purpose, {module, ServoCommand(DefineStatus{standing})});
     return command(purpose, {module, ServoCommand(Nop{})});
 }
 
@@ -89,7 +90,16 @@ ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const 
     if (payload.code == CommandCode::ReadStatus || payload.code == CommandCode::DefineStatus)
         return {identity, StatusItems(payload.data[0])};
     // What another host has defined may be anything.
-    return {identity, module.items().value_or(m_readOnly ? kAllItems : kStandingItems)};
+    return {identity, module.items().value_or(m_readOnly ? fullItems(identity) : standingItems(identity))};
+}
+
+std::size_t Chain::longestReply() const {
+    std::size_t longest = 0;
+    for (const Module& module : m_modules) {
+        const ModuleIdentity identity = module.belief.info().identity;
+        longest = std::max(longest, replyLength(identity, allItems(identity)));
+    }
+    return longest;
 }
 
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
@@ -122,16 +132,23 @@ void Chain::hurryOwed(ModuleIndex index, TimePoint now) {
 void Chain::welcome(ModuleIndex index, TimePoint now) {
     ModuleInfo info = at(index).belief.info();
     info.group = GroupPlace{};
+    const StopOutputs off = at(index).belief.outputs().stopOutputs();
     at(index) = Module(info);
+    at(index).belief.setStopOutputs(off);
     at(index).belief.forgetItems();
     m_schedule.recover(index, now);
 }
 
 std::vector<Step> Chain::stops() const {
     std::vector<Step> stops;
-    for (const Module& module : m_modules)
-        if (const auto stop = stopFor(module.belief))
-            stops.push_back({module.belief.info().index, *stop});
+    for (const Module& module : m_modules) {
+        Belief belief = module.belief;
+        const bool severalCommands = belief.info().identity.type == ModuleType::Io;
+        for (auto stop = stopFor(belief); stop; stop = severalCommands ? stopFor(belief) : std::nullopt) {
+            stops.push_back({belief.info().index, *stop});
+            belief.onExecuted(*stop);
+        }
+    }
     return stops;
 }
 

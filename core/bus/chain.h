@@ -38,6 +38,10 @@ public:
               plausibility(info.identity),
               trust(info.identity),
               ownMotion(info.identity.type) {}
+        /// The same module, of which nothing is known any more but what a stop is to take low.
+        explicit Module(const Belief& before) : Module(before.info()) {
+            belief.forgetOutputs(before.outputs().stopOutputs());
+        }
         Belief belief;
         Plausibility plausibility;
         Trust trust;
@@ -97,6 +101,8 @@ public:
     /// them permit; or first of all a known length.
     [[nodiscard]] Ask look(Purpose purpose, ModuleIndex module) const;
     [[nodiscard]] ReplyLayout layoutOf(const Belief& belief, const Payload& payload) const;
+    /// Bytes of the longest answer that any of the modules can give.
+    [[nodiscard]] std::size_t longestReply() const;
 
     /// The command goes out, and will be latched then: all that watch the module must reckon with it.
     void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);

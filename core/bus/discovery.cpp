@@ -107,9 +107,7 @@ Discovery::Next Discovery::next() {
         case Phase::ChangeRate:
             return changeRate();
         case Phase::Define:
-            return askModule(m_config.readOnly ? ReadStatus{kStandingItems}.encode()
-                                               : DefineStatus{kStandingItems}.encode(),
-                             kStandingItems, 2);
+            return defineItems(standingItems(m_modules[m_at].identity));
         case Phase::Confirm:
             return askModule(ReadStatus{kAllItems}.encode(), kAllItems, 2);
         case Phase::Done: {
@@ -254,6 +252,11 @@ Ask Discovery::setAddress() {
     return ask;
 }
 
+/// Of every reply from now on; a chain that is only looked at keeps what others have defined.
+Ask Discovery::defineItems(StatusItems items) const {
+    return askModule(m_config.readOnly ? ReadStatus{items}.encode() : DefineStatus{items}.encode(), items, 2);
+}
+
 /// Of another length than the answer to Set Address, which may still be on its way.
 Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
     return question({address, ReadStatus{kIdentityItems}.encode(), {{}, kIdentityItems}}, repeats,
@@ -366,7 +369,7 @@ void Discovery::enterModules(Phase phase) {
 
 /// A module without a data sheet keeps the status it woke up with.
 void Discovery::skipUnknown() {
-    while (m_at < m_modules.size() && !hasDataSheet(m_modules[m_at].identity))
+    while (m_at < m_modules.size() && !isKnown(m_modules[m_at].identity))
         ++m_at;
 }
 

@@ -79,6 +79,7 @@ private:
     [[nodiscard]] Next changeRate();
     [[nodiscard]] Ask setAddress();
     [[nodiscard]] Ask probe(BusAddress address, std::uint8_t repeats) const;
+    [[nodiscard]] Ask defineItems(StatusItems items) const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);

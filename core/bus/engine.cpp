@@ -182,6 +182,14 @@ void Engine::watch(const std::vector<ModuleIndex>& modules) {
     m_chain.schedule().watch(modules);
 }
 
+void Engine::setStopOutputs(const std::vector<StopOutputs>& outputs) {
+    m_stopOutputs = outputs;
+    for (Chain::Module& module : m_chain.modules()) {
+        const std::size_t index = module.belief.info().index.value();
+        module.belief.setStopOutputs(index < outputs.size() ? outputs[index] : StopOutputs{});
+    }
+}
+
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
     m_chain.schedule().unfocus();
     if (module && settled())
@@ -385,11 +393,13 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     m_recovery.reset();
     m_line.statistics() = {};  // the silence at the end of the chain was no error
     for (Chain::Module& module : m_chain.modules()) {
-        if (hasDataSheet(module.belief.info().identity) && !found.readOnly)
-            module.belief.onExecuted(ServoCommand(DefineStatus{kStandingItems}));
+        if (isKnown(module.belief.info().identity) && !found.readOnly)
+            module.belief.onExecuted(
+                ServoCommand(DefineStatus{standingItems(module.belief.info().identity)}));
         if (found.attached)
             module.belief.attach();
     }
+    setStopOutputs(m_stopOutputs);
     m_chain.schedule().watch(m_watched);
     m_events.emplace_back(found);
     for (const ModuleIndex module : found.absent)

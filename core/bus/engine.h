@@ -100,6 +100,10 @@ public:
     /// times a second. None: all alike.
     void watch(const std::vector<ModuleIndex>& modules);
 
+    /// Which outputs of PIC-I/O modules a stop of all takes low, by module; none of those that are not there.
+    /// Holds for every chain that is found from now on, too.
+    void setStopOutputs(const std::vector<StopOutputs>& outputs);
+
     /// One module as fast as the wire carries, its position every time, for 5 s at most: the others are asked
     /// once a second, silent ones not at all. Nothing: no longer. A stop of whatever kind ends it, and so
     /// does another connect(). Calling it again begins the time anew.
@@ -207,6 +211,7 @@ private:
     bool m_stopAsked = false;  ///< by stopAll(), and some module has not confirmed yet
     bool m_echoTold = false;
     std::vector<ModuleIndex> m_watched;
+    std::vector<StopOutputs> m_stopOutputs;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles
 
     Recovery m_recovery{m_chain, m_line, m_events};

@@ -36,7 +36,19 @@ inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems:
 /// Every module that no host has put into another group (DS-V 4.1).
 inline constexpr BusAddress kEverybody{0xFF};
 
+/// On a PIC-I/O the same bits are its pins and its three A/D values; all there are, but for what Synch Input
+/// has latched, adds its counter.
 inline constexpr StatusItems kAllItems{StatusItems::All};
+
+/// The standing items of a module: one that reports its position error does so in every reply.
+[[nodiscard]] constexpr StatusItems standingItems(const ModuleIdentity& module) {
+    const unsigned more = hasPathBuffer(module) ? StatusItems::PositionError : 0U;
+    return StatusItems(static_cast<std::uint8_t>(kStandingItems.mask() | more));
+}
+/// What every second poll asks for.
+[[nodiscard]] constexpr StatusItems fullItems(const ModuleIdentity& module) {
+    return StatusItems(static_cast<std::uint8_t>(kAllItems.mask() | standingItems(module).mask()));
+}
 /// Every second poll of a module in focus; with the standing items it makes two lengths (link.md 2.2).
 inline constexpr StatusItems kBriefItems{StatusItems::Position};
 inline constexpr StatusItems kIdentityItems{StatusItems::Identity};

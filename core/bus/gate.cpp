@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bus/gate.h"
 
+#include "base/overloaded.h"
+#include "protocol/unsupported.h"
+
 namespace nmc::bus {
 
 namespace {
@@ -39,7 +42,6 @@ struct Judge {
     Verdict operator()(const SetAddress&) const { return Verdict::Never; }
     Verdict operator()(const SetBaud&) const { return Verdict::Never; }
     Verdict operator()(const HardReset&) const { return Verdict::Never; }
-    Verdict operator()(const servo::LaterCommand auto&) const { return Verdict::Never; }
     Verdict operator()(const ResetPosition&) const { return onlyAtStandstill(belief); }
     Verdict operator()(const SaveAsHome&) const { return Verdict::Allowed; }
     Verdict operator()(const StartMotion&) const {
@@ -55,21 +57,23 @@ struct Judge {
         // Until it is started a load changes nothing (DS-V 5.1, note 1).
         return trapezoidal(load) && load.startNow ? Verdict::Never : Verdict::Allowed;
     }
-    Verdict operator()(const servo::SetGain& gain) const {
-        return gain.db && belief.info().identity.version < servo::kDeadbandVersion ? Verdict::Never
-                                                                                   : Verdict::Allowed;
-    }
-    Verdict operator()(const servo::StopMotor& stop) const {
-        return stop.manner == servo::StopManner::Here &&
-                       belief.info().identity.version < servo::kStopHereVersion
-                   ? Verdict::Never
-                   : Verdict::Allowed;
-    }
-    Verdict operator()(const servo::IoControl&) const {
-        return belief.info().identity.version < servo::kOtherIoVersion ? Verdict::Allowed : Verdict::Never;
+    Verdict operator()(const AnyOf<servo::SetGain, servo::StopMotor, servo::IoControl> auto&) const {
+        return Verdict::Allowed;
     }
     Verdict operator()(const servo::SetHoming&) const { return Verdict::Allowed; }
     Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
+    Verdict operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+        return onlyAtStandstill(belief);
+    }
+    /// Each of its bits acts at once, and some of them can destroy an amplifier that is on.
+    Verdict operator()(const servo::ScIoControl&) const {
+        if (!belief.fresh())
+            return Verdict::NeedsStatus;
+        return belief.mayBeOn() || belief.mayMove() ? Verdict::InMotion : Verdict::Allowed;
+    }
+    Verdict operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
+        return Verdict::Never;
+    }
 
     Verdict operator()(const step::LoadTrajectory& load) const {
         if (!inTable(load) || !belief.parametersSet())
@@ -86,6 +90,7 @@ struct Judge {
     Verdict operator()(const step::StopMotor&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetOutputs&) const { return Verdict::Allowed; }
     Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
+    Verdict operator()(const io::OwnCommand auto&) const { return Verdict::Allowed; }
 
     [[nodiscard]] Verdict mayStart(const step::LoadTrajectory& load) const {
         if (!belief.fresh())
@@ -95,27 +100,21 @@ struct Judge {
     }
 };
 
-[[nodiscard]] bool safeForAnyType(CommandCode code) {
-    return code == CommandCode::Nop || code == CommandCode::ReadStatus || code == CommandCode::DefineStatus ||
-           code == CommandCode::StopMotor;
+/// What every chip of the family takes for the same.
+[[nodiscard]] bool isQuestion(CommandCode code) {
+    return code == CommandCode::Nop || code == CommandCode::ReadStatus || code == CommandCode::DefineStatus;
 }
 
-/// The command is one of the chip's own, within the data sheet's ranges.
+/// The command is one of the module's own, as its version knows it.
 [[nodiscard]] bool belongs(const ModuleIdentity& module, const ModuleCommand& command) {
-    switch (module.type) {
-        case ModuleType::Servo: {
-            const auto* c = std::get_if<ServoCommand>(&command);
-            return c != nullptr && decodeServoCommand(module, encode(*c)).has_value();
-        }
-        case ModuleType::Step: {
-            const auto* c = std::get_if<StepCommand>(&command);
-            return c != nullptr && decodeStepCommand(encode(*c)).has_value();
-        }
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
-    return std::visit([](const auto& c) { return safeForAnyType(encode(c).code); }, command);
+    return std::visit(
+        [&](const auto& own) {
+            const CommandCode code = encode(own).code;
+            if (!isKnown(module))
+                return isQuestion(code) || code == CommandCode::StopMotor;
+            return isQuestion(code) || takes(module, own);
+        },
+        command);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
 }
 
 bool GroupWork::reachable(ModuleIndex module) const {
-    return m_chain.has(module) && hasDataSheet(m_chain.belief(module).info().identity) &&
+    return m_chain.has(module) && isKnown(m_chain.belief(module).info().identity) &&
            !m_chain.belief(module).restarted() && m_chain.answers(module);
 }
 

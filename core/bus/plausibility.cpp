@@ -10,10 +10,13 @@ namespace nmc::bus {
 
 namespace {
 
-constexpr std::uint8_t kHomingBit = 0x80;             // both chips
-constexpr std::uint8_t kStickyStatus = 0x04 | 0x10;   // overcurrent, pos_error
-constexpr std::uint8_t kStickyAux = 0x02 | 0x20;      // pos_wrap, servo_overrun
-constexpr std::uint8_t kUndefinedAux = 0xC0;          // both chips' item 3
+constexpr std::uint8_t kHomingBit = 0x80;            // both chips
+constexpr std::uint8_t kStickyStatus = 0x04 | 0x10;  // overcurrent, pos_error
+constexpr std::uint8_t kStickyAux = 0x02 | 0x20;     // pos_wrap, servo_overrun
+/// Of item 3 of both chips with motors.
+constexpr unsigned undefinedAux(const ModuleIdentity& module) {
+    return hasPathBuffer(module) ? 0x80U : 0xC0U;  // path mode
+}
 constexpr std::uint16_t kLongestTimerCount = 65'452;  // DS-S 4.1
 /// Time for a command to show in a reply, after it was latched.
 constexpr Duration kTakesEffect = 4 * kServoTick;
@@ -80,7 +83,10 @@ struct Plausibility::Sent {
     }
     void operator()(const AnyOf<SetAddress, DefineStatus, ReadStatus, step::SetParameters, servo::IoControl,
                                 step::SetOutputs, SetBaud, Nop, HardReset> auto&) const {}
-    void operator()(const servo::LaterCommand auto&) const {}
+    void operator()(const servo::ResetRelativeToHome&) const { p.m_position.open(latched); }
+    void operator()(const servo::SetPosition&) const { p.m_position.open(latched); }
+    void operator()(const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) const {}
+    void operator()(const io::OwnCommand auto&) const {}
 
     void homing() const {
         p.m_homing.open(latched);
@@ -191,7 +197,7 @@ std::optional<Rejection> Plausibility::servoStructure(const StatusReport& report
     const servo::AuxByte aux{*report.aux};
     if (!aux.servoOn() && !(status.positionError() && status.moveDone()))
         return Rejection::OffWithoutBits;
-    if (aux.slewDone() && !aux.accelDone())
+    if (aux.slewDone() && !aux.accelDone() && !isSc(m_identity))  // whose bits say something else
         return Rejection::SlewWithoutAccel;
     return std::nullopt;
 }
@@ -211,7 +217,7 @@ std::optional<Rejection> Plausibility::stepStructure(const StatusReport& report)
 
 std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEnd& end) const {
     const StatusReport& report = end.report;
-    if (known.aux && report.aux && ((*known.aux ^ *report.aux) & kUndefinedAux) != 0)
+    if (known.aux && report.aux && ((*known.aux ^ *report.aux) & undefinedAux(m_identity)) != 0)
         return Rejection::UndefinedBits;
     if (stickyCleared(known, report))
         return Rejection::StickyCleared;
@@ -244,8 +250,11 @@ std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd
     return std::nullopt;
 }
 
-/// A PIC-STEP at rest at 0 without motor power: zeros are what it last said.
+/// A PIC-STEP at rest at 0 without motor power, a PIC-I/O whose inputs are all low: zeros are what it last
+/// said.
 bool Plausibility::nothingToTell(const StatusReport& report) const {
+    if (m_identity.type == ModuleType::Io)
+        return report.status == 0 && m_known.status == 0 && m_known.allLow;
     return m_identity.type == ModuleType::Step && report.status == 0 && m_known.status == 0 &&
            (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
 }
@@ -329,6 +338,10 @@ void Plausibility::take(Known& known, const ReplyEnd& end) const {
     known.status = report.status;
     if (report.aux)
         known.aux = report.aux;
+    if (report.pins)
+        known.allLow =
+            *report.pins == 0 && std::all_of(report.analogs.begin(), report.analogs.end(),
+                                             [](const auto& analog) { return analog.value_or(0) == 0; });
     if (report.home)
         known.home = report.home;
     if (report.velocity) {

@@ -53,10 +53,11 @@ private:
         std::optional<std::int32_t> home;
         std::optional<std::int32_t> position;
         std::optional<std::int16_t> velocity;
-        TimePoint from, to;  ///< the position was latched between these
-        double spread = 0;   ///< of the velocities seen lately, counts per tick
-        double fastest = 0;  ///< of them
-        double swing = 0;    ///< speed that they did not tell of lately
+        bool allLow = false;  ///< PIC-I/O: its pins and A/D values are 0
+        TimePoint from, to;   ///< the position was latched between these
+        double spread = 0;    ///< of the velocities seen lately, counts per tick
+        double fastest = 0;   ///< of them
+        double swing = 0;     ///< speed that they did not tell of lately
     };
     /// Something a command may change without being contradicted: open until two replies that tell of it were
     /// latched well after the command.

@@ -8,10 +8,11 @@ Next PollTask::next(TimePoint now) {
     if (!turn)
         return Idle{};
     std::optional<StatusItems> items;  // none: No Operation, which answers with the defined ones
-    if (!hasDataSheet(m_chain.belief(turn->module).info().identity))
+    const ModuleIdentity identity = m_chain.belief(turn->module).info().identity;
+    if (!isKnown(identity))
         items = kIdentityItems;
     else if (turn->full)
-        items = kAllItems;
+        items = fullItems(identity);
     else if (turn->brief)
         items = kBriefItems;
     Ask ask = m_chain.status(Purpose::Poll, turn->module, items);

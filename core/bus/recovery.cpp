@@ -136,9 +136,9 @@ Ask Recovery::challenge() {
         doubt.witness = other.has_value();
         asked = other.value_or(doubt.module);
     }
-    const bool known = hasDataSheet(m_chain.belief(asked).info().identity);
-    const bool full = doubt.passed > 0 && known && !doubt.witness;
-    Ask ask = m_chain.status(Purpose::Challenge, asked, full ? kAllItems : kIdentityItems);
+    const ModuleIdentity identity = m_chain.belief(asked).info().identity;
+    const bool full = doubt.passed > 0 && isKnown(identity) && !doubt.witness;
+    Ask ask = m_chain.status(Purpose::Challenge, asked, full ? fullItems(identity) : kIdentityItems);
     ask.silentRepeats = 0;
     ask.ownTrouble = true;
     ask.believed = !doubt.witness;
@@ -162,7 +162,7 @@ Line::Script Recovery::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     if (end.result == ReplyResult::Accepted) {
         if (doubt.witness)
             return {};
-        const bool known = hasDataSheet(m_chain.belief(doubt.module).info().identity);
+        const bool known = isKnown(m_chain.belief(doubt.module).info().identity);
         if (++doubt.passed == (known ? kPasses : 1))
             passed(doubt.module, now);
         return {};
@@ -198,7 +198,7 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
         m_findings.givenUp = note(module, false);
     // Its replies may have another length by now: that is defined anew before the next No Operation.
     Belief& belief = m_chain.at(module).belief;
-    if (hasDataSheet(belief.info().identity))
+    if (isKnown(belief.info().identity))
         belief.forgetItems();
     if (m_chain.answers(module))
         return;

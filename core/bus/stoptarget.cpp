@@ -61,8 +61,11 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
             if (belief.mayBeOn() || (belief.statusTime() && belief.mayMove()))
                 return StepCommand(stepStop(manner, belief.mayBeOn()));
             return std::nullopt;
-        case ModuleType::Adc:
         case ModuleType::Io:
+            if (const auto stop = belief.outputs().stop())
+                return ModuleCommand(*stop);
+            return std::nullopt;
+        case ModuleType::Adc:
             break;
     }
     return std::nullopt;
@@ -76,8 +79,9 @@ StatusItems standstillItems(ModuleType type, bool second) {
                                                          StatusItems::Aux | more));
         case ModuleType::Step:
             return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Inputs | more));
-        case ModuleType::Adc:
         case ModuleType::Io:
+            return StatusItems(static_cast<std::uint8_t>(StatusItems::Pins | more));
+        case ModuleType::Adc:
             break;
     }
     return kIdentityItems;
@@ -129,7 +133,8 @@ void StopTarget::onReply(const ReplyEnd& end, const Belief& belief, TimePoint no
         return;
     if (!m_asksStop)
         return onLook(end.report, belief, now);
-    m_stopOwed = false;
+    // A PIC-I/O has its pins to take low, and then its PWM outputs.
+    m_stopOwed = m_type == ModuleType::Io && stop(belief);
     m_lastStop = now;
 }
 

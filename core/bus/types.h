@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -15,8 +16,19 @@
 /// What goes into the bus engine and what comes out of it. All values; any thread may hold copies.
 namespace nmc::bus {
 
-/// A command for one chip or the other.
-using ModuleCommand = std::variant<ServoCommand, StepCommand>;
+/// A command for one chip or another.
+using ModuleCommand = std::variant<ServoCommand, StepCommand, IoCommand>;
+
+/// Whether it is this command, of whatever chip.
+template <typename Command>
+[[nodiscard]] bool is(const ModuleCommand& command) {
+    return std::visit(
+        [](const auto& chip) {
+            return std::visit(
+                [](const auto& own) { return std::is_same_v<std::decay_t<decltype(own)>, Command>; }, chip);
+        },
+        command);
+}
 
 using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
 

@@ -58,6 +58,7 @@ struct Look {
         return Carried::Unknown;
     }
     Carried operator()(const servo::LaterCommand auto&) const { return Carried::Unknown; }
+    Carried operator()(const io::OwnCommand auto&) const { return Carried::Unknown; }
 };
 
 struct CanLook {
@@ -72,6 +73,7 @@ struct CanLook {
         return false;
     }
     bool operator()(const servo::LaterCommand auto&) const { return false; }
+    bool operator()(const io::OwnCommand auto&) const { return false; }
 };
 
 }  // namespace

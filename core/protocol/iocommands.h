@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/overloaded.h"
 #include "protocol/commanderror.h"
 #include "protocol/frame.h"
 
@@ -80,5 +81,10 @@ struct SynchInput {
     static tl::expected<SynchInput, CommandError> decode(const Payload& payload);
     bool operator==(const SynchInput&) const = default;
 };
+
+/// A command that no other chip knows.
+template <typename T>
+concept OwnCommand =
+    AnyOf<T, SetDirection, SetPwm, SynchOutput, SetOutput, SetSynchOutput, SetTimerMode, SynchInput>;
 
 }  // namespace nmc::io

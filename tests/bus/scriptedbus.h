@@ -130,7 +130,7 @@ public:
         return reply(command.code == CommandCode::ReadStatus ? StatusItems(command.data[0]) : defined);
     }
 
-    /// Position 0, A/D 0, velocity 0, home 0.
+    /// Position 0, A/D 0, velocity 0, home 0, position error 0, no path points.
     [[nodiscard]] std::vector<std::uint8_t> reply(StatusItems items) const {
         std::vector<std::uint8_t> bytes{status};
         const auto add = [&](std::uint8_t item, std::vector<std::uint8_t> data) {
@@ -143,6 +143,8 @@ public:
         add(StatusItems::Aux, {aux});
         add(StatusItems::Home, {0, 0, 0, 0});
         add(StatusItems::Identity, {type, version});
+        add(StatusItems::PositionError, {0, 0});
+        add(StatusItems::PathPoints, {0});
         return withSum(bytes);
     }
 

@@ -107,6 +107,8 @@ void BusSession::takeRequests(TimePoint now) {
         take(request, now);
     if (taken.watched)
         m_engine.watch(*taken.watched);
+    if (taken.stopOutputs)
+        m_engine.setStopOutputs(*taken.stopOutputs);
     if (taken.focused)
         m_engine.focus(*taken.focused, now);
     if (taken.held)

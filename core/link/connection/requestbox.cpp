@@ -34,6 +34,10 @@ void RequestBox::focus(std::optional<ModuleIndex> module) {
     change([module](Taken& waiting) { waiting.focused = module; });
 }
 
+void RequestBox::setStopOutputs(std::vector<bus::StopOutputs> outputs) {
+    change([&outputs](Taken& waiting) { waiting.stopOutputs = std::move(outputs); });
+}
+
 void RequestBox::hold(const bus::HoldToMove& hold) {
     change([&hold](Taken& waiting) { waiting.held = hold; });
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bus/iooutputs.h"
 #include "bus/types.h"
 #include "link/connection/busrequest.h"
 #include "link/connection/wakeup.h"
@@ -34,6 +35,7 @@ public:
         std::optional<Search> search;
         std::vector<BusRequest> requests;
         std::optional<std::vector<ModuleIndex>> watched;
+        std::optional<std::vector<bus::StopOutputs>> stopOutputs;
         std::optional<std::optional<ModuleIndex>> focused;
         std::optional<bus::HoldToMove> held;
     };
@@ -46,6 +48,7 @@ public:
     void search(Search how);
     void watch(std::vector<ModuleIndex> modules);
     void focus(std::optional<ModuleIndex> module);
+    void setStopOutputs(std::vector<bus::StopOutputs> outputs);
     void hold(const bus::HoldToMove& hold);
     void release();
     /// False: it is not taken, because too many wait or because nobody is there to take them; `request` is

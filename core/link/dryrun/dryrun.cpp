@@ -289,8 +289,7 @@ private:
     }
     void told(const bus::CommandExecuted& executed) {
         m_modules.at(executed.module.value()).apply(executed);
-        if (m_run && std::visit([](const auto& chip) { return std::holds_alternative<StartMotion>(chip); },
-                                executed.command))
+        if (m_run && bus::is<StartMotion>(executed.command))
             ++m_result.axes[executed.module.value()].moves;
     }
     void told(const bus::ModuleSilence& silence) {

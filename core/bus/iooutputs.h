@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "protocol/commands.h"
+
+namespace nmc::bus {
+
+/// Which outputs of a PIC-I/O a stop takes low; all others stay as they are. Bit 0 is IO1, or PWM1.
+struct StopOutputs {
+    std::uint16_t pins = 0;
+    std::uint8_t pwm = 0;
+    bool operator==(const StopOutputs&) const = default;
+};
+
+/// What is believed of the outputs of one PIC-I/O. Like a motor, an output that may be high counts as high:
+/// one is told to go low until that was answered. Pure.
+class IoOutputs {
+public:
+    void onReset();
+    /// Found as another host left it: any of them may be high.
+    void forget();
+    void onSent(const io::SetOutput& set) { m_mayBeHigh |= set.outputs; }
+    void onSent(const io::SetPwm& set);
+    void onSent(const io::SynchOutput& synch);
+    void onSent(const auto& /*other*/) {}
+    void onExecuted(const io::SetOutput& set);
+    void onExecuted(const io::SetPwm& set);
+    void onExecuted(const io::SetSynchOutput& set) { m_stored = set; }
+    void onExecuted(const io::SynchOutput& synch);
+    void onExecuted(const auto& /*other*/) {}
+    /// The levels of all pins; outputs read back.
+    void onPins(std::uint16_t pins) { m_pins = pins; }
+
+    void setStopOutputs(const StopOutputs& off) { m_off = off; }
+    [[nodiscard]] const StopOutputs& stopOutputs() const { return m_off; }
+    /// What is still to be told, one command after the other; nothing when no output that a stop takes low
+    /// may be high, or when it is not known yet how the others are.
+    [[nodiscard]] std::optional<IoCommand> stop() const;
+
+private:
+    StopOutputs m_off;
+    std::uint16_t m_mayBeHigh = 0;
+    std::array<bool, 2> m_pwmMayRun{};
+    std::optional<std::uint16_t> m_outputs = std::uint16_t{0};  ///< as answered
+    std::optional<std::array<std::uint8_t, 2>> m_pwm = std::array<std::uint8_t, 2>{};
+    std::optional<io::SetSynchOutput> m_stored;
+    std::optional<std::uint16_t> m_pins;
+};
+
+}  // namespace nmc::bus

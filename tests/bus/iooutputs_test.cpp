@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a stop tells a PIC-I/O: exactly the outputs that the machine wants low, and only while they may be
+// high.
+#include "bus/iooutputs.h"
+
+#include <gtest/gtest.h>
+
+namespace nmc::bus {
+namespace {
+
+constexpr StopOutputs kPump{0x0004, 0};  // IO3
+constexpr StopOutputs kHeater{0, 0x01};  // PWM1
+constexpr std::uint16_t kPumpAndLamp = 0x0005;
+
+[[nodiscard]] IoOutputs with(const StopOutputs& off) {
+    IoOutputs outputs;
+    outputs.setStopOutputs(off);
+    return outputs;
+}
+void tell(IoOutputs& outputs, const auto& command) {
+    outputs.onSent(command);
+    outputs.onExecuted(command);
+}
+[[nodiscard]] std::optional<IoCommand> pins(std::uint16_t outputs) {
+    return IoCommand(io::SetOutput{outputs});
+}
+
+TEST(IoOutputs, AreLeftAsTheyAreUnlessTheMachineSaysOtherwise) {
+    IoOutputs outputs;
+    tell(outputs, io::SetOutput{io::kAllPins});
+    tell(outputs, io::SetPwm{255, 255});
+    EXPECT_EQ(outputs.stop(), std::nullopt);
+}
+
+TEST(IoOutputs, TheOneThatIsMarkedGoesLowAndTheOthersStay) {
+    IoOutputs outputs = with(kPump);
+    EXPECT_EQ(outputs.stop(), std::nullopt) << "after a reset all pins are inputs";
+    tell(outputs, io::SetOutput{kPumpAndLamp});
+    EXPECT_EQ(outputs.stop(), pins(0x0001));
+    tell(outputs, io::SetOutput{0x0001});
+    EXPECT_EQ(outputs.stop(), std::nullopt) << "done";
+}
+
+TEST(IoOutputs, WhatWasSentAndNotAnsweredMayBeHigh) {
+    IoOutputs outputs = with(kPump);
+    tell(outputs, io::SetOutput{0x0001});
+    outputs.onSent(io::SetOutput{kPumpAndLamp});
+    EXPECT_EQ(outputs.stop(), pins(0x0001));
+}
+
+TEST(IoOutputs, LeftByAnotherHostItIsReadFirst) {
+    IoOutputs outputs = with(kPump);
+    outputs.forget();
+    EXPECT_EQ(outputs.stop(), std::nullopt) << "the others would change";
+    outputs.onPins(0x0805);
+    EXPECT_EQ(outputs.stop(), pins(0x0801));
+}
+
+TEST(IoOutputs, PwmFollowsThePins) {
+    IoOutputs outputs = with({kPump.pins, kHeater.pwm});
+    tell(outputs, io::SetOutput{kPumpAndLamp});
+    tell(outputs, io::SetPwm{100, 50});
+    tell(outputs, io::SetOutput{0x0001});
+    EXPECT_EQ(outputs.stop(), IoCommand(io::SetPwm{0, 50}));
+    tell(outputs, io::SetPwm{0, 50});
+    EXPECT_EQ(outputs.stop(), std::nullopt);
+}
+
+TEST(IoOutputs, WhatWasStoredCountsOnceItIsPutOut) {
+    IoOutputs outputs = with(kPump);
+    tell(outputs, io::SetSynchOutput{kPumpAndLamp, 0, 0});
+    EXPECT_EQ(outputs.stop(), std::nullopt);
+    tell(outputs, io::SynchOutput{});
+    EXPECT_EQ(outputs.stop(), pins(0x0001));
+}
+
+/// Another host's, of a module that was found as it was left.
+TEST(IoOutputs, WhatNobodyHereHasStoredMayBeAnything) {
+    IoOutputs outputs = with(kPump);
+    tell(outputs, io::SetOutput{0});
+    tell(outputs, io::SynchOutput{});
+    EXPECT_EQ(outputs.stop(), pins(0));
+}
+
+TEST(IoOutputs, AResetMakesInputsOfThem) {
+    IoOutputs outputs = with(kPump);
+    tell(outputs, io::SetOutput{kPumpAndLamp});
+    outputs.onReset();
+    EXPECT_EQ(outputs.stop(), std::nullopt);
+    EXPECT_EQ(outputs.stopOutputs(), kPump);
+}
+
+}  // namespace
+}  // namespace nmc::bus
