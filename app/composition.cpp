@@ -400,6 +400,7 @@ void Composition::showFrame() {
     for (const ModuleIndex module : m_sequences.parts())
         if (!std::ranges::count(watched, module))
             watched.push_back(module);  // whose arrival is waited for
+    tellStopOutputs();
     if (watched != m_watched) {
         m_watched = watched;
         m_worker.watch(watched);
@@ -409,6 +410,20 @@ void Composition::showFrame() {
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
     m_window.showHistory(history, now);
+}
+
+/// What STOP ALL takes low is the bus thread's to know before somebody presses it.
+void Composition::tellStopOutputs() {
+    std::vector<bus::StopOutputs> outputs;
+    for (const AxisSettings& axis : m_machine.machine().axes) {
+        const PinSettings pins = axis.pins.value_or(PinSettings{});
+        outputs.push_back(
+            {PinSettings::offAtStop(pins.pins), static_cast<std::uint8_t>(PinSettings::offAtStop(pins.pwm))});
+    }
+    if (outputs == m_stopOutputs)
+        return;
+    m_stopOutputs = outputs;
+    m_worker.setStopOutputs(std::move(outputs));
 }
 
 /// Statuses come faster than anybody reads numbers; what a module does, and what it is asked for, is news at

@@ -128,6 +128,7 @@ private:
     void showLink();
     void showFrame();
     void showFrameSoon();
+    void tellStopOutputs();
 
     void tell(const StoreEvent& event);
     void told(const bus::ChainFound& found);
@@ -194,6 +195,7 @@ private:
     Transports m_transports;
     std::optional<ConnectTarget> m_target;          ///< what is connected, or was last
     std::optional<ConnectTarget> m_openNext;        ///< to be opened when the present connection has closed
+    std::vector<bus::StopOutputs> m_stopOutputs;    ///< as the worker was told last
     std::vector<ModuleIndex> m_watched;             ///< what the worker polls most: panel and scope show it
     std::optional<QString> m_troublePort;           ///< where motors' states became unknown
     std::map<ModuleIndex, StepTaken> m_edges;       ///< of the square waves that run, the last of each

@@ -24,19 +24,13 @@ namespace {
 
 /// What moves a motor, or may; what switches one on holds it where it is.
 bool mayMove(const bus::ModuleCommand& command) {
-    return std::visit(
-        [](const auto& chip) {
-            using Chip = std::decay_t<decltype(chip)>;
-            using Load = std::conditional_t<std::is_same_v<Chip, ServoCommand>, servo::LoadTrajectory,
-                                            step::LoadTrajectory>;
-            if (const auto* load = std::get_if<Load>(&chip))
-                return load->startNow;
-            if constexpr (std::is_same_v<Chip, ServoCommand>)
-                if (const auto* stop = std::get_if<servo::StopMotor>(&chip))
-                    return stop->manner == servo::StopManner::Here;
-            return std::holds_alternative<StartMotion>(chip);
-        },
-        command);
+    constexpr Overloaded moves{
+        [](const AnyOf<servo::LoadTrajectory, step::LoadTrajectory> auto& load) { return load.startNow; },
+        [](const servo::StopMotor& stop) { return stop.manner == servo::StopManner::Here; },
+        [](const StartMotion&) { return true; },
+        [](const auto&) { return false; },
+    };
+    return std::visit([&](const auto& chip) { return std::visit(moves, chip); }, command);
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST(Plan, AsksNothingOfASilentModuleButToSwitchOff) {
 
 TEST(Plan, KnowsNoCommandsForOtherModules) {
     ModuleState module = holdingServo();
-    module.info.identity = {ModuleType::Io, 1};
+    module.info.identity = {ModuleType::Adc, 1};
     EXPECT_EQ(refusalOf(kGoTo, module), Refusal::NotAServo);
     EXPECT_EQ(refusalOf(intent::MotorOff{}, module), Refusal::NotAServo);
 }

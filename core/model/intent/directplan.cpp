@@ -4,6 +4,7 @@
 #include "base/overloaded.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/travel.h"
+#include "protocol/unsupported.h"
 
 namespace nmc {
 
@@ -54,7 +55,15 @@ struct WhyNot {
     std::optional<Refusal> operator()(const servo::IoControl&) const {
         return whyNot(Request::ControlIo, module);
     }
-    std::optional<Refusal> operator()(const servo::LaterCommand auto&) const {
+    std::optional<Refusal> operator()(
+        const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+        return whyNot(Request::ResetPosition, module);
+    }
+    std::optional<Refusal> operator()(const servo::ScIoControl&) const {
+        return module.servoOn() ? std::optional(Refusal::ServoOn) : whyNotTold(Request::ControlIo, module);
+    }
+    /// Paths and saved configurations are not for a command alone.
+    std::optional<Refusal> operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
         return Refusal::VersionLacksIt;
     }
     std::optional<Refusal> operator()(const servo::ClearStickyBits&) const {
@@ -80,7 +89,17 @@ struct WhyNot {
         return whyNot(Request::SetOutputs, module);
     }
 
-    // ---- both ----
+    // ---- PIC-I/O ----
+
+    std::optional<Refusal> operator()(const AnyOf<io::SetOutput, io::SetPwm, io::SynchOutput> auto&) const {
+        return whyNot(Request::SetOutputs, module);
+    }
+    std::optional<Refusal> operator()(
+        const AnyOf<io::SetDirection, io::SetSynchOutput, io::SetTimerMode, io::SynchInput> auto&) const {
+        return whyNot(Request::ControlIo, module);
+    }
+
+    // ---- all of them ----
 
     std::optional<Refusal> operator()(const StartMotion&) const {
         return whyNot(Request::StartLoaded, module);
@@ -99,9 +118,14 @@ struct WhyNot {
 }  // namespace
 
 std::optional<Refusal> whyNotDirect(const bus::ModuleCommand& command, const ModuleState& module) {
-    const bool forStepper = std::holds_alternative<StepCommand>(command);
-    if (forStepper != module.isStepper())
-        return forStepper ? Refusal::NotAStepper : Refusal::NotAServo;
+    const auto reason =
+        std::visit([&](const auto& own) { return unsupported(module.info.identity, own); }, command);
+    if (reason == Unsupported::OtherChip)
+        return std::holds_alternative<StepCommand>(command) ? Refusal::NotAStepper
+               : std::holds_alternative<IoCommand>(command) ? Refusal::NotAnIoModule
+                                                            : Refusal::NotAServo;
+    if (reason)
+        return Refusal::VersionLacksIt;
     const auto refusal =
         std::visit([&](const auto& chip) { return std::visit(WhyNot{module}, chip); }, command);
     if (refusal)

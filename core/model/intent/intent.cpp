@@ -5,6 +5,7 @@
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/ioplan.h"
 #include "model/intent/looptestplan.h"
 #include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
@@ -203,6 +204,7 @@ struct Planner {
                     stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) const {
         return tl::unexpected(Refusal::NotAStepper);
     }
+    Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
     [[nodiscard]] static std::optional<Refusal> lacking(const intent::GoTo& goTo) {
@@ -243,6 +245,7 @@ bool isStop(const Intent& intent) {
                 intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy,
                 stepintent::GoHome> auto&) { return false; },
+            [](const IoIntent auto&) { return false; },
         },
         intent);
 }
@@ -260,6 +263,8 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
     // The bus does it (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
         return allowed(Request::ResetModule, module, [] { return Steps{}; });
+    if (module.isIo())
+        return planIo(intent, module);
     Plan steps = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
     if (steps)
         if (const auto problem = travelProblem(intent, module))
@@ -270,6 +275,8 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
 std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
     if (module.isStepper())
         return whyNotStep(request, module);
+    if (module.isIo())
+        return whyNotIo(request, module);
     if (request == Request::Home)
         return whyNotHome(module);
     if (!module.isServo())

@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "bus/types.h"
+#include "model/intent/iointent.h"
 #include "model/intent/stepintent.h"
 #include "model/intent/steptaken.h"
 #include "model/module/linkstate.h"
@@ -16,8 +17,8 @@
 
 namespace nmc {
 
-/// What the operator asks of one module; a PIC-STEP has more in stepintent.h. Values only; planning it is
-/// plan()'s business.
+/// What the operator asks of one module; a PIC-STEP has more in stepintent.h, a PIC-I/O in iointent.h. Values
+/// only; planning it is plan()'s business.
 namespace intent {
 struct AskAnew {};  ///< No Operation: of any module, whatever it is
 struct Enable {};   ///< amplifier on, hold the present position, and clear the sticky bits
@@ -148,7 +149,14 @@ using Intent =
                  intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
                  intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
                  intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome>;
+                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome,
+                 iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
+                 iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
+
+/// Of a PIC-I/O.
+template <typename T>
+concept IoIntent = AnyOf<T, iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
+                         iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
 
 /// It stops a motor: it waits for nothing, and goes past everything.
 [[nodiscard]] bool isStop(const Intent& intent);
@@ -159,6 +167,8 @@ enum class Refusal : std::uint8_t {
     ReadOnly,      ///< the connection only looks
     OperatorMode,  ///< the panel is locked
     NotAServo,
+    NoMotor,  ///< a PIC-I/O
+    NotAnIoModule,
     Silent,
     NoPower,
     GainsUnknown,    ///< a servo with gains 0 or unknown would not hold
@@ -232,7 +242,7 @@ enum class Request : std::uint8_t {
     ResetModule,
     // PIC-STEP; its motions have a rule of their own, in stepplan.h
     SetParameters,
-    SetOutputs
+    SetOutputs  ///< of a PIC-I/O, too
 };
 [[nodiscard]] std::optional<Refusal> whyNot(Request request, const ModuleState& module);
 

@@ -207,6 +207,7 @@ struct Planner {
                                 intent::CheckDirection, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
+    Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
     [[nodiscard]] step::LoadTrajectory boundedLoad(const StepMotion& motion) const {

@@ -100,6 +100,7 @@ struct CourseOf {
                     intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
+    std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }
 
 private:
     [[nodiscard]] std::optional<Course> about(std::int32_t counts) const {

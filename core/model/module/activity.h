@@ -27,6 +27,8 @@ enum class Activity : std::uint8_t {
     EstopActive,     ///< the E-stop input is high, or ended the motion
     Overheated,      ///< it switched itself off: the A/D value fell below the thermal limit
     WentOff,         ///< it switched itself off, and why is not known
+    // PIC-I/O only
+    Ready,  ///< it answers; there is nothing that could move
 };
 
 /// Third sign of a state, after shape and word.

@@ -12,11 +12,6 @@ namespace {
 /// An older position does not tell where the motor stood when its counter was set to 0.
 constexpr Duration kFresh = std::chrono::seconds(2);
 
-template <typename Command>
-bool is(const bus::ModuleCommand& command) {
-    return std::visit([](const auto& chip) { return std::holds_alternative<Command>(chip); }, command);
-}
-
 }  // namespace
 
 void HomeFact::found(std::int32_t counts, TimePoint time) {
@@ -48,10 +43,10 @@ void HomeFact::forget() {
 }
 
 void HomeFact::apply(const bus::CommandExecuted& executed) {
-    if (is<SaveAsHome>(executed.command)) {
+    if (bus::is<SaveAsHome>(executed.command)) {
         forget();
         m_saved = executed.time;
-    } else if (is<ResetPosition>(executed.command)) {
+    } else if (bus::is<ResetPosition>(executed.command)) {
         counterReset(executed.time);
     }
 }

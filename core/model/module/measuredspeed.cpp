@@ -28,8 +28,7 @@ void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
 }
 
 void MeasuredSpeed::apply(const bus::CommandExecuted& executed) {
-    const auto sets = [](const auto& command) { return std::holds_alternative<ResetPosition>(command); };
-    if (std::visit(sets, executed.command))
+    if (bus::is<ResetPosition>(executed.command))
         forget();
 }
 

@@ -24,6 +24,14 @@ void merge(StatusReport& into, const StatusReport& from) {
     take(into.aux, from.aux);
     take(into.home, from.home);
     take(into.identity, from.identity);
+    take(into.positionError, from.positionError);
+    take(into.pathPoints, from.pathPoints);
+    take(into.pins, from.pins);
+    for (std::size_t i = 0; i < from.analogs.size(); ++i)
+        take(into.analogs[i], from.analogs[i]);
+    take(into.counter, from.counter);
+    take(into.latchedPins, from.latchedPins);
+    take(into.latchedCounter, from.latchedCounter);
 }
 
 }  // namespace
@@ -59,6 +67,8 @@ void ModuleState::apply(const bus::Sample& sample) {
     latestTime = sample.time;
     if (sample.report.position)
         speed.apply(sample.time, *sample.report.position);
+    if (sample.report.counter)
+        counting.apply(sample.time, static_cast<std::int32_t>(*sample.report.counter));
     home.apply(sample);
     const bool homeFound = watchHome(sample);
     const std::optional<Activity> endedBefore = stepper.ended();
@@ -172,6 +182,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         amplifierEnabled = stepper.amplifierOn();
         loadWaiting = stepper.waiting().has_value();
     }
+    if (const auto* told = std::get_if<IoCommand>(&executed.command))
+        pins.apply(*told);
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
@@ -230,11 +242,13 @@ void ModuleState::restarted() {
     goalVelocity = m_loadedVelocity = m_acceleration = 0.0;
     amplifierEnabled = accelerationLoaded = false;
     stepper.restarted();
+    pins.restarted();
 }
 
 void ModuleState::attached() {
     m_motionUnknown = true;
     stepper.attached();
+    pins.attached();
 }
 
 void ModuleState::doubtMotion() {
@@ -346,6 +360,8 @@ Activity ModuleState::activity() const {
         return Activity::Silent;
     if (isStepper() && latest)
         return stepper.activity();
+    if (isIo() && latest)
+        return Activity::Ready;
     if (!isServo() || !latest || !latest->aux)
         return Activity::Unknown;
     return servoOn() ? activityWhileOn() : activityWhileOff();

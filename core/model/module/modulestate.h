@@ -12,6 +12,7 @@
 #include "model/module/homewatch.h"
 #include "model/module/limitwatch.h"
 #include "model/module/measuredspeed.h"
+#include "model/module/pinstate.h"
 #include "model/module/stepstate.h"
 #include "model/module/swingwatch.h"
 #include "model/module/tripwatch.h"
@@ -79,6 +80,9 @@ struct ModuleState {
     bool offCommanded = false;
     /// PIC-STEP: what it was told, and does.
     StepState stepper;
+    /// PIC-I/O: what it was told, and how fast its counter counts.
+    PinState pins;
+    MeasuredSpeed counting;
 
     void apply(const bus::Sample& sample);
     void apply(const bus::CommandExecuted& executed);
@@ -92,12 +96,10 @@ struct ModuleState {
     void confirmedAtRest();
 
     /// Of a version that is known here; others are only looked at.
-    [[nodiscard]] bool isServo() const {
-        return info.identity.type == ModuleType::Servo && hasDataSheet(info.identity);
-    }
-    [[nodiscard]] bool isStepper() const {
-        return info.identity.type == ModuleType::Step && hasDataSheet(info.identity);
-    }
+    [[nodiscard]] bool isServo() const { return info.identity.type == ModuleType::Servo && isKnown(); }
+    [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Step && isKnown(); }
+    [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
+    [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
     [[nodiscard]] bool servoOn() const;
     /// PIC-SERVO: it has limited the motor's current since that was cleared last.
     [[nodiscard]] bool currentWasLimited() const;

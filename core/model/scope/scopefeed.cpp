@@ -32,7 +32,11 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     if (made.gapBefore)
         m_recent.clear();
     made.velocity = velocity({made.time, made.position});
-    if (const auto command = m_command.at(sample.time, sample.late)) {
+    const bool on = servo::AuxByte{m_aux}.servoOn();
+    if (sample.report.positionError && on) {
+        // The chip's own word, of the same moment as its position.
+        made.error = made.errorLow = made.errorHigh = static_cast<float>(*sample.report.positionError);
+    } else if (const auto command = m_command.at(sample.time, sample.late)) {
         const double error = std::remainder(command->position - made.position, kRange);
         setError(made, {error, error + (command->low - command->position),
                         error + (command->high - command->position)});

@@ -17,10 +17,8 @@ const ModuleState* find(const std::vector<ModuleState>& modules, ModuleIndex ind
 
 /// Motions begin only when all of them are loaded: a load that is refused leaves every motor where it is.
 void startsLast(std::vector<bus::Step>& steps) {
-    std::stable_partition(steps.begin(), steps.end(), [](const bus::Step& step) {
-        return !std::visit([](const auto& chip) { return std::holds_alternative<StartMotion>(chip); },
-                           step.command);
-    });
+    std::stable_partition(steps.begin(), steps.end(),
+                          [](const bus::Step& step) { return !bus::is<StartMotion>(step.command); });
 }
 
 /// What stops its motor, tried whatever is believed of it; nothing where nothing is on.

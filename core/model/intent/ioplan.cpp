@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/ioplan.h"
+
+namespace nmc {
+
+namespace {
+
+using Steps = std::vector<bus::Step>;
+using Plan = tl::expected<Steps, Refusal>;
+
+constexpr StatusItems kLatched{StatusItems::LatchedPins | StatusItems::LatchedCounter};
+
+struct Planner {
+    const ModuleState& module;
+
+    Plan operator()(const iointent::SetDirection& set) const {
+        return allowed(Request::ControlIo, [&] {
+            Steps steps = {step(io::SetDirection{set.inputs})};
+            // Whether an input keeps what it was told as an output is not said: what becomes an output is
+            // told its level on both sides of that.
+            if (const auto levels = module.pins.levels(*module.latest)) {
+                steps.insert(steps.begin(), step(io::SetOutput{*levels}));
+                steps.push_back(step(io::SetOutput{*levels}));
+            }
+            return steps;
+        });
+    }
+    Plan operator()(const iointent::SetOutput& set) const {
+        const auto levels = module.latest ? module.pins.levels(*module.latest) : std::nullopt;
+        if (!levels)
+            return tl::unexpected(Refusal::Silent);
+        const unsigned bit = 1U << set.pin;
+        const unsigned outputs = set.high ? *levels | bit : *levels & ~bit;
+        return allowed(Request::SetOutputs,
+                       [&] { return Steps{step(io::SetOutput{static_cast<std::uint16_t>(outputs)})}; });
+    }
+    Plan operator()(const iointent::SetPwm& set) const {
+        auto values = module.pins.pwm().value_or(std::array<std::uint8_t, 2>{});
+        values.at(set.output) = set.value;
+        return allowed(Request::SetOutputs, [&] { return Steps{step(io::SetPwm{values[0], values[1]})}; });
+    }
+    Plan operator()(const iointent::SetTimer& set) const {
+        return allowed(Request::ControlIo, [&] { return Steps{step(set.mode)}; });
+    }
+    Plan operator()(const iointent::StoreOutputs& store) const {
+        return allowed(Request::SetOutputs, [&] { return Steps{step(store.outputs)}; });
+    }
+    Plan operator()(const iointent::SynchOutput&) const {
+        return allowed(Request::SetOutputs, [&] { return Steps{step(io::SynchOutput{})}; });
+    }
+    Plan operator()(const iointent::SynchInput&) const {
+        return allowed(Request::ControlIo, [&] {
+            return Steps{step(io::SynchInput{}), step(ReadStatus{kLatched})};
+        });
+    }
+    Plan operator()(const auto& /*of a motor*/) const { return tl::unexpected(Refusal::NoMotor); }
+
+private:
+    [[nodiscard]] bus::Step step(const IoCommand& command) const { return {module.info.index, command}; }
+    template <typename MakeSteps>
+    [[nodiscard]] Plan allowed(Request request, MakeSteps makeSteps) const {
+        if (const auto refusal = whyNotIo(request, module))
+            return tl::unexpected(*refusal);
+        return makeSteps();
+    }
+};
+
+}  // namespace
+
+Plan planIo(const Intent& intent, const ModuleState& module) {
+    return std::visit(Planner{module}, intent);
+}
+
+std::optional<Refusal> whyNotIo(Request request, const ModuleState& module) {
+    switch (request) {
+        case Request::SetOutputs:
+        case Request::ControlIo:
+        case Request::ResetModule:
+            return whyNotTold(request, module);
+        case Request::Enable:
+        case Request::Move:
+        case Request::Load:
+        case Request::GoHome:
+        case Request::Run:
+        case Request::Hold:
+        case Request::StopMotion:
+        case Request::MotorOff:
+        case Request::ApplyGains:
+        case Request::ClearStickyBits:
+        case Request::ResetPosition:
+        case Request::SaveAsHome:
+        case Request::DeclarePosition:
+        case Request::StartLoaded:
+        case Request::StopHere:
+        case Request::DrivePwm:
+        case Request::CheckDirection:
+        case Request::SetAmplifier:
+        case Request::Home:
+        case Request::ArmLimitStop:
+        case Request::SetParameters:
+            break;
+    }
+    return Refusal::NoMotor;
+}
+
+}  // namespace nmc

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/intent/intent.h"
+
+namespace nmc {
+
+/// plan() and whyNot() of a PIC-I/O. Pure.
+[[nodiscard]] tl::expected<std::vector<bus::Step>, Refusal> planIo(const Intent& intent,
+                                                                   const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotIo(Request request, const ModuleState& module);
+
+}  // namespace nmc
