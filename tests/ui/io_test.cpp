@@ -129,8 +129,8 @@ TEST_F(IoPage, GoesHomeAndStopsHere) {
 
 TEST_F(IoPage, AVersionWithoutADataSheetIsOnlyLookedAt) {
     for (const ModuleIdentity& identity :
-         {ModuleIdentity{ModuleType::Servo, 5}, ModuleIdentity{ModuleType::Step, 2},
-          ModuleIdentity{ModuleType::Io, 1}}) {
+         {ModuleIdentity{ModuleType::Servo, 6}, ModuleIdentity{ModuleType::Step, 2},
+          ModuleIdentity{ModuleType::Io, 2}, ModuleIdentity{ModuleType::Adc, 1}}) {
         ModuleState module;
         module.info.identity = identity;
         module.info.address = BusAddress(1);

@@ -87,6 +87,7 @@ void paintMark(MarkPainter mark, Activity activity) {
             break;
         case Activity::ServoOff:
         case Activity::AmplifierOff:
+        case Activity::Ready:
             mark.ring(0.38);
             break;
         case Activity::Tripped:

@@ -203,6 +203,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
         case Activity::AtSpeed:
         case Activity::Decelerating:
         case Activity::AmplifierOff:
+        case Activity::Ready:
         case Activity::WentOff:
             message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
             message.body =

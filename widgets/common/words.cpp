@@ -90,6 +90,8 @@ QString activity(Activity activity) {
             return Texts::tr("Decelerating");
         case Activity::AmplifierOff:
             return Texts::tr("Amplifier off");
+        case Activity::Ready:
+            return Texts::tr("Ready");
         case Activity::StoppedByLimit:
             return Texts::tr("Stopped by a limit");
         case Activity::EstopActive:
@@ -141,6 +143,8 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The motor moves at its goal velocity.");
         case Activity::Decelerating:
             return Texts::tr("The motor is slowing down.");
+        case Activity::Ready:
+            return Texts::tr("Inputs and outputs answer. No motor is connected here.");
         case Activity::AmplifierOff:
             return Texts::tr(
                 "The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was "
@@ -170,6 +174,10 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The panel is in operator mode, and this is not left to the operator.");
         case Refusal::NotAServo:
             return Texts::tr("This module is not a PIC-SERVO.");
+        case Refusal::NoMotor:
+            return Texts::tr("This module drives no motor.");
+        case Refusal::NotAnIoModule:
+            return Texts::tr("This module is not a PIC-I/O.");
         case Refusal::Silent:
             return Texts::tr("The module does not answer, so its state is unknown.");
         case Refusal::NoPower:

@@ -45,8 +45,8 @@ void GenericPanel::showModule(const PanelView& view) {
     look::setText(m_name, tr("%1: %2").arg(texts::moduleName(module.info.index),
                                            texts::moduleType(module.info.identity)));
     look::setText(m_text, tr("Its type and version are not among those whose data sheets this panel follows "
-                             "(PIC-SERVO v1 to v4, "
-                             "PIC-STEP v1), so what a command would do to it is not known. It is only looked "
+                             "(PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would "
+                             "do to it is not known. It is only looked "
                              "at; Stop all reaches "
                              "it."));
     QString status = tr("No status yet.");

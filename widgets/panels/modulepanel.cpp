@@ -9,6 +9,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/panels/genericpanel.h"
+#include "widgets/panels/iopanel.h"
 #include "widgets/panels/servopanel.h"
 #include "widgets/panels/steppanel.h"
 
@@ -54,6 +55,8 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     std::unique_ptr<ModulePage> page;
     if (view.module.isServo())
         page = std::make_unique<ServoPanel>(view);
+    else if (view.module.isIo())
+        page = std::make_unique<IoPanel>(view);
     else
         page = std::make_unique<StepPanel>(view);
     const ModuleIndex module = view.module.info.index;
@@ -85,7 +88,7 @@ ModulePage& ModulePanel::pageOf(const PanelView& view) {
 }
 
 bool ModulePanel::prepare(const PanelView& view) {
-    if ((!view.module.isServo() && !view.module.isStepper()) || m_pages.count(view.module.info.index) != 0)
+    if (!view.module.isKnown() || m_pages.count(view.module.info.index) != 0)
         return false;
     ModulePage& page = pageOf(view);
     page.resize(size());
@@ -98,7 +101,7 @@ ModulePage* ModulePanel::page() const {
 }
 
 const ModulePage* ModulePanel::pageLike(const PanelView& view) {
-    if (!view.module.isServo() && !view.module.isStepper())
+    if (!view.module.isKnown())
         return nullptr;
     for (const auto& [module, page] : m_pages)
         if (page.identity == view.module.info.identity)
@@ -197,7 +200,7 @@ void ModulePanel::resizeEvent(QResizeEvent* event) {
 }
 
 void ModulePanel::showModule(const PanelView& view) {
-    if (!view.module.isServo() && !view.module.isStepper()) {
+    if (!view.module.isKnown()) {
         endHold();
         m_generic->showModule(view);
         bringUp(m_generic);

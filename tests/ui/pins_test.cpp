@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panel of a PIC-I/O, by mouse and keys. IO1 and IO2 are outputs, and IO1 and IO12 read high.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+class Pins : public WindowTest {
+protected:
+    Pins() {
+        module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Io, 1}};
+        told(io::SetDirection{0x0FFC});
+        told(io::SetOutput{0x0001});
+        latch(0x0801, 0);
+        QObject::connect(window.get(), &MainWindow::axisEdited,
+                         [this](ModuleIndex, const AxisSettings& axis) { edited = axis; });
+    }
+    void told(const IoCommand& command) {
+        module.apply(bus::CommandExecuted{ModuleIndex(0), TimePoint{}, command});
+    }
+    void latch(std::uint16_t pins, int millisecond) {
+        bus::Sample sample;
+        sample.time = TimePoint(std::chrono::seconds(1) + std::chrono::milliseconds(millisecond));
+        sample.report.items = StatusItems(0x1F);
+        sample.report.pins = pins;
+        sample.report.analogs = {std::uint8_t{0}, std::uint8_t{102}, std::uint8_t{255}};
+        sample.report.counter = 5'000'000;
+        module.apply(sample);
+        show();
+    }
+    void show() { window->showLink(connectedTo({module})); }
+    void strike(const QString& box) {
+        auto* check = find<QCheckBox>(box);
+        QTest::mouseClick(check, Qt::LeftButton, {}, {check->height() / 2, check->height() / 2});
+    }
+    template <typename Asked>
+    Asked only() {
+        EXPECT_EQ(intents.size(), 1);
+        if (intents.empty())
+            return {};
+        return std::get<Asked>(intents.takeFirst().at(1).template value<Intent>());
+    }
+    /// As the machine file says of this pin.
+    void settings(std::size_t pin, const OutputSettings& output) {
+        machine.axes.resize(1);
+        machine.axes[0].pins.emplace();
+        PinSettings::in(machine.axes[0].pins->pins, pin) = output;
+        window->showMachine(machine);
+        show();
+    }
+
+    ModuleState module;
+    AxisSettings edited;
+    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+};
+
+TEST_F(Pins, SayWhatTheyReadAndWhichWayTheyGo) {
+    EXPECT_EQ(text(u"ioStateLabel"_s), u"Ready"_s);
+    EXPECT_EQ(text(u"pin1Level"_s), u"high"_s);
+    EXPECT_EQ(text(u"pin2Level"_s), u"low"_s);
+    EXPECT_EQ(text(u"pin12Level"_s), u"high"_s);
+    EXPECT_EQ(find<QComboBox>(u"pin1Direction"_s)->currentText(), u"output"_s);
+    EXPECT_EQ(find<QComboBox>(u"pin3Direction"_s)->currentText(), u"input"_s);
+    EXPECT_FALSE(find<QCheckBox>(u"pin3Box"_s)->isEnabled()) << "an input";
+    latch(0x0800, 20);
+    EXPECT_EQ(text(u"pin1Level"_s), u"low, told high"_s);
+}
+
+TEST_F(Pins, AnOutputIsSwitchedByAClickAndShowsWhatWasConfirmed) {
+    strike(u"pin2Box"_s);
+    const auto set = only<iointent::SetOutput>();
+    EXPECT_EQ(set.pin, 1U);
+    EXPECT_TRUE(set.high);
+    EXPECT_FALSE(find<QCheckBox>(u"pin2Box"_s)->isChecked());
+    told(io::SetOutput{0x0003});
+    latch(0x0803, 20);
+    EXPECT_TRUE(find<QCheckBox>(u"pin2Box"_s)->isChecked());
+}
+
+TEST_F(Pins, ADirectionIsChosenByKeys) {
+    auto* direction = find<QComboBox>(u"pin3Direction"_s);
+    direction->setFocus();
+    QTest::keyClick(direction, Qt::Key_Down);
+    EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FF8);
+}
+
+TEST_F(Pins, WhatAnotherProgramHasLeftIsUnknownUntilAllAreInputs) {
+    module.attached();
+    latch(0x0801, 20);
+    EXPECT_EQ(find<QComboBox>(u"pin1Direction"_s)->currentText(), u"? unknown"_s);
+    EXPECT_FALSE(find<QCheckBox>(u"pin1Box"_s)->isEnabled());
+    click(u"pinsAllInputsButton"_s);
+    EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FFF);
+}
+
+TEST_F(Pins, OneThatAsksIsSwitchedOnlyByTheAnswer) {
+    settings(1, {"Pump", true, false});
+    strike(u"pin2Box"_s);
+    EXPECT_EQ(intents.size(), 0);
+    auto* question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->findChild<QLabel*>(u"closeText"_s)->text(), u"Switch Pump (IO2) on?"_s);
+    EXPECT_FALSE(question->isModal()) << "STOP ALL stays within reach";
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"switchOutputButton"_s), Qt::LeftButton);
+    EXPECT_EQ(only<iointent::SetOutput>().pin, 1U);
+}
+
+TEST_F(Pins, WhatIsTypedBesideThemIsKeptAndSendsNothing) {
+    find<QLineEdit>(u"pin4Name"_s)->setFocus();
+    QTest::keyClicks(find<QLineEdit>(u"pin4Name"_s), u"Lamp"_s);
+    ASSERT_TRUE(edited.pins.has_value());
+    EXPECT_EQ(PinSettings::of(edited.pins->pins, 3).name, "Lamp");
+    strike(u"pin4OffAtStop"_s);
+    EXPECT_EQ(PinSettings::offAtStop(edited.pins->pins), 0x0008);
+    EXPECT_EQ(intents.size(), 0);
+}
+
+TEST_F(Pins, AnalogInputsHaveScalesOfTheirOwn) {
+    EXPECT_EQ(text(u"analog2Value"_s), u"2 V (102 of 255)"_s);  // 102 / 255 of 5 V
+    type(u"analog2PerCount"_s, u"0.5"_s);
+    ASSERT_TRUE(edited.pins.has_value());
+    EXPECT_EQ(PinSettings::of(edited.pins->analog, 1).scale.perCount, 0.5);
+}
+
+TEST_F(Pins, APwmOutputIsSentByEnter) {
+    type(u"ioPwm2Field"_s, u"128"_s);
+    QTest::keyClick(field(u"ioPwm2Field"_s), Qt::Key_Return);
+    const auto set = only<iointent::SetPwm>();
+    EXPECT_EQ(set.output, 1U);
+    EXPECT_EQ(set.value, 128);
+}
+
+TEST_F(Pins, TheTimerCountsFiveMillionASecond) {
+    find<QComboBox>(u"timerModeBox"_s)->setFocus();
+    QTest::keyClick(find<QComboBox>(u"timerModeBox"_s), Qt::Key_Down);
+    click(u"setTimerButton"_s);
+    const auto set = only<iointent::SetTimer>();
+    EXPECT_TRUE(set.mode.enable);
+    EXPECT_FALSE(set.mode.counter);
+    told(set.mode);
+    latch(0x0801, 20);
+    EXPECT_EQ(text(u"counterRate"_s), u"= 1 s"_s);
+}
+
+TEST_F(Pins, WhatIsStoredIsPutOutLater) {
+    EXPECT_FALSE(button(u"synchOutputButton"_s)->isEnabled());
+    type(u"storedOutputsField"_s, u"5"_s);
+    click(u"storeOutputsButton"_s);
+    const auto store = only<iointent::StoreOutputs>();
+    EXPECT_EQ(store.outputs, (io::SetSynchOutput{5, 0, 0}));
+    told(store.outputs);
+    latch(0x0801, 20);
+    click(u"synchOutputButton"_s);
+    (void)only<iointent::SynchOutput>();
+}
+
+TEST_F(Pins, ASilentModuleTakesNothing) {
+    module.silent = true;
+    show();
+    EXPECT_FALSE(find<QCheckBox>(u"pin2Box"_s)->isEnabled());
+    EXPECT_FALSE(find<QComboBox>(u"pin3Direction"_s)->isEnabled());
+    EXPECT_EQ(text(u"ioStateLabel"_s), u"No answer"_s);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/iohead.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+IoHead::IoHead(ModuleContext& context, QWidget* parent)
+    : QFrame(parent),
+      m_context(context),
+      m_glyph(new GlyphLabel(this)),
+      m_module(new QLabel(this)),
+      m_type(look::newMutedLabel({}, this)),
+      m_state(new QLabel(this)),
+      m_meaning(new QLabel(this)),
+      m_name(new QLineEdit(this)) {
+    look::name(this, u"ioHead"_s, tr("State of the selected module"));
+    m_module->setObjectName(u"ioModuleName"_s);
+    m_type->setObjectName(u"ioModuleType"_s);
+    m_state->setObjectName(u"ioStateLabel"_s);
+    m_meaning->setObjectName(u"ioStateMeaning"_s);
+    look::name(m_name, u"ioNameField"_s, tr("Name of this module"));
+    m_name->setPlaceholderText(tr("name"));
+    m_name->setMaxLength(40);
+    m_name->setToolTip(tr("What it is on this machine. Sends nothing."));
+    QFont large = look::scaled(font(), 1.5);
+    large.setBold(true);
+    m_state->setFont(large);
+    m_glyph->setFont(look::scaled(font(), 1.7));
+    QFont bold = font();
+    bold.setBold(true);
+    m_module->setFont(bold);
+    const int unit = look::gridUnit(this);
+    auto* who = new QHBoxLayout;
+    who->addWidget(m_module);
+    who->addWidget(m_type);
+    who->addStretch(1);
+    auto* label = new QLabel(tr("Name"), this);
+    label->setBuddy(m_name);
+    who->addWidget(label);
+    who->addWidget(m_name);
+    auto* what = new QHBoxLayout;
+    what->setSpacing(unit / 2);
+    what->addWidget(m_glyph);
+    what->addWidget(m_state);
+    what->addWidget(m_meaning, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    layout->addLayout(who);
+    layout->addLayout(what);
+    connect(m_name, &QLineEdit::textEdited, this, [this](const QString& text) {
+        m_context.edit([text](AxisSettings& axis) { axis.name = text.toStdString(); });
+    });
+    m_context.whenSeen(this, [this] { refresh(); });
+}
+
+void IoHead::refresh() {
+    const ModuleState& module = m_context.state();
+    const Activity activity = module.activity();
+    look::setText(m_module, texts::moduleName(module.info.index));
+    look::setText(
+        m_type,
+        tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
+    look::setText(m_state, texts::activity(activity));
+    look::setText(m_meaning, texts::activityMeaning(activity));
+    m_glyph->showActivity(activity);
+    const QString name = QString::fromStdString(m_context.settings().name);
+    if (m_name->text() != name && !m_name->hasFocus())
+        m_name->setText(name);
+}
+
+}  // namespace nmc

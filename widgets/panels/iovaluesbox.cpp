@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/iovaluesbox.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/unitwords.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLongestName = 40;
+constexpr int kLongestUnit = 8;
+constexpr double kLargest = 1e6;  ///< of a scale
+
+void showUnlessTyped(QLineEdit& edit, const std::string& text) {
+    const QString words = QString::fromStdString(text);
+    if (edit.text() != words && !edit.hasFocus())
+        edit.setText(words);
+}
+
+void showUnlessTyped(NumberField& field, double value) {
+    if (field.value() != value && !field.hasFocus())
+        field.showValue(value);
+}
+
+}  // namespace
+
+IoValuesBox::IoValuesBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
+    look::name(this, u"ioValuesBox"_s, tr("A/D and PWM"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    buildAnalog(*grid, 0);
+    grid->setRowMinimumHeight(4, unit);
+    buildPwm(*grid, 5);
+    grid->setRowStretch(9, 1);
+    grid->setColumnStretch(1, 1);
+    m_context.whenSeen(this, [this] { showModule(); });
+}
+
+QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& accessibleName,
+                                const QString& hint) {
+    auto* edit = new QLineEdit(this);
+    look::name(edit, objectName, accessibleName);
+    edit->setPlaceholderText(hint);
+    edit->setToolTip(tr("What it is on this machine. Sends nothing."));
+    edit->setMaxLength(kLongestName);
+    return edit;
+}
+
+NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& accessibleName, double most) {
+    auto* field = new NumberField(most > 255 ? 6 : 0, this);
+    look::name(field, objectName, accessibleName);
+    field->setRange(most > 255 ? -most : 0, most);
+    field->setWords(accessibleName, {});
+    field->setDigits(8);
+    return field;
+}
+
+void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
+    const std::array<QString, 6> headings{tr("A/D input"), tr("Name"), tr("Reads"),
+                                          tr("Each step"), tr("At 0"), tr("Unit")};
+    for (int i = 0; i < static_cast<int>(headings.size()); ++i)
+        grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), row, i);
+    for (std::size_t i = 0; i < m_analog.size(); ++i) {
+        Analog& input = m_analog.at(i);
+        const QString number = QString::number(i + 1);
+        const QString label = u"AD"_s + number;
+        input.name = newText(u"analog%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
+        input.value = new QLabel(this);
+        look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("What %1 reads").arg(label));
+        input.value->setFont(look::tabular(font()));
+        input.perCount =
+            newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label), kLargest);
+        input.perCount->setMeaning(tr("How much each of the 255 steps stands for."));
+        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label), kLargest);
+        input.atZero->setMeaning(tr("What an A/D value of 0 stands for."));
+        input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label), u"V"_s);
+        input.unit->setMaxLength(kLongestUnit);
+        auto* name = new QLabel(label, this);
+        name->setBuddy(input.name);
+        const int line = row + 1 + static_cast<int>(i);
+        int column = 0;
+        for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(input.name),
+                                static_cast<QWidget*>(input.value), static_cast<QWidget*>(input.perCount),
+                                static_cast<QWidget*>(input.atZero), static_cast<QWidget*>(input.unit)})
+            grid.addWidget(widget, line, column++);
+        connect(input.name, &QLineEdit::textEdited, this, [this, i](const QString& text) {
+            editAnalog(i, [text = text.toStdString()](AnalogInput& in) { in.name = text; });
+        });
+        connect(input.unit, &QLineEdit::textEdited, this, [this, i](const QString& text) {
+            editAnalog(i, [text = text.toStdString()](AnalogInput& in) { in.scale.unit = text; });
+        });
+        connect(input.perCount, &NumberField::edited, this, [this, i] {
+            if (const auto value = m_analog.at(i).perCount->value())
+                editAnalog(i, [value](AnalogInput& in) { in.scale.perCount = *value; });
+        });
+        connect(input.atZero, &NumberField::edited, this, [this, i] {
+            if (const auto value = m_analog.at(i).atZero->value())
+                editAnalog(i, [value](AnalogInput& in) { in.scale.atZero = *value; });
+        });
+    }
+}
+
+void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
+    const std::array<QString, 5> headings{tr("PWM output"), tr("Name"), tr("Now"), tr("0 to 255"),
+                                          tr("Off at stop")};
+    for (int i = 0; i < static_cast<int>(headings.size()); ++i)
+        grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), row, i);
+    for (std::size_t i = 0; i < m_pwm.size(); ++i) {
+        Pwm& output = m_pwm.at(i);
+        const QString number = QString::number(i + 1);
+        const QString label = u"PWM"_s + number;
+        output.name = newText(u"ioPwm%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
+        output.state = new QLabel(this);
+        look::nameText(output.state, u"ioPwm%1State"_s.arg(number), tr("What %1 was told").arg(label));
+        output.field = newNumber(u"ioPwm%1Field"_s.arg(number), tr("Value of %1").arg(label), 255);
+        output.field->setMeaning(tr("255 is on all the time. Enter sends it."));
+        output.offAtStop = new QCheckBox(this);
+        look::name(output.offAtStop, u"ioPwm%1OffAtStop"_s.arg(number),
+                   tr("STOP ALL switches %1 off").arg(label));
+        output.offAtStop->setToolTip(
+            tr("STOP ALL switches this output off. Without a tick it stays as it is."));
+        auto* name = new QLabel(label, this);
+        name->setBuddy(output.field);
+        const int line = row + 1 + static_cast<int>(i);
+        grid.addWidget(name, line, 0);
+        grid.addWidget(output.name, line, 1);
+        grid.addWidget(output.state, line, 2);
+        grid.addWidget(output.field, line, 3);
+        grid.addWidget(output.offAtStop, line, 4, Qt::AlignHCenter);
+        connect(output.name, &QLineEdit::textEdited, this, [this, i](const QString& text) {
+            editPwm(i, [text = text.toStdString()](OutputSettings& out) { out.name = text; });
+        });
+        connect(output.offAtStop, &QCheckBox::clicked, this,
+                [this, i](bool on) { editPwm(i, [on](OutputSettings& out) { out.offAtStop = on; }); });
+        connect(output.field, &NumberField::returnPressed, this,
+                [this, i] { sendPwm(static_cast<unsigned>(i)); });
+    }
+}
+
+void IoValuesBox::editAnalog(std::size_t number, const std::function<void(AnalogInput&)>& change) {
+    m_context.edit([number, change](AxisSettings& axis) {
+        if (!axis.pins)
+            axis.pins.emplace();
+        change(PinSettings::in(axis.pins->analog, number));
+    });
+}
+
+void IoValuesBox::editPwm(std::size_t number, const std::function<void(OutputSettings&)>& change) {
+    m_context.edit([number, change](AxisSettings& axis) {
+        if (!axis.pins)
+            axis.pins.emplace();
+        change(PinSettings::in(axis.pins->pwm, number));
+    });
+}
+
+void IoValuesBox::sendPwm(unsigned output) {
+    const auto value = m_pwm.at(output).field->value();
+    if (value && !m_context.whyNot(Request::SetOutputs))
+        m_context.ask(iointent::SetPwm{output, static_cast<std::uint8_t>(*value)});
+}
+
+void IoValuesBox::showModule() {
+    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    for (std::size_t i = 0; i < m_analog.size(); ++i) {
+        const AnalogInput input = PinSettings::of(settings.analog, i);
+        showUnlessTyped(*m_analog.at(i).name, input.name);
+        showUnlessTyped(*m_analog.at(i).unit, input.scale.unit);
+        showUnlessTyped(*m_analog.at(i).perCount, input.scale.perCount);
+        showUnlessTyped(*m_analog.at(i).atZero, input.scale.atZero);
+    }
+    for (std::size_t i = 0; i < m_pwm.size(); ++i) {
+        const OutputSettings output = PinSettings::of(settings.pwm, i);
+        showUnlessTyped(*m_pwm.at(i).name, output.name);
+        m_pwm.at(i).offAtStop->setChecked(output.offAtStop);
+    }
+    refresh();
+}
+
+void IoValuesBox::refresh() {
+    const ModuleState& module = m_context.state();
+    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    for (std::size_t i = 0; i < m_analog.size(); ++i) {
+        const auto& value = report.analogs.at(i);
+        look::setReadout(
+            m_analog.at(i).value,
+            value ? texts::analogReading(PinSettings::of(settings.analog, i).scale, *value) : u"–"_s);
+    }
+    const auto pwm = module.pins.pwm();
+    const QString reason = m_context.reasonNow(Request::SetOutputs);
+    for (std::size_t i = 0; i < m_pwm.size(); ++i) {
+        look::setText(m_pwm.at(i).state,
+                      pwm ? tr("%1 of 255").arg(static_cast<int>(pwm->at(i))) : tr("? unknown"));
+        look::setPossible(m_pwm.at(i).field, reason, tr("255 is on all the time. Enter sends it."));
+    }
+}
+
+}  // namespace nmc

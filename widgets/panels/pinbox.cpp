@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/pinbox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QSignalBlocker>
+
+#include "widgets/common/askdialog.h"
+#include "widgets/common/glyphs.h"
+#include "widgets/common/look.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLongestName = 40;
+enum Column { Label, Direction, Level, High, Name, Asks, OffAtStop };
+enum Choice { Input, Output, Unknown };
+
+bool bitOf(unsigned mask, unsigned bit) {
+    return (mask >> bit & 1U) != 0;
+}
+
+}  // namespace
+
+PinBox::PinBox(ModuleContext& context, QWidget* parent)
+    : QWidget(parent),
+      m_context(context),
+      m_allInputs(new Command({.name = u"pinsAllInputsButton"_s,
+                               .icon = u"send"_s,
+                               .text = tr("Make all pins inputs"),
+                               .accessible = tr("Make all twelve pins inputs")},
+                              this, [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
+      m_hint(look::newMutedLabel({}, this)) {
+    look::name(this, u"pinBox"_s, tr("Pins"));
+    m_hint->setObjectName(u"pinsHint"_s);
+    m_hint->setWordWrap(true);
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 3);
+    build(*grid);
+    m_context.whenSeen(this, [this] { showModule(); });
+}
+
+void PinBox::build(QGridLayout& grid) {
+    const std::array<QString, 7> headings{tr("Pin"),  tr("Direction"), tr("Level"),      tr("Output"),
+                                          tr("Name"), tr("Ask first"), tr("Off at stop")};
+    for (int i = 0; i < static_cast<int>(headings.size()); ++i)
+        grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), 0, i);
+    for (unsigned i = 0; i < io::kPins; ++i)
+        buildPin(grid, i);
+    const int below = static_cast<int>(io::kPins) + 1;
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_allInputs->button());
+    row->addStretch(1);
+    grid.addLayout(row, below, 0, 1, 7);
+    grid.addWidget(m_hint, below + 1, 0, 1, 7);
+    grid.setColumnStretch(Name, 1);
+    grid.setRowStretch(below + 2, 1);
+}
+
+void PinBox::buildPin(QGridLayout& grid, unsigned number) {
+    Pin& pin = m_pins.at(number);
+    const QString digits = QString::number(number + 1);
+    const QString label = u"IO"_s + digits;
+    const int row = static_cast<int>(number) + 1;
+    pin.direction = new QComboBox(this);
+    pin.direction->addItems({tr("input"), tr("output"), tr("? unknown")});
+    look::name(pin.direction, u"pin%1Direction"_s.arg(digits), tr("Direction of %1").arg(label));
+    pin.glyph = new GlyphLabel(this);
+    pin.level = new QLabel(this);
+    pin.level->setObjectName(u"pin%1Level"_s.arg(digits));
+    pin.high = new QCheckBox(tr("high"), this);
+    look::name(pin.high, u"pin%1Box"_s.arg(digits), tr("high: output %1").arg(label));
+    pin.name = new QLineEdit(this);
+    look::name(pin.name, u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label));
+    pin.name->setMaxLength(kLongestName);
+    pin.name->setPlaceholderText(tr("name"));
+    pin.name->setToolTip(tr("What it is on this machine. Sends nothing."));
+    pin.asks = new QCheckBox(this);
+    look::name(pin.asks, u"pin%1Asks"_s.arg(digits), tr("Ask before %1 changes").arg(label));
+    pin.asks->setToolTip(tr("The panel asks before it switches this output."));
+    pin.offAtStop = new QCheckBox(this);
+    look::name(pin.offAtStop, u"pin%1OffAtStop"_s.arg(digits), tr("STOP ALL takes %1 low").arg(label));
+    pin.offAtStop->setToolTip(tr("STOP ALL takes this output low. Without a tick it stays as it is."));
+
+    auto* name = new QLabel(label, this);
+    name->setBuddy(pin.direction);
+    auto* level = new QHBoxLayout;
+    level->setSpacing(look::gridUnit(this) / 2);
+    level->addWidget(pin.glyph);
+    level->addWidget(pin.level);
+    level->addStretch(1);
+    grid.addWidget(name, row, Label);
+    grid.addWidget(pin.direction, row, Direction);
+    grid.addLayout(level, row, Level);
+    grid.addWidget(pin.high, row, High);
+    grid.addWidget(pin.name, row, Name);
+    grid.addWidget(pin.asks, row, Asks, Qt::AlignHCenter);
+    grid.addWidget(pin.offAtStop, row, OffAtStop, Qt::AlignHCenter);
+
+    connect(pin.direction, &QComboBox::activated, this,
+            [this, number](int choice) { setDirection(number, choice == Input); });
+    connect(pin.high, &QCheckBox::clicked, this, [this, number](bool high) { setOutput(number, high); });
+    const auto edit = [this, number](const auto& change) {
+        m_context.edit([number, change](AxisSettings& axis) {
+            if (!axis.pins)
+                axis.pins.emplace();
+            change(PinSettings::in(axis.pins->pins, number));
+        });
+    };
+    connect(pin.name, &QLineEdit::textEdited, this, [edit](const QString& text) {
+        edit([text = text.toStdString()](OutputSettings& output) { output.name = text; });
+    });
+    connect(pin.asks, &QCheckBox::clicked, this,
+            [edit](bool on) { edit([on](OutputSettings& output) { output.asks = on; }); });
+    connect(pin.offAtStop, &QCheckBox::clicked, this,
+            [edit](bool on) { edit([on](OutputSettings& output) { output.offAtStop = on; }); });
+}
+
+void PinBox::setDirection(unsigned pin, bool input) {
+    if (const auto inputs = m_context.state().pins.inputs()) {
+        const unsigned bit = 1U << pin;
+        m_context.ask(
+            iointent::SetDirection{static_cast<std::uint16_t>(input ? *inputs | bit : *inputs & ~bit)});
+    }
+    refresh();  // what it shows is what was confirmed, not what was chosen
+}
+
+void PinBox::setOutput(unsigned pin, bool high) {
+    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    if (PinSettings::of(settings.pins, pin).asks)
+        askBefore(pin, high);
+    else
+        m_context.ask(iointent::SetOutput{pin, high});
+    refresh();
+}
+
+QString PinBox::nameOf(unsigned pin) const {
+    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const QString name = QString::fromStdString(PinSettings::of(settings.pins, pin).name);
+    const QString label = u"IO"_s + QString::number(pin + 1);
+    return name.isEmpty() ? label : tr("%1 (%2)").arg(name, label);
+}
+
+void PinBox::askBefore(unsigned pin, bool high) {
+    const auto text = [self = QPointer(this), pin, high, before = m_context.state().latest->pins] {
+        const bool stands = self && self->isVisible() && !self->m_context.whyNot(Request::SetOutputs) &&
+                            self->m_context.state().latest->pins == before;
+        if (!stands)
+            return QString();
+        return high ? tr("Switch %1 on?").arg(self->nameOf(pin))
+                    : tr("Switch %1 off?").arg(self->nameOf(pin));
+    };
+    const auto go = [self = QPointer(this), pin, high] {
+        if (self)
+            self->m_context.ask(iointent::SetOutput{pin, high});
+    };
+    AskDialog::ask({.name = u"outputDialog"_s,
+                    .title = tr("Output"),
+                    .text = text,
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelOutputButton"_s,
+                    .stayIsDefault = true},
+                   {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, window());
+}
+
+void PinBox::showModule() {
+    showSettings();
+    refresh();
+}
+
+void PinBox::showSettings() {
+    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    for (unsigned i = 0; i < io::kPins; ++i) {
+        const OutputSettings output = PinSettings::of(settings.pins, i);
+        const Pin& pin = m_pins.at(i);
+        const QString name = QString::fromStdString(output.name);
+        if (pin.name->text() != name && !pin.name->hasFocus())
+            pin.name->setText(name);
+        pin.asks->setChecked(output.asks);
+        pin.offAtStop->setChecked(output.offAtStop);
+    }
+}
+
+void PinBox::refresh() {
+    for (unsigned i = 0; i < io::kPins; ++i)
+        refreshPin(i);
+    const bool known = m_context.state().pins.inputs().has_value();
+    m_allInputs->setVisible(!known);
+    m_allInputs->setPossible(m_context.reasonNow(Request::ControlIo),
+                             tr("Makes all twelve pins inputs: outputs let go of what they drive."));
+    look::setText(m_hint, known ? QString()
+                                : tr("Another program has left this module, and it does not tell which pins "
+                                     "are outputs. Make all pins inputs to begin anew."));
+}
+
+void PinBox::refreshPin(unsigned number) {
+    const ModuleState& module = m_context.state();
+    const Pin& pin = m_pins.at(number);
+    const auto inputs = module.pins.inputs();
+    const auto level = module.latest.value_or(StatusReport{}).pins;
+    const bool output = inputs && !bitOf(*inputs, number);
+    const bool high = bitOf(level.value_or(0), number);
+    const bool toldHigh = bitOf(module.pins.told().value_or(level.value_or(0)), number);
+    const bool differs = output && level && toldHigh != high;
+
+    const QSignalBlocker direction(pin.direction);
+    pin.direction->setCurrentIndex(!inputs ? Unknown : output ? Output : Input);
+    QString reason = m_context.reasonNow(Request::ControlIo);
+    if (reason.isEmpty() && !inputs)
+        reason = tr("The directions are unknown. Make all pins inputs first.");
+    look::setPossible(pin.direction, reason, tr("Whether the module reads this pin or drives it."));
+
+    pin.glyph->showBit(level ? std::optional(high) : std::nullopt);
+    look::setText(pin.level, !level    ? u"–"_s
+                             : differs ? high ? tr("high, told low") : tr("low, told high")
+                             : high ? tr("high")
+                                       : tr("low"));
+    const QSignalBlocker box(pin.high);
+    pin.high->setChecked(output && toldHigh);
+    QString why = m_context.reasonNow(Request::SetOutputs);
+    if (why.isEmpty() && !output)
+        why = inputs ? tr("This pin is an input.") : tr("The directions are unknown.");
+    look::setPossible(pin.high, why, tr("Switches this output at once."));
+}
+
+}  // namespace nmc

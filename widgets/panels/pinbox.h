@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "widgets/panels/modulecontext.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+
+namespace nmc {
+
+class Command;
+class GlyphLabel;
+
+/// The twelve pins of one PIC-I/O: direction, level, name, and for outputs what switches them and how careful
+/// the panel is with that. What a pin reads comes from the chip; which way it goes the chip does not tell,
+/// so while that is unknown all of them are made inputs first.
+class PinBox : public QWidget {
+    Q_OBJECT
+
+public:
+    PinBox(ModuleContext& context, QWidget* parent);
+
+private:
+    struct Pin {
+        QComboBox* direction = nullptr;
+        GlyphLabel* glyph = nullptr;
+        QLabel* level = nullptr;
+        QCheckBox* high = nullptr;
+        QLineEdit* name = nullptr;
+        QCheckBox* asks = nullptr;
+        QCheckBox* offAtStop = nullptr;
+    };
+
+    void build(QGridLayout& grid);
+    void buildPin(QGridLayout& grid, unsigned number);
+    void setDirection(unsigned pin, bool input);
+    void setOutput(unsigned pin, bool high);
+    void askBefore(unsigned pin, bool high);
+    [[nodiscard]] QString nameOf(unsigned pin) const;
+    void showModule();
+    void showSettings();
+    void refresh();
+    void refreshPin(unsigned number);
+
+    ModuleContext& m_context;
+    std::array<Pin, io::kPins> m_pins;
+    Command* m_allInputs;
+    QLabel* m_hint;
+};
+
+}  // namespace nmc
