@@ -198,10 +198,14 @@ int main(int argc, char** argv) {
     // The chips that it stands for do not wait for what else this computer does; nor does a host's bus
     // thread.
     nmc::preferThisThread();
-    std::printf("ready %s\n", terminal->path().c_str());
+    // Ready is who hears the first byte: the chain was switched on a dead time ago.
+    nmc::sim::Chain chain(*modules, options.simulation);
+    chain.advanceTo(nmc::TimePoint{} + options.simulation.resetDeadTime);
+    const std::string path = terminal->path();
+    nmc::SimServer server(std::move(chain), std::move(*terminal), options.pacing, STDIN_FILENO,
+                          STDOUT_FILENO);
+    std::printf("ready %s\n", path.c_str());
     std::fflush(stdout);
-    nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.pacing,
-                          STDIN_FILENO, STDOUT_FILENO);
     server.run(stop);
     return 0;
 }

@@ -186,14 +186,17 @@ void Chain::Private::deliverToModules(const LineByte& byte) {
         return deliverWithFaults(byte);
     ++statistics.bytesIn;
     watchForHaste(byte);
+    bool heard = false;
     for (std::size_t i = 0; i < modules.size(); ++i)
-        moduleHears(i, byte.value, byte.baud, false);
+        heard |= moduleHears(i, byte.value, byte.baud, false);
+    statistics.bytesUnheard += heard ? 0 : 1;
 }
 
-void Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error) {
+bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error) {
     Module& module = *modules[index];
+    const bool listens = module.isAwake(now);
     module.dropReply();
-    if (module.isAwake(now)) {
+    if (listens) {
         const double chance = garbleProbability(module.brd(), baud);
         const bool wrong = chance > 0.0 && m_random.unit() < chance;
         if (wrong)
@@ -201,6 +204,7 @@ void Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uin
         module.hears(wrong ? garbled(value, m_random) : value, wrong || error, now);
     }
     moduleEvents[index] = module.nextEvent();
+    return listens;
 }
 
 const Module* Chain::Private::busyModule() const {

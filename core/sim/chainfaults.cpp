@@ -92,14 +92,16 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
         followPacket(byte, insidePacket);
     }
     const bool broken = faults.breaks(&FaultSides::command, now);
+    bool heard = byte.foreign;
     for (std::size_t i = 0; i < modules.size(); ++i) {
         if (faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now))
             continue;
         const FrameEdit::Byte fate = byte.foreign ? FrameEdit::Byte{} : fateOfByte(i);
         const auto value = static_cast<std::uint8_t>(broken ? 0U : unsigned{byte.value} ^ fate.flips);
         for (unsigned copy = 0; copy < fate.copies; ++copy)
-            moduleHears(i, value, byte.baud, broken || fate.error);
+            heard |= moduleHears(i, value, byte.baud, broken || fate.error);
     }
+    statistics.bytesUnheard += heard ? 0 : 1;
     if (!byte.foreign && faults.isOn(FaultKind::Echo, 0, now))
         hostHears(byte.value, now);
 }

@@ -50,7 +50,8 @@ private:
     void hostHears(std::uint8_t value, TimePoint due);
     void deliverLateBytes();
     void deliverToModules(const LineByte& byte);
-    void moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error);
+    /// False when it does not listen.
+    bool moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error);
     void watchForHaste(const LineByte& byte);
     void catchUp();
 

@@ -298,6 +298,7 @@ Json stats(Chain& chain, TimePoint now) {
             {"exchanges", s.exchanges},
             {"bytes_in", s.bytesIn},
             {"bytes_out", s.bytesOut},
+            {"bytes_unheard", s.bytesUnheard},
             {"bytes_lost", s.bytesLost},
             {"modules", modules},
             {"violation_count", chain.violations().count()},

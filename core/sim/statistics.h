@@ -27,10 +27,11 @@ struct ModuleStatistics {
 
 struct ChainStatistics {
     TimePoint time;
-    std::uint64_t exchanges = 0;  ///< commands that were answered, to the last byte
-    std::uint64_t bytesIn = 0;    ///< host to modules
-    std::uint64_t bytesOut = 0;   ///< modules to host
-    std::uint64_t bytesLost = 0;  ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
+    std::uint64_t exchanges = 0;     ///< commands that were answered, to the last byte
+    std::uint64_t bytesIn = 0;       ///< host to modules
+    std::uint64_t bytesOut = 0;      ///< modules to host
+    std::uint64_t bytesUnheard = 0;  ///< of bytesIn, those that found no module listening
+    std::uint64_t bytesLost = 0;     ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
     std::vector<ModuleStatistics> modules;
 };
 

@@ -147,6 +147,32 @@ private:
     int m_fd = -1;
 };
 
+TEST(Terminal, ReadyIsSaidWhenTheFirstModuleListens) {
+    const std::vector<std::string> deafForLong{"--reset-dead-time", "500"};
+    Host host(deafForLong);
+    EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], 0);
+
+    SimProcess inRealTime("servo", deafForLong);
+    Port port(inRealTime.terminal());
+    port.write(kSetAddress);
+    Bytes answer = port.read(1, kPatienceMs);
+    answer.push_back(port.read(1, kPatienceMs).at(0));
+    EXPECT_EQ(answer, kIdle);
+}
+
+TEST(Terminal, WhatIsSentInTheDeadTimeOfAResetIsCountedAsUnheard) {
+    Host host({"--reset-dead-time", "500"});
+    ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    host.write({0xAA, 0xFF, 0x0F, 0x0E});
+    host.pass(0.1);
+    EXPECT_TRUE(host.answer(kSetAddress).empty());
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], kSetAddress.size());
+    host.pass(0.5);
+    EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], kSetAddress.size());
+}
+
 TEST(Terminal, AHostThatNeverSetsARateIsUnderstood) {
     Host host;
     EXPECT_EQ(host.rate(), speed_t{B19200});
@@ -267,8 +293,6 @@ TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     NamedPipe errors;
     SimProcess sim(chain, {"--speed", "1000"}, errors.path());
     Port port(sim.terminal());
-    while (sim.control("time")["time"] < 0.1) {  // modules are deaf for some ms after power-up
-    }
     for (int i = 1; i <= kServos; ++i) {
         port.write(command(0, 0x21, {static_cast<std::uint8_t>(i), 0xFF}));
         while (sim.state(i)["address"] == 0) {

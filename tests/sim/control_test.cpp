@@ -259,6 +259,16 @@ TEST_F(Control, StatsCountWhatHappened) {
     EXPECT_GT(s["violations"][0]["time"], 0.01);
 }
 
+TEST_F(Control, BytesThatNoModuleListensToAreCounted) {
+    EXPECT_EQ(say("stats")["bytes_unheard"], 0);
+    say("power-cycle 2");
+    wire.command(1, 0x0E);
+    EXPECT_EQ(say("stats")["bytes_unheard"], 0) << "module 1 listens";
+    say("power-cycle all");
+    wire.exchange(Bytes(7, 0));  // 3.6 ms of the 8 in which a module is deaf
+    EXPECT_EQ(say("stats")["bytes_unheard"], 7);
+}
+
 TEST_F(Control, AnotherHostsBytesAreHexadecimalAndNeedFaultsEnabled) {
     EXPECT_THAT(errorOf("foreign"), HasSubstr("no bytes"));
     for (const char* wrong : {"foreign AG", "foreign A", "foreign AA02", "foreign 0x1"})

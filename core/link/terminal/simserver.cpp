@@ -37,7 +37,9 @@ SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing,
       m_controlIn(controlIn),
       m_controlOut(controlOut),
       m_hostBaud(kPowerUpBaud),
-      m_started(monotonicNow()) {}
+      m_now(m_chain.statistics().time) {
+    m_started = monotonicNow() - fromSeconds(toSeconds(m_now.time_since_epoch()) / m_pacing.speed);
+}
 
 void SimServer::run(int stopFd) {
     wantFineTimers();

@@ -25,7 +25,8 @@ struct Pacing {
 /// that no scheduler can upset.
 class SimServer {
 public:
-    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each.
+    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each. The chain goes on from the
+    /// time that it has reached.
     SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn, int controlOut);
 
     void run(int stopFd);
