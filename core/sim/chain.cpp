@@ -247,6 +247,11 @@ void Chain::setHostBaud(std::uint32_t baud) {
     d->line.setBaud(baud);
 }
 
+bool Chain::understands(std::uint32_t baud) const {
+    return std::ranges::any_of(
+        d->modules, [baud](const auto& module) { return garbleProbability(module->brd(), baud) < 0.5; });
+}
+
 void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
     d->runTo(now);
     if (readLate)

@@ -24,6 +24,11 @@ using Bytes = std::vector<std::uint8_t>;
 const Bytes kNop{0xAA, 0x01, 0x0E, 0x0F};
 const Bytes kSetAddress{0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21};
 const Bytes kIdle{0x19, 0x19};
+// To all; nobody answers.
+const Bytes kNopToAll{0xAA, 0xFF, 0x0E, 0x0D};
+const Bytes kResetAll{0xAA, 0xFF, 0x0F, 0x0E};
+const Bytes kAllTo115200{0xAA, 0xFF, 0x1A, 10, 0x23};
+const Bytes kAllTo19200{0xAA, 0xFF, 0x1A, 63, 0x58};
 
 constexpr int kPatienceMs = 10'000;
 
@@ -40,6 +45,20 @@ public:
         m_port->setRate(rate);
         sim.control("time");  // the simulator looks at the rate before it answers
     }
+    /// In one breath: by then the simulator may have noticed all, some or nothing of it.
+    void writeAndSetRate(const Bytes& before, speed_t rate, const Bytes& behind) {
+        if (!before.empty())
+            m_port->write(before);
+        if (buildsSettingsAnew)
+            m_port->setRateAnew(rate);
+        else
+            m_port->setRate(rate);
+        if (!behind.empty())
+            m_port->write(behind);
+        m_written += before.size() + behind.size();
+        waitUntilHeard();
+    }
+    bool buildsSettingsAnew = false;
     void hangUp() { m_port.reset(); }
     void comeBack() { m_port.emplace(sim.terminal()); }
 
@@ -47,8 +66,7 @@ public:
     void write(const Bytes& bytes) {
         m_port->write(bytes);
         m_written += bytes.size();
-        while (sim.control("time")["received"] < m_written) {
-        }
+        waitUntilHeard();
     }
     void pass(double seconds) { sim.control("advance " + std::to_string(seconds)); }
 
@@ -93,6 +111,10 @@ public:
     unsigned garbled() { return sim.control("stats")["modules"][0]["bytes_garbled"]; }
 
 private:
+    void waitUntilHeard() {
+        while (sim.control("time")["received"] < m_written) {
+        }
+    }
     static std::vector<std::string> withStepped(std::vector<std::string> options) {
         options.emplace_back("--stepped");
         return options;
@@ -164,7 +186,7 @@ TEST(Terminal, ReadyIsSaidWhenTheFirstModuleListens) {
 TEST(Terminal, WhatIsSentInTheDeadTimeOfAResetIsCountedAsUnheard) {
     Host host({"--reset-dead-time", "500"});
     ASSERT_EQ(host.answer(kSetAddress), kIdle);
-    host.write({0xAA, 0xFF, 0x0F, 0x0E});
+    host.write(kResetAll);
     host.pass(0.1);
     EXPECT_TRUE(host.answer(kSetAddress).empty());
     EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], kSetAddress.size());
@@ -198,21 +220,95 @@ TEST(Terminal, ANewRateIsNoticedWithoutABytesHelp) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
     // Nothing but Set Baud at 115 200 Bd, and back at once.
-    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.write(kAllTo115200);
     host.setRate(B115200);
     host.pass(0.2);
     EXPECT_EQ(host.sim.state(1)["baud"], 113'636);
-    host.write({0xAA, 0xFF, 0x1A, 63, 0x58});
+    host.write(kAllTo19200);
     host.setRate(B19200);
     host.pass(0.05);
     EXPECT_TRUE(host.answers(kNop));
     EXPECT_EQ(host.garbled(), 0U);
 }
 
+constexpr unsigned kOften = 200;
+
+/// How a host makes its settings: from those it finds, or from nothing.
+class NewRate : public testing::TestWithParam<bool> {
+protected:
+    NewRate() {
+        host.buildsSettingsAnew = GetParam();
+        EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    }
+    Host host;
+};
+
+INSTANTIATE_TEST_SUITE_P(, NewRate, testing::Bool(),
+                         [](const auto& of) { return of.param ? "SettingsMadeAnew" : "SettingsChanged"; });
+
+TEST_P(NewRate, WhatWasWrittenBeforeItLeavesAtTheOldOne) {
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate(kNopToAll, B115200, {});
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST_P(NewRate, WhatIsWrittenBehindItLeavesAtIt) {
+    host.write(kAllTo115200);
+    host.pass(0.02);
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate({}, B115200, kNopToAll);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST_P(NewRate, MayBeSetRightBehindSetBaud) {
+    // A module obeys at its tick's end, up to 0.512 ms later: six bytes at 115 200 Bd. Nulls bridge that.
+    Bytes nullsAndNop(30, 0);
+    nullsAndNop.insert(nullsAndNop.end(), kNopToAll.begin(), kNopToAll.end());
+    for (unsigned i = 1; i <= kOften; i += 2) {
+        host.writeAndSetRate(kAllTo115200, B115200, nullsAndNop);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.writeAndSetRate(kAllTo19200, B19200, nullsAndNop);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i + 1);
+    }
+}
+
+TEST_P(NewRate, MayBeSetRightBehindHardReset) {
+    for (unsigned i = 0; i < kOften; ++i) {
+        host.writeAndSetRate(kAllTo115200, B115200, {});
+        host.pass(0.02);
+        host.writeAndSetRate(kResetAll, B19200, {});
+        host.pass(0.02);
+        ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST(Terminal, AWrongRateGarblesWhatIsWrittenRightBehindIt) {
+    Host host;
+    ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate({}, B115200, kNopToAll);
+        host.pass(0.02);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), kOften * kNopToAll.size());
+    EXPECT_EQ(host.nops(), 0U);
+}
+
 TEST(Terminal, AHostMayCloseItAndComeBack) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
-    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.write(kAllTo115200);
     host.setRate(B115200);
     host.pass(0.02);
     ASSERT_TRUE(host.answers(kNop));

@@ -25,7 +25,6 @@ constexpr Duration kAtLeastEvery = std::chrono::milliseconds(5);
 constexpr Duration kLate = std::chrono::milliseconds(2);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
-constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
 
 }  // namespace
 
@@ -44,8 +43,9 @@ SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing,
 void SimServer::run(int stopFd) {
     wantFineTimers();
     while (true) {
-        std::array<pollfd, 3> fds{{{stopFd, POLLIN, 0},
+        std::array<pollfd, 4> fds{{{stopFd, POLLIN, 0},
                                    {m_terminal.fd(), POLLIN, 0},
+                                   {m_terminal.actsFd(), POLLIN, 0},
                                    {m_controlOpen ? m_controlIn : -1, POLLIN, 0}}};
         const auto alarm = wakeUpAt();
         pollUntil(fds, alarm);
@@ -53,11 +53,8 @@ void SimServer::run(int stopFd) {
             return;
         m_overslept = alarm && monotonicNow() > *alarm + kLate;
         catchUp();
-        if (fds[1].revents != 0)
-            serveHost();
-        else
-            followRate();
-        if (fds[2].revents != 0 && !serveControl())
+        serveHost();
+        if (fds[3].revents != 0 && !serveControl())
             return;
     }
 }
@@ -100,41 +97,45 @@ void SimServer::catchUp() {
 
 // ---- The host ----
 
-/// A new rate that nothing was written after. What was written before it may still be on its way through the
-/// kernel.
-void SimServer::followRate() {
-    if (m_terminal.hostBaud().value_or(m_hostBaud) == m_hostBaud)
-        return;
-    std::array<pollfd, 1> readable{{{m_terminal.fd(), POLLIN, 0}}};
-    pollUntil(readable, monotonicNow() + kThroughTheKernel);
-    serveHost();
-}
-
 void SimServer::serveHost() {
-    const std::vector<std::uint8_t> bytes = m_terminal.read();
-    m_received += bytes.size();
-    const bool late = m_overslept || wantedNow() > m_now + kLate;
-    const std::size_t before = endOfLastSetBaud(bytes);
-    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
-    if (baud == m_hostBaud) {
-        m_chain.hostSends(bytes, m_now, late);
+    const HostActs acts = m_terminal.takeActs();
+    const std::uint32_t baud = acts.baud.value_or(m_hostBaud);
+    if (acts.bytes.empty() && baud == m_hostBaud)
         return;
-    }
-    // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
-    // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
-    m_chain.hostSends(ByteSpan(bytes).first(before), m_now, late);
+    m_received += acts.bytes.size();
+    const bool late = m_overslept || wantedNow() > m_now + kLate;
+    const std::size_t before = beforeNewRate(acts);
+    m_chain.hostSends(ByteSpan(acts.bytes).first(before), m_now, late);
     m_hostBaud = baud;
     m_chain.setHostBaud(baud);
-    m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now, late);
+    m_chain.hostSends(ByteSpan(acts.bytes).subspan(before), m_now, late);
 }
 
-std::size_t SimServer::endOfLastSetBaud(ByteSpan bytes) {
+/// How many of the bytes the host wrote before it set its present rate. Of what it wrote and set in one
+/// breath the kernel knows the beginning only; there Set Baud and Hard Reset are what a rate is changed
+/// behind. Where it knows nothing, nobody leaves a rate that the modules understand.
+std::size_t SimServer::beforeNewRate(const HostActs& acts) {
+    const std::size_t all = acts.bytes.size();
+    const bool wantsNewRate = m_sentRateCommand;
+    const std::size_t behindRateCommand = endOfLastRateCommand(acts.bytes);
+    if (acts.baud.value_or(m_hostBaud) == m_hostBaud)
+        return all;
+    if (acts.first == FirstAct::SetTerminal)
+        return 0;
+    if (behindRateCommand > 0 || wantsNewRate)
+        return behindRateCommand;
+    return acts.first == FirstAct::Wrote || m_chain.understands(m_hostBaud) ? all : 0;
+}
+
+std::size_t SimServer::endOfLastRateCommand(ByteSpan bytes) {
     std::size_t end = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         if (!m_monitor.hears(bytes[i], false))
             continue;
         const sim::Packet& packet = m_monitor.packet();
-        if (packet.code() == CommandCode::SetBaud && packet.sumIsRight())
+        const bool isOne = packet.code() == CommandCode::SetBaud || packet.code() == CommandCode::HardReset;
+        m_sentRateCommand = isOne && packet.sumIsRight();
+        if (m_sentRateCommand)
             end = i + 1;
     }
     return end;

@@ -37,10 +37,10 @@ private:
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
     void catchUp();
-    void followRate();
     void serveHost();
-    /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
-    std::size_t endOfLastSetBaud(ByteSpan bytes);
+    [[nodiscard]] std::size_t beforeNewRate(const HostActs& acts);
+    /// Number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 without one.
+    std::size_t endOfLastRateCommand(ByteSpan bytes);
     void deliver();
     /// Returns false when it was the last line.
     bool serveControl();
@@ -57,7 +57,8 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
-    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
+    sim::Receiver m_monitor;         ///< hears the host, whatever the rates
+    bool m_sentRateCommand = false;  ///< the host's last command was Set Baud or Hard Reset
     TimePoint m_started;
     TimePoint m_now;           ///< simulated time that has been reached
     bool m_overslept = false;  ///< what the host wrote may have waited
