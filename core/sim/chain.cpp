@@ -155,7 +155,7 @@ void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, boo
         value = garbled(value, m_random);
         modules[sender.index()]->countGarbled();
     }
-    if (faults.isOn(FaultKind::MuteRx, sender.index(), now))
+    if (faults.strikesByte(FaultKind::MuteRx, sender.index(), now))
         return;
     hostHears(faults.breaks(&FaultSides::status, now) ? std::uint8_t{0} : value,
               now + m_heldUp[sender.index()]);

@@ -92,6 +92,7 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
         followPacket(byte, insidePacket);
     }
     const bool broken = faults.breaks(&FaultSides::command, now);
+    faults.strikesByte(FaultKind::MuteTx, std::nullopt, now);
     bool heard = byte.foreign;
     for (std::size_t i = 0; i < modules.size(); ++i) {
         if (faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now))
@@ -102,7 +103,7 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
             heard |= moduleHears(i, value, byte.baud, broken || fate.error);
     }
     statistics.bytesUnheard += heard ? 0 : 1;
-    if (!byte.foreign && faults.isOn(FaultKind::Echo, 0, now))
+    if (!byte.foreign && faults.strikesByte(FaultKind::Echo, std::nullopt, now))
         hostHears(byte.value, now);
 }
 
