@@ -111,7 +111,7 @@ void Module::execute() {
 
 void Module::executeGood(const Pending& command) {
     const Packet& packet = command.packet;
-    checkLength(packet);
+    checkForm(packet);
     ++m_statistics.executed[static_cast<std::size_t>(packet.code())];
     switch (packet.code()) {
         case CommandCode::SetAddress:
@@ -144,12 +144,14 @@ void Module::executeGood(const Pending& command) {
     }
 }
 
-void Module::checkLength(const Packet& packet) {
+void Module::checkForm(const Packet& packet) {
     const auto row = findCommand(m_identity.type, packet.code());
     if (!row)
         violates(ViolationKind::UnknownCommand);
     else if (packet.length() < row->minData || packet.length() > row->maxData)
         violates(ViolationKind::WrongLength);
+    if (packet.length() > 0 && (packet.data[0] & reservedBits(packet.code())) != 0)
+        violates(ViolationKind::ReservedBits);
 }
 
 void Module::setBaud(const Pending& command) {

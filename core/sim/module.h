@@ -128,6 +128,8 @@ private:
     virtual void runTicks(std::uint64_t ticks) = 0;
     /// A command that is not common to all chips. Its length is within the command table's bounds, or logged.
     virtual void executeOwn(const Packet& packet) = 0;
+    /// The bits of a command's first data byte that the data sheet wants cleared to zero.
+    [[nodiscard]] virtual std::uint8_t reservedBits(CommandCode code) const = 0;
     /// Without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
     [[nodiscard]] virtual Items statusItems() const = 0;
@@ -136,7 +138,7 @@ private:
     void accept(const Packet& packet, TimePoint now);
     void runTo(std::uint64_t tick);
     void executeGood(const Pending& command);
-    void checkLength(const Packet& packet);
+    void checkForm(const Packet& packet);
     void setAddress(const Packet& packet);
     void setBaud(const Pending& command);
     void reset(TimePoint now);

@@ -23,6 +23,8 @@ std::string_view toText(ViolationKind kind) {
             return "stop_bits";
         case ViolationKind::OutOfRange:
             return "out_of_range";
+        case ViolationKind::ReservedBits:
+            return "reserved_bits";
         case ViolationKind::SetBaudSingle:
             return "set_baud_single";
         case ViolationKind::Unsupported:

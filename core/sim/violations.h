@@ -21,6 +21,7 @@ enum class ViolationKind : std::uint8_t {
     UnknownCommand,      ///< no such command on this chip
     StopBits,            ///< more than one manner of stopping in Stop Motor or Set Homing Mode
     OutOfRange,          ///< a value outside the data sheet's range
+    ReservedBits,        ///< bits that are not used and to be cleared to zero are not
     SetBaudSingle,       ///< Set Baud Rate to an individual address (DS-V 5.2)
     Unsupported,         ///< not available on this version
     ModeTransition,      ///< not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)
