@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
-#include "protocol/baud.h"
 #include "protocol/commandtable.h"
+#include "sim/controlstate.h"
 #include "sim/controlwords.h"
 #include "sim/faultspec.h"
 
@@ -49,93 +49,6 @@ tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::str
         return tl::unexpected("no module " + quoted(word) + "; allowed is 1 to " +
                               std::to_string(chain.moduleCount()));
     return ModuleIndex(static_cast<std::uint8_t>(*value - 1));
-}
-
-// ---- state ----
-
-Json gainsJson(const Gains& g) {
-    return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
-            {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
-}
-
-/// A number, or null where there is none.
-template <typename T>
-Json orNull(const std::optional<T>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json servoJson(const ServoSnapshot& servo) {
-    return {{"position", servo.position},
-            {"shaft", servo.shaftCounts},
-            {"command_position", servo.commandPosition},
-            {"position_error", servo.positionError},
-            {"velocity", servo.velocity},
-            {"command_velocity", servo.commandVelocity},
-            {"pwm", servo.pwm},
-            {"current_limit_adjustment", servo.currentLimitAdjustment},
-            {"current", servo.amperes},
-            {"analog", servo.analog},
-            {"analog_input", orNull(servo.analogInput)},
-            {"servo_on", servo.servoOn},
-            {"amp_enabled", servo.ampEnabled},
-            {"power", servo.power},
-            {"mode", toText(servo.mode)},
-            {"home", servo.home},
-            {"limit1", servo.limit1},
-            {"limit2", servo.limit2},
-            {"index", servo.index},
-            {"load", servo.loadNm},
-            {"inertia", servo.inertiaKgM2},
-            {"friction", servo.frictionNm},
-            {"travel_min", orNull(servo.travelMin)},
-            {"travel_max", orNull(servo.travelMax)},
-            {"limits", servo.limitsAutomatic ? "auto" : "manual"},
-            {"gains", gainsJson(servo.gains)}};
-}
-
-Json pinsJson(const StepPins& pins) {
-    return {{"estop", pins.estop},   {"in1", pins.in1},       {"in2", pins.in2},
-            {"limit1", pins.limit1}, {"limit2", pins.limit2}, {"home_switch", pins.homeSwitch}};
-}
-
-Json stepJson(const StepSnapshot& step) {
-    return {{"position", step.position},
-            {"shaft", step.shaft},
-            {"step_rate", step.stepRate},
-            {"speed", step.speed},
-            {"timer_count", step.timerCount},
-            {"moving", step.moving},
-            {"reverse", step.reverse},
-            {"mode", toText(step.mode)},
-            {"amp_enabled", step.ampEnabled},
-            {"power", step.inputs.power},
-            {"analog", step.inputs.analog},
-            {"homing", step.homing},
-            {"home", step.home},
-            {"inputs", pinsJson(step.inputs)},
-            {"travel_min", orNull(step.travelMin)},
-            {"travel_max", orNull(step.travelMax)},
-            {"limits", step.limitsAutomatic ? "auto" : "manual"},
-            {"home_switch_at", orNull(step.homeSwitchAt)},
-            {"outputs", step.outputs},
-            {"current_limit", step.currentLimit}};
-}
-
-Json state(Chain& chain, ModuleIndex module, TimePoint now) {
-    const ModuleSnapshot s = chain.snapshot(module, now);
-    Json json{{"module", module.value() + 1},
-              {"type", s.step ? "step" : "servo"},
-              {"version", s.identity.version},
-              {"address", s.address},
-              {"group", s.group},
-              {"leader", s.leader},
-              {"baud", std::lround(realRate(s.brd))},
-              {"listening", s.listening},
-              {"addr_broken", s.addressLineBroken},
-              {"time", toSeconds(s.time.time_since_epoch())},
-              {"tick", s.tick}};
-    json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));
-    return json;
 }
 
 // ---- set ----
@@ -331,7 +244,7 @@ Json withModule(Chain& chain, const Words& words, TimePoint now) {
     if (!module)
         return error(module.error());
     if (words[0] == "state")
-        return state(chain, *module, now);
+        return stateJson(chain.snapshot(*module, now), module->value() + 1U);
     if (words[0] == "set")
         return set(chain, *module, words[2], words[3], now);
     if (words[0] == "break")

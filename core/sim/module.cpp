@@ -262,6 +262,9 @@ ModuleSnapshot Module::snapshot(TimePoint now) const {
     s.listening = m_awake;
     s.time = now;
     s.tick = m_ticks;
+    s.status = statusByte();
+    s.pins = statusItems().pins;
+    s.items = m_items;
     return s;
 }
 

@@ -173,6 +173,7 @@ Module::Items ServoModule::statusItems() const {
 ModuleSnapshot ServoModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.servo = m_loop.snapshot();
+    s.homing = m_loop.homing();
     return s;
 }
 

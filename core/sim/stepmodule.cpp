@@ -166,6 +166,7 @@ Module::Items StepModule::statusItems() const {
 ModuleSnapshot StepModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.step = m_control.snapshot();
+    s.homing = m_control.homing();
     return s;
 }
 

@@ -68,6 +68,85 @@ TEST_F(Control, StateTellsTheTruthAboutAModule) {
     EXPECT_EQ(say("state 2")["mode"], "pwm");
 }
 
+// DS-V 5.2, 5.3: move done 01, power 08, position error 10, limit 1 20, home in progress 80.
+TEST_F(Control, StateTellsTheStatusThatTheHostWouldGet) {
+    EXPECT_EQ(say("state 1")["status"], 0x19);
+    EXPECT_EQ(say("state 1")["auxiliary"], 0x00) << "the index pin is high";
+    EXPECT_EQ(say("state 1")["status_items"], 0);
+    wire.command(1, 0x12, {0x2F});
+    wire.command(1, 0x13, {0x10});
+    say("set 1 limit1 1");
+    say("set 1 servo_overrun 1");
+    wire.waitTicks(2);
+    auto s = say("state 1");
+    EXPECT_EQ(s["status_items"], 0x2F) << "Read Status is for once";
+    EXPECT_EQ(s["status"], 0x39);
+    EXPECT_EQ(s["auxiliary"], 0x20);
+    EXPECT_EQ(
+        s["sticky"],
+        (nlohmann::json{
+            {"overcurrent", false}, {"pos_error", true}, {"pos_wrap", false}, {"servo_overrun", true}}));
+    wire.command(1, 0x0B);
+    EXPECT_EQ(say("state 1")["sticky"]["servo_overrun"], false);
+    EXPECT_EQ(say("state 2")["status"], 0x19) << "module 2 is another one";
+}
+
+TEST_F(Control, StateTellsWhatAHomeSearchWaitsForAndWhatItWillDo) {
+    const nlohmann::json none = nlohmann::json::array();
+    EXPECT_EQ(say("state 1")["homing"], false);
+    EXPECT_EQ(say("state 1")["homing_conditions"], none);
+    wire.command(1, 0x19, {0x01 | 0x08 | 0x40 | 0x80 | 0x20});
+    auto s = say("state 1");
+    EXPECT_EQ(s["homing"], true);
+    EXPECT_EQ(s["homing_conditions"], nlohmann::json({"limit1", "index", "position_error", "current_limit"}));
+    EXPECT_EQ(s["homing_stop"], "smooth");
+    say("set 1 limit1 1");
+    wire.waitTicks(2);
+    s = say("state 1");
+    EXPECT_EQ(s["homing"], false);
+    EXPECT_EQ(s["homing_conditions"], none) << "found";
+    EXPECT_EQ(s["homing_stop"], "none");
+
+    wire.command(2, 0x19, {0x12});
+    EXPECT_EQ(say("state 2")["homing_conditions"], nlohmann::json({"limit2"}));
+    EXPECT_EQ(say("state 2")["homing_stop"], "none") << "version 2 leaves that to the host";
+}
+
+TEST_F(Control, StateTellsASteppersParametersAndHomeSearch) {
+    wire = HostWire("step");
+    wire.address(1);
+    auto s = say("state 1");
+    EXPECT_TRUE(s["parameters"].is_null()) << "there must be some before any motion";
+    EXPECT_EQ(s["status"], 0x08);
+    wire.command(1, 0x56, {0x1E, 3, 200, 80, 5});
+    const nlohmann::json parameters{
+        {"speed_mode", 2},    {"ignore_limits", true},  {"ignore_estop", true},  {"motor_off_on_stop", true},
+        {"minimum_speed", 3}, {"running_current", 200}, {"holding_current", 80}, {"thermal_limit", 5}};
+    EXPECT_EQ(say("state 1")["parameters"], parameters);
+
+    // In motion the speed mode and the minimum speed stay (DS-S 5.1).
+    wire.command(1, 0x17, {0x01});
+    wire.command(1, 0x34, {0x86, 20, 1});
+    wire.waitTicks(10);
+    wire.command(1, 0x56, {0x03, 9, 100, 40, 0});
+    s = say("state 1");
+    EXPECT_EQ(s["moving"], true);
+    EXPECT_EQ(s["parameters"], (nlohmann::json{{"speed_mode", 2},
+                                               {"ignore_limits", false},
+                                               {"ignore_estop", false},
+                                               {"motor_off_on_stop", false},
+                                               {"minimum_speed", 3},
+                                               {"running_current", 100},
+                                               {"holding_current", 40},
+                                               {"thermal_limit", 0}}));
+    wire.command(1, 0x19, {0x1A});
+    s = say("state 1");
+    EXPECT_EQ(s["homing_conditions"], nlohmann::json({"limit2", "home_switch"}));
+    EXPECT_EQ(s["homing_stop"], "abrupt");
+    say("set 1 in2 1");
+    EXPECT_EQ(say("state 1")["inputs_byte"], 0x04);
+}
+
 TEST_F(Control, SetReachesTheInputsAndTheLoad) {
     for (const char* line :
          {"set 1 limit1 1", "set 1 limit2 1", "set 1 index 0", "set 1 power 0", "set 1 analog 77",
