@@ -361,4 +361,13 @@ const ViolationLog& Chain::violations() const {
     return d->violations;
 }
 
+void Chain::clearStatistics(TimePoint now) {
+    d->runTo(now);
+    d->statistics = {};
+    d->line.forgetLost();
+    d->violations.clear();
+    for (const auto& module : d->modules)
+        module->clearStatistics();
+}
+
 }  // namespace nmc::sim

@@ -106,6 +106,8 @@ public:
 
     [[nodiscard]] ChainStatistics statistics() const;
     [[nodiscard]] const ViolationLog& violations() const;
+    /// Counts from 0 again, and forgets the violations.
+    void clearStatistics(TimePoint now);
 
 private:
     class Private;

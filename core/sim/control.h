@@ -20,9 +20,13 @@ struct Pace {
 
 /// Answers one control line (simulator.md, Control) with one line of JSON, without its line end:
 /// `state N`, `set N NAME VALUE`, `power-cycle N|all`, `break N`, `mend N`, `fault ...`, `fault clear`,
-/// `faults`, `stats`, `time`. Modules count from 1. Anything else gets `{"error":...}`, which names what is
-/// allowed, and changes nothing.
+/// `faults`, `foreign BYTES`, `stats`, `stats clear`, `time`, `help`. Modules count from 1. Anything else
+/// gets
+/// `{"error":...}`, which names what is allowed, and changes nothing.
 [[nodiscard]] std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now,
                                             const Pace& pace = {});
+
+/// All control lines, what `set` knows with its polarity and range, and the kinds of violations, to be read.
+[[nodiscard]] std::string controlHelp();
 
 }  // namespace nmc::sim

@@ -11,7 +11,8 @@
 
 namespace nmc::sim {
 
-/// What one module has done since the chain was made; a reset does not clear it.
+/// What one module has done since the chain was made or the statistics were cleared; a reset does not clear
+/// it.
 struct ModuleStatistics {
     ModuleType type = ModuleType::Servo;
     std::array<std::uint64_t, 16> executed{};  ///< by command code

@@ -234,7 +234,8 @@ TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     EXPECT_THAT(errorOf("stats 1"), HasSubstr("stats"));
     for (const char* line : {"", "  ", "hello", "quit", "\xff\xfe"})
         EXPECT_THAT(errorOf(line), HasSubstr("state N, set N NAME VALUE, power-cycle N|all, break N, mend N, "
-                                             "fault ..., fault clear, faults, foreign BYTES, stats, time"));
+                                             "fault ..., fault clear, faults, foreign BYTES, stats, stats "
+                                             "clear, time, help"));
     EXPECT_EQ(say("state 1"), before);
 }
 
@@ -336,6 +337,70 @@ TEST_F(Control, StatsCountWhatHappened) {
     EXPECT_EQ(s["violations"][0]["kind"], "unknown_command");
     EXPECT_EQ(s["violations"][0]["bytes"], "AA 02 0D 0F");
     EXPECT_GT(s["violations"][0]["time"], 0.01);
+}
+
+TEST_F(Control, StatsAreClearedOnRequest) {
+    wire.command(1, 0x0E);
+    wire.command(2, 0x0D);
+    EXPECT_THAT(errorOf("stats all"), HasSubstr("stats clear"));
+    EXPECT_EQ(say("stats clear"), (nlohmann::json{{"ok", true}}));
+    auto s = say("stats");
+    for (const char* key :
+         {"exchanges", "bytes_in", "bytes_out", "bytes_unheard", "bytes_lost", "violation_count"})
+        EXPECT_EQ(s[key], 0) << key;
+    EXPECT_TRUE(s["violations"].empty());
+    EXPECT_TRUE(s["modules"][0]["executed"].empty());
+    EXPECT_EQ(s["modules"][0]["replies"], 0);
+    wire.command(1, 0x0E);
+    s = say("stats");
+    EXPECT_EQ(s["exchanges"], 1);
+    EXPECT_EQ(s["modules"][0]["executed"], (nlohmann::json{{"nop", 1}}));
+    EXPECT_EQ(say("state 1")["address"], 1) << "a count, and nothing of the chain";
+}
+
+TEST_F(Control, HelpListsEveryKindOfViolation) {
+    std::vector<std::string> kinds;
+    const auto help = say("help");
+    for (const auto& row : help["violations"]) {
+        kinds.push_back(row["kind"]);
+        EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << kinds.back();
+        EXPECT_THAT(controlHelp(), HasSubstr("  " + kinds.back() + " "));
+    }
+    EXPECT_THAT(kinds, testing::ElementsAre("command_in_flight", "command_overwritten", "trapezoid_in_motion",
+                                            "reset_in_motion", "reply_collision", "wrong_length",
+                                            "unknown_command", "stop_bits", "out_of_range", "reserved_bits",
+                                            "set_baud_single", "unsupported", "mode_transition",
+                                            "direction_change", "parameters_not_set"));
+}
+
+/// What a list of `set` names says of one of them, for a kind of module.
+nlohmann::json inputOf(const nlohmann::json& help, std::string_view module, std::string_view name) {
+    for (const auto& row : help["set"])
+        if (row["name"] == name && (row["module"] == module || row["module"] == "any"))
+            return row;
+    return {};
+}
+
+TEST_F(Control, HelpListsEveryNameOfSetWithItsRangeAndPolarity) {
+    wire = HostWire("servo,step");
+    const auto help = say("help");
+    for (const auto& [number, module] : {std::pair{"1", "servo"}, std::pair{"2", "step"}}) {
+        // The names that the error of an unknown one lists.
+        std::string names = errorOf(std::string("set ") + number + " nothing 0");
+        names = names.substr(names.find("allowed are ") + 12) + ", ";
+        for (std::size_t end = 0; (end = names.find(", ")) != std::string::npos; names.erase(0, end + 2)) {
+            const auto row = inputOf(help, module, names.substr(0, end));
+            ASSERT_FALSE(row.is_null()) << module << " " << names;
+            EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << row;
+            EXPECT_THAT(errorOf(std::string("set ") + number + " " + names.substr(0, end) + " x"),
+                        HasSubstr("allowed is " + row["allowed"].get<std::string>()));
+        }
+    }
+    EXPECT_EQ(inputOf(help, "step", "limit1")["meaning"],
+              "forward limit switch, 1 is high: no motion forward");
+    EXPECT_EQ(inputOf(help, "servo", "power")["allowed"], "0 or 1");
+    EXPECT_THAT(controlHelp(), HasSubstr("no motion in reverse"));
+    EXPECT_EQ(help["lines"][0]["line"], "state N");
 }
 
 TEST_F(Control, BytesThatNoModuleListensToAreCounted) {
