@@ -38,6 +38,7 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
     addressLineBroken.assign(modules.size(), false);
     m_heldUp.assign(modules.size(), Duration{});
     m_underway.moduleEdits.resize(modules.size());
+    m_outOfStep.assign(modules.size(), false);
     updateAddressLines();
 }
 
@@ -140,8 +141,10 @@ std::uint8_t Chain::Private::collide(Module& sender, std::uint8_t value) {
         if (&other == &sender || !other.isReplying() || other.replyByteStart() >= sender.replyByteDue())
             continue;
         value &= other.replyByte();
-        sender.replyCollided(now);
-        other.replyCollided(now);
+        if (!sender.replyIsStruck() && !other.replyIsStruck()) {
+            sender.replyCollided(now);
+            other.replyCollided(now);
+        }
         if (other.replyByteSent())
             ++statistics.exchanges;
         moduleEvents[i] = other.nextEvent();
@@ -182,17 +185,18 @@ void Chain::Private::deliverLateBytes() {
 // ---- The host ----
 
 void Chain::Private::deliverToModules(const LineByte& byte) {
-    if (faults.any() || byte.foreign)
+    if (faults.any() || byte.foreign || m_someAreOutOfStep)
         return deliverWithFaults(byte);
     ++statistics.bytesIn;
     watchForHaste(byte);
     bool heard = false;
     for (std::size_t i = 0; i < modules.size(); ++i)
-        heard |= moduleHears(i, byte.value, byte.baud, false);
+        heard |= moduleHears(i, byte.value, byte.baud, false, false);
     statistics.bytesUnheard += heard ? 0 : 1;
 }
 
-bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error) {
+bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error,
+                                 bool struck) {
     Module& module = *modules[index];
     const bool listens = module.isAwake(now);
     module.dropReply();
@@ -201,7 +205,7 @@ bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uin
         const bool wrong = chance > 0.0 && m_random.unit() < chance;
         if (wrong)
             module.countGarbled();
-        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, now);
+        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, struck, now);
     }
     moduleEvents[index] = module.nextEvent();
     return listens;
@@ -209,7 +213,7 @@ bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uin
 
 const Module* Chain::Private::busyModule() const {
     for (const auto& module : modules)
-        if (module->hasPending() || module->isReplying())
+        if (module->owesAnswer())
             return module.get();
     return nullptr;
 }
