@@ -101,6 +101,8 @@ Json stats(const Asked& asked) {
             {"bytes_unheard", s.bytesUnheard},
             {"bytes_lost", s.bytesLost},
             {"modules", modules},
+            {"stalls", asked.pace.stalls},
+            {"longest_stall", asked.pace.longestStallSeconds},
             {"violation_count", chain.violations().count()},
             {"violations", violations}};
 }
@@ -108,8 +110,10 @@ Json stats(const Asked& asked) {
 Json time(const Asked& asked) {
     const Duration since = asked.now.time_since_epoch();
     const Pace& pace = asked.pace;
-    return {{"time", toSeconds(since)},        {"ticks", since / kServoTick}, {"lag", pace.lagSeconds},
-            {"late_p99", pace.lateP99Seconds}, {"received", pace.received},   {"sent", pace.sent}};
+    return {{"time", toSeconds(since)},  {"ticks", since / kServoTick},
+            {"lag", pace.lagSeconds},    {"late_p99", pace.lateP99Seconds},
+            {"received", pace.received}, {"sent", pace.sent},
+            {"stalls", pace.stalls},     {"longest_stall", pace.longestStallSeconds}};
 }
 
 // ---- modules ----

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -378,6 +380,23 @@ Bytes command(unsigned address, unsigned code, const Bytes& data) {
     }
     bytes.push_back(static_cast<std::uint8_t>(sum & 0xFFU));
     return bytes;
+}
+
+TEST(Terminal, ASimulatorThatIsNotLetRunSaysSo) {
+    SimProcess sim("servo");
+    Port port(sim.terminal());
+    const unsigned before = sim.control("time")["stalls"];
+    ::kill(sim.pid(), SIGSTOP);
+    int status = 0;
+    ASSERT_EQ(::waitpid(sim.pid(), &status, WUNTRACED), sim.pid());
+    ASSERT_TRUE(WIFSTOPPED(status));
+    EXPECT_TRUE(port.read(1, 50).empty());  // for 50 ms
+    ::kill(sim.pid(), SIGCONT);
+    EXPECT_GT(sim.control("time")["stalls"], before);
+    EXPECT_GE(sim.control("stats")["longest_stall"], 0.05);
+    Host stepped;
+    stepped.pass(1.0);
+    EXPECT_EQ(stepped.sim.control("stats")["stalls"], 0) << "nothing is late where nothing is paced";
 }
 
 TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {

@@ -422,13 +422,18 @@ TEST_F(Control, AnotherHostsBytesAreHexadecimalAndNeedFaultsEnabled) {
 
 TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {
     wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
-    const auto t = say("time", Pace{0.25, 0.0001, 7, 9});
+    const auto t = say("time", Pace{0.25, 0.0001, 7, 9, 2, 0.05});
     EXPECT_EQ(t, (nlohmann::json{{"time", 5.12},
                                  {"ticks", 10000},
                                  {"lag", 0.25},
                                  {"late_p99", 0.0001},
                                  {"received", 7},
-                                 {"sent", 9}}));
+                                 {"sent", 9},
+                                 {"stalls", 2},
+                                 {"longest_stall", 0.05}}));
+    const auto s = say("stats", Pace{0.25, 0.0001, 7, 9, 2, 0.05});
+    EXPECT_EQ(s["stalls"], 2);
+    EXPECT_EQ(s["longest_stall"], 0.05);
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ void SimServer::run(int stopFd) {
         if (fds[0].revents != 0)
             return;
         m_overslept = alarm && monotonicNow() > *alarm + kLate;
+        if (!m_pacing.stepped)
+            m_stalls.runs(monotonicNow());
         catchUp();
         serveHost();
         if (fds[3].revents != 0 && !serveControl())
@@ -189,9 +191,13 @@ bool SimServer::answer(const std::string& line) {
 std::string SimServer::answerTo(const std::string& line) {
     if (line.rfind("advance", 0) == 0)
         return advance(line);
-    // Only `time` reports the pace, so only `time` begins to measure it anew.
-    const bool asksForIt = line.rfind("time", 0) == 0;
-    return sim::handleControlLine(m_chain, line, m_now, asksForIt ? takePace() : sim::Pace{});
+    const std::string answer = sim::handleControlLine(m_chain, line, m_now, pace());
+    // Only `time` reports how late bytes were, so only `time` begins to measure it anew.
+    if (line.rfind("time", 0) == 0)
+        m_lateness = {};
+    if (line.rfind("stats clear", 0) == 0)
+        m_stalls = {};
+    return answer;
 }
 
 std::string SimServer::advance(const std::string& line) {
@@ -208,12 +214,16 @@ std::string SimServer::advance(const std::string& line) {
     m_now += fromSeconds(seconds);
     m_chain.advanceTo(m_now);
     deliver();
-    return sim::handleControlLine(m_chain, "time", m_now, takePace());
+    return answerTo("time");
 }
 
-sim::Pace SimServer::takePace() {
-    const Lateness late = std::exchange(m_lateness, {});
-    return {toSeconds(late.largest()), toSeconds(late.percentile99()), m_received, m_sent};
+sim::Pace SimServer::pace() const {
+    return {toSeconds(m_lateness.largest()),
+            toSeconds(m_lateness.percentile99()),
+            m_received,
+            m_sent,
+            m_stalls.count(),
+            toSeconds(m_stalls.longest())};
 }
 
 }  // namespace nmc

@@ -47,7 +47,7 @@ private:
     bool answer(const std::string& line);
     std::string answerTo(const std::string& line);
     std::string advance(const std::string& line);
-    [[nodiscard]] sim::Pace takePace();
+    [[nodiscard]] sim::Pace pace() const;
 
     sim::Chain m_chain;
     PtyServer m_terminal;
@@ -65,6 +65,7 @@ private:
     std::uint64_t m_received = 0;
     std::uint64_t m_sent = 0;
     Lateness m_lateness;  ///< of the bytes to the host, since last asked
+    StallWatch m_stalls;
     LagReport m_lagReport;
 };
 
