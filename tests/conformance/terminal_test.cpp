@@ -382,6 +382,18 @@ Bytes command(unsigned address, unsigned code, const Bytes& data) {
     return bytes;
 }
 
+TEST(Terminal, OptionsTakeTheirValueBehindASpaceOrAnEqualsSign) {
+    const std::string link = testing::TempDir() + "nmc-options-" + std::to_string(::getpid());
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--chain", "step,servo@2", "--link", link, "--seed", "3", "--speed", "2"},
+          std::vector<std::string>{"--chain=step,servo@2", "--link=" + link, "--seed=3", "--speed=2"}}) {
+        SimProcess sim("servo", options);
+        EXPECT_EQ(sim.state(1)["type"], "step");
+        EXPECT_EQ(sim.state(2)["version"], 2);
+        const Port throughTheLink(link);
+    }
+}
+
 TEST(Terminal, ASimulatorThatIsNotLetRunSaysSo) {
     SimProcess sim("servo");
     Port port(sim.terminal());
