@@ -16,6 +16,7 @@
 #include "link/threadpriority.h"
 #include "sim/chain.h"
 #include "sim/chainspec.h"
+#include "sim/control.h"
 
 namespace {
 
@@ -53,25 +54,19 @@ void printHelp() {
         "  --enable-faults        take fault lines\n"
         "  --help, --version\n"
         "\n"
-        "Control lines on standard input; each is answered by one line of JSON:\n"
-        "  state N                everything about module N\n"
-        "  set N NAME VALUE       servo: limit1 limit2 index power 0|1, analog 0..255|auto,\n"
-        "                         load N*m, inertia kg*m^2, friction N*m,\n"
-        "                         travel_min, travel_max counts|none, limits auto|manual,\n"
-        "                         servo_overrun 1\n"
-        "                         step: estop in1 in2 home_switch limit1 limit2 power 0|1,\n"
-        "                         analog 0..255, travel_min, travel_max, home_switch_at\n"
-        "                         counts|none, limits auto|manual\n"
-        "  power-cycle N|all      break N      mend N\n"
-        "  stats                  time         quit\n"
-        "  fault bus|module K[,K...] KIND [cmd|status] [on=COMMAND] [p=PROB] [n=COUNT] [t=A..B]\n"
+        "%s"
+        "\n"
+        "Besides these:\n"
+        "  advance SECONDS        with --stepped: time passes\n"
+        "  quit                   the end\n"
+        "\n"
+        "With --enable-faults: fault bus|module K[,K...] KIND [cmd|status] [on=COMMAND] [p=PROB] [n=COUNT] "
+        "[t=A..B]\n"
         "        [at=TIME] [for=DURATION] [bit=B]\n"
-        "                         kinds, of command packets and replies: drop dup flip collide\n"
-        "                         truncate garbage overrun delay silent cksum ignore=COMMAND stuck;\n"
-        "                         of the line: noise break mute rx|tx echo foreign; of the\n"
-        "                         module: powercycle stall reverse sameaddr definestat\n"
-        "  faults                 fault clear\n"
-        "  foreign AA 02 0E 10    another host on the line sends these bytes (needs --enable-faults)\n"
+        "  of command packets and replies: drop dup flip collide truncate garbage overrun delay silent\n"
+        "      cksum ignore=COMMAND stuck\n"
+        "  of the line: noise break mute rx|tx echo foreign\n"
+        "  of the module: powercycle stall reverse sameaddr definestat\n"
         "\n"
         "Examples:\n"
         "  nmcsim --chain servo,servo@1,step --link /tmp/nmc\n"
@@ -82,7 +77,7 @@ void printHelp() {
         "      after 5 s limit switch 1 closes; the truth about the module a second later; the end\n"
         "  nmcsim --stepped --chain servo --link /tmp/nmc\n"
         "      for tests: what a program has written leaves, and time passes, at: advance 0.02\n",
-        std::string(nmc::sim::kDefaultChain).c_str());
+        std::string(nmc::sim::kDefaultChain).c_str(), nmc::sim::controlHelp().c_str());
 }
 
 template <typename T>
@@ -198,10 +193,14 @@ int main(int argc, char** argv) {
     // The chips that it stands for do not wait for what else this computer does; nor does a host's bus
     // thread.
     nmc::preferThisThread();
-    std::printf("ready %s\n", terminal->path().c_str());
+    // Ready is who hears the first byte: the chain was switched on a dead time ago.
+    nmc::sim::Chain chain(*modules, options.simulation);
+    chain.advanceTo(nmc::TimePoint{} + options.simulation.resetDeadTime);
+    const std::string path = terminal->path();
+    nmc::SimServer server(std::move(chain), std::move(*terminal), options.pacing, STDIN_FILENO,
+                          STDOUT_FILENO);
+    std::printf("ready %s\n", path.c_str());
     std::fflush(stdout);
-    nmc::SimServer server(nmc::sim::Chain(*modules, options.simulation), std::move(*terminal), options.pacing,
-                          STDIN_FILENO, STDOUT_FILENO);
     server.run(stop);
     return 0;
 }

@@ -38,6 +38,7 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
     addressLineBroken.assign(modules.size(), false);
     m_heldUp.assign(modules.size(), Duration{});
     m_underway.moduleEdits.resize(modules.size());
+    m_outOfStep.assign(modules.size(), false);
     updateAddressLines();
 }
 
@@ -140,8 +141,10 @@ std::uint8_t Chain::Private::collide(Module& sender, std::uint8_t value) {
         if (&other == &sender || !other.isReplying() || other.replyByteStart() >= sender.replyByteDue())
             continue;
         value &= other.replyByte();
-        sender.replyCollided(now);
-        other.replyCollided(now);
+        if (!sender.replyIsStruck() && !other.replyIsStruck()) {
+            sender.replyCollided(now);
+            other.replyCollided(now);
+        }
         if (other.replyByteSent())
             ++statistics.exchanges;
         moduleEvents[i] = other.nextEvent();
@@ -155,7 +158,7 @@ void Chain::Private::deliverToHost(const Module& sender, std::uint8_t value, boo
         value = garbled(value, m_random);
         modules[sender.index()]->countGarbled();
     }
-    if (faults.isOn(FaultKind::MuteRx, sender.index(), now))
+    if (faults.strikesByte(FaultKind::MuteRx, sender.index(), now))
         return;
     hostHears(faults.breaks(&FaultSides::status, now) ? std::uint8_t{0} : value,
               now + m_heldUp[sender.index()]);
@@ -182,30 +185,35 @@ void Chain::Private::deliverLateBytes() {
 // ---- The host ----
 
 void Chain::Private::deliverToModules(const LineByte& byte) {
-    if (faults.any() || byte.foreign)
+    if (faults.any() || byte.foreign || m_someAreOutOfStep)
         return deliverWithFaults(byte);
     ++statistics.bytesIn;
     watchForHaste(byte);
+    bool heard = false;
     for (std::size_t i = 0; i < modules.size(); ++i)
-        moduleHears(i, byte.value, byte.baud, false);
+        heard |= moduleHears(i, byte.value, byte.baud, false, false);
+    statistics.bytesUnheard += heard ? 0 : 1;
 }
 
-void Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error) {
+bool Chain::Private::moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error,
+                                 bool struck) {
     Module& module = *modules[index];
+    const bool listens = module.isAwake(now);
     module.dropReply();
-    if (module.isAwake(now)) {
+    if (listens) {
         const double chance = garbleProbability(module.brd(), baud);
         const bool wrong = chance > 0.0 && m_random.unit() < chance;
         if (wrong)
             module.countGarbled();
-        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, now);
+        module.hears(wrong ? garbled(value, m_random) : value, wrong || error, struck, now);
     }
     moduleEvents[index] = module.nextEvent();
+    return listens;
 }
 
 const Module* Chain::Private::busyModule() const {
     for (const auto& module : modules)
-        if (module->hasPending() || module->isReplying())
+        if (module->owesAnswer())
             return module.get();
     return nullptr;
 }
@@ -241,6 +249,11 @@ Chain& Chain::operator=(Chain&&) noexcept = default;
 void Chain::setHostBaud(std::uint32_t baud) {
     assert(baud > 0);
     d->line.setBaud(baud);
+}
+
+bool Chain::understands(std::uint32_t baud) const {
+    return std::ranges::any_of(
+        d->modules, [baud](const auto& module) { return garbleProbability(module->brd(), baud) < 0.5; });
 }
 
 void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
@@ -350,6 +363,15 @@ ChainStatistics Chain::statistics() const {
 
 const ViolationLog& Chain::violations() const {
     return d->violations;
+}
+
+void Chain::clearStatistics(TimePoint now) {
+    d->runTo(now);
+    d->statistics = {};
+    d->line.forgetLost();
+    d->violations.clear();
+    for (const auto& module : d->modules)
+        module->clearStatistics();
 }
 
 }  // namespace nmc::sim

@@ -59,6 +59,8 @@ public:
 
     /// The rate the host's port is set to, from the next byte on. 19 200 at first.
     void setHostBaud(std::uint32_t baud);
+    /// Whether any module hears bytes of that rate rightly, mostly.
+    [[nodiscard]] bool understands(std::uint32_t baud) const;
 
     /// The host's port takes `bytes` at `now`; they leave it back to back, behind what is still leaving. The
     /// line holds 65 536 bytes; more are lost and counted. `readLate`: the host wrote them before `now`, but
@@ -104,6 +106,8 @@ public:
 
     [[nodiscard]] ChainStatistics statistics() const;
     [[nodiscard]] const ViolationLog& violations() const;
+    /// Counts from 0 again, and forgets the violations.
+    void clearStatistics(TimePoint now);
 
 private:
     class Private;

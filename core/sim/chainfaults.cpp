@@ -14,10 +14,6 @@ void Chain::Private::carryOutFaults() {
 }
 
 void Chain::Private::carryOut(const FaultInjector::Act& act) {
-    const auto allModulesHear = [this](std::uint8_t value, bool error) {
-        for (std::size_t i = 0; i < modules.size(); ++i)
-            moduleHears(i, value, line.baud(), error);
-    };
     if (const auto* cycle = std::get_if<FaultInjector::PowerCycle>(&act)) {
         powerUp(cycle->module);
     } else if (const auto* give = std::get_if<FaultInjector::GiveAddress>(&act)) {
@@ -26,7 +22,7 @@ void Chain::Private::carryOut(const FaultInjector::Act& act) {
         modules[define->module]->defineItems(define->mask);
     } else if (const auto* noise = std::get_if<FaultInjector::NoiseByte>(&act)) {
         if (noise->sides.command)
-            allModulesHear(noise->value, false);
+            disturbModules(noise->value, false);
         if (noise->sides.status)
             hostHears(noise->value, now);
     } else if (const auto* foreign = std::get_if<FaultInjector::ForeignPacket>(&act)) {
@@ -36,7 +32,7 @@ void Chain::Private::carryOut(const FaultInjector::Act& act) {
         line.send(toPacket({BusAddress(modules[foreign->module]->address()), payload}), now, true);
     } else if (const auto* begins = std::get_if<FaultInjector::BreakBegins>(&act)) {
         if (begins->sides.command)
-            allModulesHear(0, true);
+            disturbModules(0, true);
         if (begins->sides.status)
             hostHears(0, now);
     } else {
@@ -54,6 +50,8 @@ void Chain::Private::updateHolds() {
 
 void Chain::Private::clearFaults() {
     faults.clear();
+    for (const auto& module : modules)
+        module->giveAddressBack();
     std::ranges::fill(m_heldUp, Duration{});
     updateHolds();
 }
@@ -92,16 +90,30 @@ void Chain::Private::deliverWithFaults(const LineByte& byte) {
         followPacket(byte, insidePacket);
     }
     const bool broken = faults.breaks(&FaultSides::command, now);
+    faults.strikesByte(FaultKind::MuteTx, std::nullopt, now);
+    bool heard = byte.foreign;
     for (std::size_t i = 0; i < modules.size(); ++i) {
-        if (faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now))
-            continue;
         const FrameEdit::Byte fate = byte.foreign ? FrameEdit::Byte{} : fateOfByte(i);
+        const bool mute = faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now);
+        if (!insidePacket && !modules[i]->inPacket())
+            m_outOfStep[i] = false;
+        if (byte.foreign || mute || broken || fate.error || fate.flips != 0 || fate.copies != 1)
+            m_outOfStep[i] = true;
         const auto value = static_cast<std::uint8_t>(broken ? 0U : unsigned{byte.value} ^ fate.flips);
-        for (unsigned copy = 0; copy < fate.copies; ++copy)
-            moduleHears(i, value, byte.baud, broken || fate.error);
+        for (unsigned copy = 0; copy < fate.copies && !mute; ++copy)
+            heard |= moduleHears(i, value, byte.baud, broken || fate.error, m_outOfStep[i]);
     }
-    if (!byte.foreign && faults.isOn(FaultKind::Echo, 0, now))
+    m_someAreOutOfStep = std::ranges::count(m_outOfStep, true) > 0;
+    statistics.bytesUnheard += heard ? 0 : 1;
+    if (!byte.foreign && faults.strikesByte(FaultKind::Echo, std::nullopt, now))
         hostHears(byte.value, now);
+}
+
+void Chain::Private::disturbModules(std::uint8_t value, bool error) {
+    m_outOfStep.assign(modules.size(), true);
+    m_someAreOutOfStep = true;
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        moduleHears(i, value, line.baud(), error, true);
 }
 
 /// A packet is struck when its header leaves, if the host has handed it over whole; from a host that sends

@@ -24,7 +24,7 @@ public:
     void updateAddressLines();
     void powerUp(std::size_t module);
     void clearFaults();
-    /// The first module that owes an answer.
+    /// The first module that owes the host an answer.
     [[nodiscard]] const Module* busyModule() const;
 
     ChainOptions options;
@@ -50,7 +50,8 @@ private:
     void hostHears(std::uint8_t value, TimePoint due);
     void deliverLateBytes();
     void deliverToModules(const LineByte& byte);
-    void moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error);
+    /// False when it does not listen.
+    bool moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error, bool struck);
     void watchForHaste(const LineByte& byte);
     void catchUp();
 
@@ -71,6 +72,8 @@ private:
     void followPacket(const LineByte& byte, bool insidePacket);
     void strikePacket(const PacketBytes& known, std::size_t first);
     void deliverWithFaults(const LineByte& byte);
+    /// Every module; nothing of the host's.
+    void disturbModules(std::uint8_t value, bool error);
     [[nodiscard]] FrameEdit::Byte fateOfByte(std::size_t module) const;
 
     Random m_random;
@@ -79,6 +82,9 @@ private:
     std::uint8_t m_hurried = 0;  ///< the module that was busy
     TimePoint m_nextCatchUp;
     PacketUnderway m_underway;
+    /// Of each module: what it hears is not what the host sends, until both are between two packets.
+    std::vector<bool> m_outOfStep;
+    bool m_someAreOutOfStep = false;
     std::vector<Duration> m_heldUp;  ///< the delay on the line of each module's present reply
     std::deque<HostByte> m_late;
 };

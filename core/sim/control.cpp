@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "sim/control.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
-#include "protocol/baud.h"
 #include "protocol/commandtable.h"
+#include "sim/controlinputs.h"
+#include "sim/controlstate.h"
 #include "sim/controlwords.h"
 #include "sim/faultspec.h"
 
@@ -21,15 +23,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string_view>;
 
-constexpr std::string_view kVerbs =
-    "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, fault ..., fault clear, "
-    "faults, foreign BYTES, stats, time";
+/// A line, to whom, when, and what its asker knows.
+struct Asked {
+    Chain& chain;
+    const Words& words;
+    TimePoint now;
+    const Pace& pace;
+};
 
 Json error(const std::string& text) {
     return {{"error", text}};
 }
 Json ok() {
     return {{"ok", true}};
+}
+Json okOr(const tl::expected<void, std::string>& done) {
+    return done ? ok() : error(done.error());
 }
 
 Words split(std::string_view line) {
@@ -51,222 +60,6 @@ tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::str
     return ModuleIndex(static_cast<std::uint8_t>(*value - 1));
 }
 
-// ---- state ----
-
-Json gainsJson(const Gains& g) {
-    return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
-            {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
-}
-
-/// A number, or null where there is none.
-template <typename T>
-Json orNull(const std::optional<T>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json servoJson(const ServoSnapshot& servo) {
-    return {{"position", servo.position},
-            {"shaft", servo.shaftCounts},
-            {"command_position", servo.commandPosition},
-            {"position_error", servo.positionError},
-            {"velocity", servo.velocity},
-            {"command_velocity", servo.commandVelocity},
-            {"pwm", servo.pwm},
-            {"current_limit_adjustment", servo.currentLimitAdjustment},
-            {"current", servo.amperes},
-            {"analog", servo.analog},
-            {"analog_input", orNull(servo.analogInput)},
-            {"servo_on", servo.servoOn},
-            {"amp_enabled", servo.ampEnabled},
-            {"power", servo.power},
-            {"mode", toText(servo.mode)},
-            {"home", servo.home},
-            {"limit1", servo.limit1},
-            {"limit2", servo.limit2},
-            {"index", servo.index},
-            {"load", servo.loadNm},
-            {"inertia", servo.inertiaKgM2},
-            {"friction", servo.frictionNm},
-            {"travel_min", orNull(servo.travelMin)},
-            {"travel_max", orNull(servo.travelMax)},
-            {"limits", servo.limitsAutomatic ? "auto" : "manual"},
-            {"gains", gainsJson(servo.gains)}};
-}
-
-Json pinsJson(const StepPins& pins) {
-    return {{"estop", pins.estop},   {"in1", pins.in1},       {"in2", pins.in2},
-            {"limit1", pins.limit1}, {"limit2", pins.limit2}, {"home_switch", pins.homeSwitch}};
-}
-
-Json stepJson(const StepSnapshot& step) {
-    return {{"position", step.position},
-            {"shaft", step.shaft},
-            {"step_rate", step.stepRate},
-            {"speed", step.speed},
-            {"timer_count", step.timerCount},
-            {"moving", step.moving},
-            {"reverse", step.reverse},
-            {"mode", toText(step.mode)},
-            {"amp_enabled", step.ampEnabled},
-            {"power", step.inputs.power},
-            {"analog", step.inputs.analog},
-            {"homing", step.homing},
-            {"home", step.home},
-            {"inputs", pinsJson(step.inputs)},
-            {"travel_min", orNull(step.travelMin)},
-            {"travel_max", orNull(step.travelMax)},
-            {"limits", step.limitsAutomatic ? "auto" : "manual"},
-            {"home_switch_at", orNull(step.homeSwitchAt)},
-            {"outputs", step.outputs},
-            {"current_limit", step.currentLimit}};
-}
-
-Json state(Chain& chain, ModuleIndex module, TimePoint now) {
-    const ModuleSnapshot s = chain.snapshot(module, now);
-    Json json{{"module", module.value() + 1},
-              {"type", s.step ? "step" : "servo"},
-              {"version", s.identity.version},
-              {"address", s.address},
-              {"group", s.group},
-              {"leader", s.leader},
-              {"baud", std::lround(realRate(s.brd))},
-              {"listening", s.listening},
-              {"addr_broken", s.addressLineBroken},
-              {"time", toSeconds(s.time.time_since_epoch())},
-              {"tick", s.tick}};
-    json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));
-    return json;
-}
-
-// ---- set ----
-
-/// Which chips have an input of that name.
-enum class Chips : std::uint8_t { Both, Servo, Step };
-
-/// A word that stands for a value, or for none.
-struct Word {
-    std::string_view text;
-    std::optional<double> value;
-};
-
-struct InputRow {
-    std::string_view name;
-    Input input;
-    Chips chips;
-    std::string_view allowed;
-    double min;  ///< of numbers; none are allowed when max < min
-    double max;
-    bool whole;
-    std::array<Word, 2> words;
-};
-
-/// An end of the travel.
-[[nodiscard]] constexpr InputRow travelRow(std::string_view name, Input input) {
-    return {name, input, Chips::Both, "-1e12 to 1e12 counts or none", -1e12, 1e12, true, {Word{"none", {}}}};
-}
-
-// Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
-constexpr std::array kInputs{
-    InputRow{"limit1", Input::Limit1, Chips::Both, "0 or 1", 0, 1, true, {}},
-    InputRow{"limit2", Input::Limit2, Chips::Both, "0 or 1", 0, 1, true, {}},
-    InputRow{"index", Input::Index, Chips::Servo, "0 or 1", 0, 1, true, {}},
-    InputRow{"power", Input::Power, Chips::Both, "0 or 1", 0, 1, true, {}},
-    InputRow{"analog", Input::Analog, Chips::Servo, "0 to 255 or auto", 0, 255, true, {Word{"auto", {}}}},
-    InputRow{"analog", Input::Analog, Chips::Step, "0 to 255", 0, 255, true, {}},
-    InputRow{"load", Input::Load, Chips::Servo, "-100 to 100 N·m", -100, 100, false, {}},
-    InputRow{"inertia", Input::Inertia, Chips::Servo, "1e-6 to 100 kg·m²", 1e-6, 100, false, {}},
-    InputRow{"friction", Input::Friction, Chips::Servo, "0 to 100 N·m", 0, 100, false, {}},
-    travelRow("travel_min", Input::TravelMin),
-    travelRow("travel_max", Input::TravelMax),
-    InputRow{"limits",
-             Input::Limits,
-             Chips::Both,
-             "auto or manual",
-             0,
-             -1,
-             true,
-             {Word{"auto", 1.0}, Word{"manual", 0.0}}},
-    InputRow{"servo_overrun", Input::ServoOverrun, Chips::Servo, "1", 1, 1, true, {}},
-    InputRow{"estop", Input::Estop, Chips::Step, "0 or 1", 0, 1, true, {}},
-    InputRow{"in1", Input::In1, Chips::Step, "0 or 1", 0, 1, true, {}},
-    InputRow{"in2", Input::In2, Chips::Step, "0 or 1", 0, 1, true, {}},
-    InputRow{"home_switch", Input::HomeSwitch, Chips::Step, "0 or 1", 0, 1, true, {}},
-    InputRow{"home_switch_at",
-             Input::HomeSwitchAt,
-             Chips::Step,
-             "-1e12 to 1e12 counts or none",
-             -1e12,
-             1e12,
-             true,
-             {Word{"none", {}}}},
-};
-
-/// What a word on the line says; nothing when the row does not allow it.
-std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
-    for (const Word& word : row.words)
-        if (!text.empty() && word.text == text)
-            return word;
-    const auto value = number<double>(text);
-    // Written so that NaN is refused.
-    if (!value || !(*value >= row.min && *value <= row.max) || (row.whole && *value != std::floor(*value)))
-        return std::nullopt;
-    return Word{text, value};
-}
-
-/// What is around a module, of either kind.
-struct Surroundings {
-    double shaft = 0;
-    bool limitsAutomatic = false;
-    bool homeSwitchAutomatic = false;
-};
-
-Surroundings surroundings(const ModuleSnapshot& s) {
-    if (s.step)
-        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic,
-                s.step->homeSwitchAt.has_value()};
-    return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
-}
-
-/// What the module's present state forbids although the value is in range; empty when nothing does.
-std::string conflict(const Surroundings& now, Input input, std::optional<double> value) {
-    const auto shaft = [&now] { return "the shaft stands at " + std::to_string(now.shaft) + " counts"; };
-    if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
-        return "the limits follow the travel; allowed after limits manual";
-    if (input == Input::HomeSwitch && now.homeSwitchAutomatic)
-        return "the home switch follows the shaft; allowed after home_switch_at none";
-    if (input == Input::TravelMin && value && *value > now.shaft)
-        return shaft() + "; allowed is up to that, or none";
-    if (input == Input::TravelMax && value && *value < now.shaft)
-        return shaft() + "; allowed is from that on, or none";
-    return {};
-}
-
-Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view text, TimePoint now) {
-    const std::optional<Word> word = valueOf(row, text);
-    if (!word)
-        return error(std::string(row.name) + " cannot be " + quoted(text) + "; allowed is " +
-                     std::string(row.allowed));
-    const Surroundings around = surroundings(chain.snapshot(module, now));
-    if (const std::string why = conflict(around, row.input, word->value); !why.empty())
-        return error(why);
-    chain.set(module, row.input, word->value, now);
-    return ok();
-}
-
-Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view text, TimePoint now) {
-    const bool isStep = chain.identity(module).type == ModuleType::Step;
-    std::string names;
-    for (const InputRow& row : kInputs) {
-        if (row.chips != Chips::Both && (row.chips == Chips::Step) != isStep)
-            continue;
-        if (row.name == name)
-            return setInput(chain, module, row, text, now);
-        names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
-    }
-    return error((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
-                 "; allowed are " + names);
-}
-
 // ---- stats, time ----
 
 Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
@@ -282,8 +75,15 @@ Json moduleStatistics(const ModuleStatistics& m, std::size_t number) {
             {"bytes_garbled", m.bytesGarbled}};
 }
 
-Json stats(Chain& chain, TimePoint now) {
-    chain.advanceTo(now);
+Json stats(const Asked& asked) {
+    Chain& chain = asked.chain;
+    if (asked.words.size() > 1) {
+        if (asked.words[1] != "clear")
+            return error("cannot read " + quoted(asked.words[1]) + "; allowed are stats, stats clear");
+        chain.clearStatistics(asked.now);
+        return ok();
+    }
+    chain.advanceTo(asked.now);
     const ChainStatistics s = chain.statistics();
     Json modules = Json::array();
     for (const ModuleStatistics& m : s.modules)
@@ -298,51 +98,76 @@ Json stats(Chain& chain, TimePoint now) {
             {"exchanges", s.exchanges},
             {"bytes_in", s.bytesIn},
             {"bytes_out", s.bytesOut},
+            {"bytes_unheard", s.bytesUnheard},
             {"bytes_lost", s.bytesLost},
             {"modules", modules},
+            {"stalls", asked.pace.stalls},
+            {"longest_stall", asked.pace.longestStallSeconds},
             {"violation_count", chain.violations().count()},
             {"violations", violations}};
 }
 
-Json time(TimePoint now, const Pace& pace) {
-    const Duration since = now.time_since_epoch();
-    return {{"time", toSeconds(since)},        {"ticks", since / kServoTick}, {"lag", pace.lagSeconds},
-            {"late_p99", pace.lateP99Seconds}, {"received", pace.received},   {"sent", pace.sent}};
+Json time(const Asked& asked) {
+    const Duration since = asked.now.time_since_epoch();
+    const Pace& pace = asked.pace;
+    return {{"time", toSeconds(since)},  {"ticks", since / kServoTick},
+            {"lag", pace.lagSeconds},    {"late_p99", pace.lateP99Seconds},
+            {"received", pace.received}, {"sent", pace.sent},
+            {"stalls", pace.stalls},     {"longest_stall", pace.longestStallSeconds}};
 }
 
-// ---- verbs ----
+// ---- modules ----
 
-Json powerCycle(Chain& chain, std::string_view word, TimePoint now) {
-    if (word == "all") {
-        for (std::size_t i = 0; i < chain.moduleCount(); ++i)
-            chain.powerCycle(ModuleIndex(static_cast<std::uint8_t>(i)), now);
+/// Does something with the module that the second word names.
+template <typename F>
+Json withModule(const Asked& asked, F act) {
+    const auto module = moduleNumber(asked.chain, asked.words[1]);
+    return module ? act(*module) : error(module.error());
+}
+
+Json state(const Asked& asked) {
+    return withModule(asked, [&asked](ModuleIndex module) {
+        return stateJson(asked.chain.snapshot(module, asked.now), module.value() + 1U);
+    });
+}
+
+Json set(const Asked& asked) {
+    return withModule(asked, [&asked](ModuleIndex module) {
+        return okOr(setInput(asked.chain, module, asked.words[2], asked.words[3], asked.now));
+    });
+}
+
+Json powerCycle(const Asked& asked) {
+    if (asked.words[1] == "all") {
+        for (std::size_t i = 0; i < asked.chain.moduleCount(); ++i)
+            asked.chain.powerCycle(ModuleIndex(static_cast<std::uint8_t>(i)), asked.now);
         return ok();
     }
-    const auto module = moduleNumber(chain, word);
+    const auto module = moduleNumber(asked.chain, asked.words[1]);
     if (!module)
         return error(module.error() + " or all");
-    chain.powerCycle(*module, now);
+    asked.chain.powerCycle(*module, asked.now);
     return ok();
 }
 
-Json withModule(Chain& chain, const Words& words, TimePoint now) {
-    const auto module = moduleNumber(chain, words[1]);
-    if (!module)
-        return error(module.error());
-    if (words[0] == "state")
-        return state(chain, *module, now);
-    if (words[0] == "set")
-        return set(chain, *module, words[2], words[3], now);
-    if (words[0] == "break")
-        chain.breakAddressLine(*module, now);
-    else
-        chain.mendAddressLine(*module, now);
-    return ok();
+Json breakLine(const Asked& asked) {
+    return withModule(asked, [&asked](ModuleIndex module) {
+        asked.chain.breakAddressLine(module, asked.now);
+        return ok();
+    });
+}
+
+Json mendLine(const Asked& asked) {
+    return withModule(asked, [&asked](ModuleIndex module) {
+        asked.chain.mendAddressLine(module, asked.now);
+        return ok();
+    });
 }
 
 // ---- faults ----
 
-Json inject(Chain& chain, const Words& words, TimePoint now) {
+Json inject(const Asked& asked) {
+    const auto& [chain, words, now, pace] = asked;
     if (words.size() == 2 && words[1] == "clear") {
         chain.clearFaults(now);
         return ok();
@@ -360,9 +185,9 @@ Json inject(Chain& chain, const Words& words, TimePoint now) {
 }
 
 /// Another host's bytes, in hexadecimal.
-Json foreign(Chain& chain, const Words& words, TimePoint now) {
+Json foreign(const Asked& asked) {
     std::vector<std::uint8_t> bytes;
-    for (const std::string_view word : std::span(words).subspan(1)) {
+    for (const std::string_view word : std::span(asked.words).subspan(1)) {
         const auto byte = hexByte(word);
         if (!byte)
             return error("no byte " + quoted(word) + "; allowed are bytes such as AA 02 0E 10");
@@ -370,15 +195,13 @@ Json foreign(Chain& chain, const Words& words, TimePoint now) {
     }
     if (bytes.empty())
         return error("no bytes; allowed are such as AA 02 0E 10");
-    if (const auto sent = chain.foreignSends(bytes, now); !sent)
-        return error(sent.error());
-    return ok();
+    return okOr(asked.chain.foreignSends(bytes, asked.now));
 }
 
-Json faults(Chain& chain, TimePoint now) {
-    chain.advanceTo(now);
+Json faults(const Asked& asked) {
+    asked.chain.advanceTo(asked.now);
     Json list = Json::array();
-    for (const FaultReport& fault : chain.faults())
+    for (const FaultReport& fault : asked.chain.faults())
         list.push_back({{"fault", fault.number},
                         {"text", fault.text},
                         {"struck", fault.struck},
@@ -386,52 +209,110 @@ Json faults(Chain& chain, TimePoint now) {
     return {{"faults", list}};
 }
 
-Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
-    struct Verb {
-        std::string_view name;
-        std::size_t words;
-        std::string_view usage;
-    };
-    static constexpr std::array kTable{
-        Verb{"state", 2, "state N"},
-        Verb{"set", 4, "set N NAME VALUE"},
-        Verb{"power-cycle", 2, "power-cycle N|all"},
-        Verb{"break", 2, "break N"},
-        Verb{"mend", 2, "mend N"},
-        Verb{"faults", 1, "faults"},
-        Verb{"stats", 1, "stats"},
-        Verb{"time", 1, "time"},
-    };
-    if (words.empty())
-        return error("empty line; " + std::string(kVerbs));
-    if (words[0] == "fault")
-        return inject(chain, words, now);
-    if (words[0] == "foreign")
-        return foreign(chain, words, now);
-    for (const Verb& verb : kTable) {
-        if (words[0] != verb.name)
-            continue;
-        if (words.size() != verb.words)
-            return error("wrong number of words for " + std::string(verb.name) + "; allowed is " +
-                         std::string(verb.usage));
-        if (verb.name == "stats")
-            return stats(chain, now);
-        if (verb.name == "faults")
-            return faults(chain, now);
-        if (verb.name == "time")
-            return time(now, pace);
-        if (verb.name == "power-cycle")
-            return powerCycle(chain, words[1], now);
-        return withModule(chain, words, now);
+// ---- verbs ----
+
+Json help(const Asked& asked);
+
+struct Verb {
+    std::string_view name;
+    std::size_t leastWords;
+    std::size_t mostWords;
+    Json (*answer)(const Asked&);
+    std::string_view usage;
+    std::string_view does;
+};
+
+constexpr std::size_t kMany = SIZE_MAX;
+constexpr std::array kVerbs{
+    Verb{"state", 2, 2, state, "state N", "the truth about module N"},
+    Verb{"set", 4, 4, set, "set N NAME VALUE", "a pin, the load or the surroundings of module N"},
+    Verb{"power-cycle", 2, 2, powerCycle, "power-cycle N|all", "the supply of the chip off and on"},
+    Verb{"break", 2, 2, breakLine, "break N", "the ADDR line from module N towards the host"},
+    Verb{"mend", 2, 2, mendLine, "mend N", "that line again"},
+    Verb{"fault", 1, kMany, inject, "fault ..., fault clear",
+         "makes something go wrong, or ends all that does"},
+    Verb{"faults", 1, 1, faults, "faults", "those that were made, and how often each has struck"},
+    Verb{"foreign", 1, kMany, foreign, "foreign BYTES",
+         "another host on the line sends these, such as AA 02 0E 10"},
+    Verb{"stats", 1, 2, stats, "stats, stats clear",
+         "what has been counted, and the violations; counts anew"},
+    Verb{"time", 1, 1, time, "time", "simulated time, and how late it is"},
+    Verb{"help", 1, 1, help, "help", "these lines, the names of set, and the kinds of violations"},
+};
+
+std::string usages() {
+    std::string all;
+    for (const Verb& verb : kVerbs)
+        all += std::string(all.empty() ? "allowed are " : ", ") + std::string(verb.usage);
+    return all;
+}
+
+std::string_view toText(Chips chips) {
+    switch (chips) {
+        case Chips::Both:
+            return "any";
+        case Chips::Servo:
+            return "servo";
+        case Chips::Step:
+            return "step";
     }
-    return error("unknown line " + quoted(words[0]) + "; " + std::string(kVerbs));
+    return "";
+}
+
+Json help(const Asked&) {
+    Json lines = Json::array();
+    for (const Verb& verb : kVerbs)
+        lines.push_back({{"line", verb.usage}, {"does", verb.does}});
+    Json inputs = Json::array();
+    for (const InputRow& row : inputTable())
+        inputs.push_back({{"name", row.name},
+                          {"module", toText(row.chips)},
+                          {"allowed", row.allowed},
+                          {"meaning", row.meaning}});
+    Json violations = Json::array();
+    for (const ViolationRow& row : violationTable())
+        violations.push_back({{"kind", row.name}, {"meaning", row.meaning}});
+    return {{"lines", lines}, {"set", inputs}, {"violations", violations}};
+}
+
+Json answer(const Asked& asked) {
+    const Words& words = asked.words;
+    if (words.empty())
+        return error("empty line; " + usages());
+    const auto verb = std::ranges::find(kVerbs, words[0], &Verb::name);
+    if (verb == kVerbs.end())
+        return error("unknown line " + quoted(words[0]) + "; " + usages());
+    if (words.size() < verb->leastWords || words.size() > verb->mostWords)
+        return error("wrong number of words for " + std::string(verb->name) + "; allowed is " +
+                     std::string(verb->usage));
+    return verb->answer(asked);
+}
+
+/// `text` and blanks up to `width`, one at least.
+std::string column(std::string_view text, std::size_t width) {
+    return std::string(text) + std::string(text.size() < width ? width - text.size() : 1, ' ');
 }
 
 }  // namespace
 
+std::string controlHelp() {
+    std::string text = "Control lines on standard input; each is answered by one line of JSON:\n";
+    for (const Verb& verb : kVerbs)
+        text += "  " + column(verb.usage, 23) + std::string(verb.does) + '\n';
+    text += "\nWhat set can change, of which kind of module:\n";
+    for (const InputRow& row : inputTable())
+        text += "  " + column(row.name, 15) + column(toText(row.chips), 8) + std::string(row.allowed) + "\n" +
+                std::string(25, ' ') + std::string(row.meaning) + '\n';
+    text += "\nViolations, in stats: what a real chip would not have forgiven:\n";
+    for (const ViolationRow& row : violationTable())
+        text += "  " + column(row.name, 23) + std::string(row.meaning) + '\n';
+    return text;
+}
+
 std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, const Pace& pace) {
+    const Words words = split(line);
     // What comes in may be any bytes; what goes out is UTF-8.
-    return answer(chain, split(line), now, pace).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return answer({chain, words, now, pace}).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace nmc::sim

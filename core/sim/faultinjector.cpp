@@ -168,6 +168,17 @@ bool FaultInjector::breaks(bool FaultSides::*side, TimePoint now) const {
     });
 }
 
+bool FaultInjector::strikesByte(FaultKind kind, std::optional<std::uint8_t> module, TimePoint now) {
+    bool struck = false;
+    for (Fault& fault : m_faults) {
+        if (fault.spec.kind != kind || (module && !fault.hits(*module)) || !fault.isActive(now))
+            continue;
+        ++fault.struck;
+        struck = true;
+    }
+    return struck;
+}
+
 // ---- Time ----
 
 TimePoint FaultInjector::nextEvent() const {

@@ -80,6 +80,9 @@ public:
     /// Whether a fault that lasts is on: a mute, an echo, a stall, a reversal.
     [[nodiscard]] bool isOn(FaultKind kind, std::uint8_t module, TimePoint now) const;
     [[nodiscard]] bool breaks(bool FaultSides::*side, TimePoint now) const;
+    /// The same of a mute or an echo of a byte, which counts: one of `module`, or without one a byte of the
+    /// host.
+    bool strikesByte(FaultKind kind, std::optional<std::uint8_t> module, TimePoint now);
 
     // Time.
     [[nodiscard]] TimePoint nextEvent() const;

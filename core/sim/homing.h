@@ -30,6 +30,9 @@ public:
     /// A trigger is a change from the levels `now`. A control byte that watches nothing cancels the search.
     void begin(std::uint8_t control, HomeInputs now);
     [[nodiscard]] bool inProgress() const { return m_inProgress; }
+    [[nodiscard]] bool waitsFor(std::uint8_t condition) const {
+        return m_inProgress && (m_control & condition) != 0;
+    }
     /// Once per maximum-rate tick while in progress. True when the home position is to be captured; the
     /// search is then over.
     bool triggered(HomeInputs now, bool positionErrorTrip, bool currentLimiting);

@@ -44,6 +44,7 @@ public:
     /// The packet that begins with `header`, as far as it is on the line behind it.
     [[nodiscard]] PacketBytes packetBehind(std::uint8_t header) const;
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
+    void forgetLost() { m_lost = 0; }
 
 private:
     std::deque<LineByte> m_bytes;

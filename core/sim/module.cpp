@@ -42,6 +42,9 @@ void Module::reset(TimePoint now) {
     m_leader = false;
     m_brd = kPowerUpBrd;
     m_items = 0;
+    m_ownAddress.reset();
+    m_addressIsFaults = false;
+    m_itemsAreFaults = false;
     resetChip();
 }
 
@@ -67,12 +70,14 @@ void Module::setAddress(const Packet& packet) {
     m_group = packet.data[1] | kGroupBit;
     m_leader = (packet.data[1] & kGroupBit) == 0;
     m_addressOutputLow = true;
+    m_addressIsFaults = m_commandStruck;
+    m_ownAddress.reset();
 }
 
 // ---- Commands ----
 
-void Module::hears(std::uint8_t byte, bool framingError, TimePoint now) {
-    if (m_receiver.hears(byte, framingError))
+void Module::hears(std::uint8_t byte, bool framingError, bool struck, TimePoint now) {
+    if (m_receiver.hears(byte, framingError, struck))
         accept(m_receiver.packet(), now);
 }
 
@@ -84,7 +89,7 @@ void Module::accept(const Packet& packet, TimePoint now) {
         good && obeysResetOfAll() && packet.address == kEveryone && packet.code() == CommandCode::HardReset;
     if (!own && !member && !resetsAll)
         return;
-    if (m_pending && good)
+    if (m_pending && good && !packet.struck && !m_pending->packet.struck)
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;
     m_pending = Pending{packet, tickEnd(tick), tick, own, own || (member && m_leader)};
@@ -95,6 +100,7 @@ void Module::execute() {
     m_pending.reset();
     runTo(command.tick);
     m_answered = command.packet.bytes();
+    m_commandStruck = command.packet.struck;
 
     const bool damaged = command.packet.framingError || !command.packet.sumIsRight();
     std::uint8_t items = m_items;
@@ -111,7 +117,7 @@ void Module::execute() {
 
 void Module::executeGood(const Pending& command) {
     const Packet& packet = command.packet;
-    checkLength(packet);
+    checkForm(packet);
     ++m_statistics.executed[static_cast<std::size_t>(packet.code())];
     switch (packet.code()) {
         case CommandCode::SetAddress:
@@ -119,6 +125,7 @@ void Module::executeGood(const Pending& command) {
             return;
         case CommandCode::DefineStatus:
             m_items = packet.data[0];
+            m_itemsAreFaults = m_commandStruck;
             return;
         case CommandCode::SetBaud:
             setBaud(command);
@@ -144,12 +151,14 @@ void Module::executeGood(const Pending& command) {
     }
 }
 
-void Module::checkLength(const Packet& packet) {
+void Module::checkForm(const Packet& packet) {
     const auto row = findCommand(m_identity, packet.code());
     if (!row)
         violates(ViolationKind::UnknownCommand);
     else if (packet.length() < row->minData || packet.length() > row->maxData)
         violates(ViolationKind::WrongLength);
+    if (packet.length() > 0 && (packet.data[0] & reservedBits(packet.code())) != 0)
+        violates(ViolationKind::ReservedBits);
 }
 
 void Module::setBaud(const Pending& command) {
@@ -159,7 +168,8 @@ void Module::setBaud(const Pending& command) {
 }
 
 void Module::violates(ViolationKind kind) {
-    m_violations.add({tickEnd(m_ticks), m_index, kind, m_answered});
+    if (!m_commandStruck)
+        m_violations.add({tickEnd(m_ticks), m_index, kind, m_answered});
 }
 
 // ---- Reply ----
@@ -172,11 +182,14 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_reply.push_back(sum8(m_reply));
     m_sent = 0;
     m_collided = false;
+    m_replyStruck = m_commandStruck || m_addressIsFaults ||
+                    (m_itemsAreFaults && answeredCode() != CommandCode::ReadStatus);
     m_replyStart = now;
     m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
 }
 
 void Module::replaceReply(ByteSpan bytes, Duration later) {
+    m_replyStruck = m_replyStruck || later > Duration::zero() || !std::ranges::equal(bytes, reply());
     m_reply = ReplyBytes(bytes);
     m_replyStart += later;
 }
@@ -222,6 +235,29 @@ void Module::dropReply() {
     m_sent = 0;
 }
 
+// ---- Faults ----
+
+void Module::takeAddress(std::uint8_t address) {
+    if (address == m_address)
+        return;
+    m_ownAddress = m_ownAddress.value_or(m_address);
+    m_address = address;
+    m_addressIsFaults = true;
+}
+
+void Module::giveAddressBack() {
+    if (!m_ownAddress)
+        return;
+    m_address = *m_ownAddress;
+    m_addressIsFaults = false;
+    m_ownAddress.reset();
+}
+
+void Module::defineItems(std::uint8_t mask) {
+    m_items = mask;
+    m_itemsAreFaults = true;
+}
+
 // ---- Time ----
 
 TimePoint Module::nextEvent() const {
@@ -260,6 +296,9 @@ ModuleSnapshot Module::snapshot(TimePoint now) const {
     s.listening = m_awake;
     s.time = now;
     s.tick = m_ticks;
+    s.status = statusByte();
+    s.pins = statusItems().pins;
+    s.items = m_items;
     return s;
 }
 

@@ -46,11 +46,16 @@ public:
     [[nodiscard]] bool isAwake(TimePoint now);
 
     // The line.
-    /// A byte of the host, while awake. `framingError`: it was not what the host sent.
-    void hears(std::uint8_t byte, bool framingError, TimePoint now);
+    /// A byte of the host, while awake. `framingError`: it was not what the host sent. `struck`: as in
+    /// Packet.
+    void hears(std::uint8_t byte, bool framingError, bool struck, TimePoint now);
+    [[nodiscard]] bool inPacket() const { return m_receiver.inPacket(); }
     /// When it next executes a command or has sent a byte; kNever while it only moves its motor.
     [[nodiscard]] TimePoint nextEvent() const;
-    [[nodiscard]] bool hasPending() const { return m_pending.has_value(); }
+    /// Has a command to carry out or a reply on its way, and no fault to thank for either.
+    [[nodiscard]] bool owesAnswer() const {
+        return m_pending ? !m_pending->packet.struck : isReplying() && !m_replyStruck;
+    }
     [[nodiscard]] TimePoint executesAt() const { return m_pending ? m_pending->due : kNever; }
     /// Runs up to the end of the tick and carries out the pending command.
     void execute();
@@ -63,6 +68,8 @@ public:
     [[nodiscard]] TimePoint replyByteDue() const { return m_replyStart + m_byteTime * (m_sent + 1); }
     /// True when that was the last byte.
     bool replyByteSent();
+    /// It would not be what or when it is without a fault, or without another host.
+    [[nodiscard]] bool replyIsStruck() const { return m_replyStruck; }
     void replyCollided(TimePoint now);
     /// A byte of the host has come: the rest of the reply is not sent.
     void dropReply();
@@ -76,8 +83,10 @@ public:
         return address == m_address || address == m_group;
     }
     [[nodiscard]] std::uint8_t address() const { return m_address; }
-    void takeAddress(std::uint8_t address) { m_address = address; }
-    void defineItems(std::uint8_t mask) { m_items = mask; }
+    void takeAddress(std::uint8_t address);
+    /// Unless the host has given it another one since.
+    void giveAddressBack();
+    void defineItems(std::uint8_t mask);
     /// The command that the reply on its way answers.
     [[nodiscard]] CommandCode answeredCode() const { return static_cast<CommandCode>(m_answered[2] & 0x0FU); }
     [[nodiscard]] ByteSpan reply() const { return m_reply; }
@@ -93,6 +102,7 @@ public:
     [[nodiscard]] virtual ModuleSnapshot snapshot(TimePoint now) const;
     [[nodiscard]] const ModuleStatistics& statistics() const { return m_statistics; }
     void countGarbled() { ++m_statistics.bytesGarbled; }
+    void clearStatistics() { m_statistics = {m_statistics.type}; }
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:
@@ -128,6 +138,8 @@ private:
     virtual void runTicks(std::uint64_t ticks) = 0;
     /// A command that is not common to all chips. Its length is within the command table's bounds, or logged.
     virtual void executeOwn(const Packet& packet) = 0;
+    /// The bits of a command's first data byte that the data sheet wants cleared to zero.
+    [[nodiscard]] virtual std::uint8_t reservedBits(CommandCode code) const = 0;
     /// Without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
     [[nodiscard]] virtual Items statusItems() const = 0;
@@ -136,7 +148,7 @@ private:
     void accept(const Packet& packet, TimePoint now);
     void runTo(std::uint64_t tick);
     void executeGood(const Pending& command);
-    void checkLength(const Packet& packet);
+    void checkForm(const Packet& packet);
     void setAddress(const Packet& packet);
     void setBaud(const Pending& command);
     void reset(TimePoint now);
@@ -163,10 +175,15 @@ private:
     bool m_leader = false;
     std::uint8_t m_brd = kPowerUpBrd;
     std::uint8_t m_items = 0;
+    std::optional<std::uint8_t> m_ownAddress;  ///< while a fault has given it another one
+    bool m_addressIsFaults = false;
+    bool m_itemsAreFaults = false;
 
     ReplyBytes m_reply;
     std::uint8_t m_sent = 0;
     bool m_collided = false;
+    bool m_commandStruck = false;  ///< the command that is being executed
+    bool m_replyStruck = false;
     TimePoint m_replyStart;
     Duration m_byteTime{};
     PacketBytes m_answered;  ///< the packet that m_reply answers

@@ -15,14 +15,16 @@ PacketBytes Packet::bytes() const {
     return all;
 }
 
-bool Receiver::hears(std::uint8_t byte, bool framingError) {
+bool Receiver::hears(std::uint8_t byte, bool framingError, bool struck) {
     if (m_expected == Expected::Header) {
         m_packet.framingError = framingError;
+        m_packet.struck = struck;
         if (byte == kHeader)
             m_expected = Expected::Address;
         return false;
     }
     m_packet.framingError = m_packet.framingError || framingError;
+    m_packet.struck = m_packet.struck || struck;
     switch (m_expected) {
         case Expected::Header:
             break;

@@ -19,6 +19,7 @@ struct Packet {
     std::array<std::uint8_t, 16> data{};
     std::uint8_t sum = 0;
     bool framingError = false;
+    bool struck = false;  ///< not as this host sent it: a fault has had a hand in it, or another host
 
     [[nodiscard]] CommandCode code() const { return static_cast<CommandCode>(commandByte & 0x0FU); }
     /// Number of data bytes that were received.
@@ -34,7 +35,7 @@ struct Packet {
 class Receiver {
 public:
     /// True when `byte` completed a packet, which packet() then shows until the next header.
-    bool hears(std::uint8_t byte, bool framingError);
+    bool hears(std::uint8_t byte, bool framingError, bool struck = false);
     [[nodiscard]] const Packet& packet() const { return m_packet; }
     /// True from a header on until its packet is complete.
     [[nodiscard]] bool inPacket() const { return m_expected != Expected::Header; }

@@ -64,6 +64,7 @@ public:
     [[nodiscard]] std::uint8_t auxiliaryByte() const;
     [[nodiscard]] std::int32_t position() const { return m_encoder.position(); }
     [[nodiscard]] std::int32_t home() const { return m_home; }
+    [[nodiscard]] const Homing& homing() const { return m_homing; }
     [[nodiscard]] std::uint8_t analog() const;
     /// Counts the motor moved in the last servo tick; forward is positive.
     [[nodiscard]] std::int32_t velocity() const { return m_velocity; }

@@ -137,6 +137,33 @@ void ServoModule::setHoming(std::uint8_t control) {
     m_loop.setHoming(control);
 }
 
+/// DS-V 5.2: "not used", "clear to zero".
+std::uint8_t ServoModule::reservedBits(CommandCode code) const {
+    switch (code) {
+        case CommandCode::DefineStatus:
+        case CommandCode::ReadStatus:
+            return 0xC0;
+        case CommandCode::StopMotor:
+            return 0xE0;
+        case CommandCode::IoControl:
+            return 0xF0;
+        case CommandCode::LoadTrajectory:
+        case CommandCode::SetGain:
+        case CommandCode::SetHoming:
+        case CommandCode::ResetPosition:
+        case CommandCode::SetAddress:
+        case CommandCode::StartMotion:
+        case CommandCode::SetBaud:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SaveAsHome:
+        case CommandCode::Reserved:
+        case CommandCode::Nop:
+        case CommandCode::HardReset:
+            return 0;
+    }
+    return 0;
+}
+
 Module::Items ServoModule::statusItems() const {
     // The wire carries the negative of the velocity (DS-V 5.2 Define Status).
     const auto velocity = static_cast<std::uint16_t>(-m_loop.velocity());
@@ -146,6 +173,7 @@ Module::Items ServoModule::statusItems() const {
 ModuleSnapshot ServoModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.servo = m_loop.snapshot();
+    s.homing = m_loop.homing();
     return s;
 }
 

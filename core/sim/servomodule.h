@@ -23,6 +23,7 @@ private:
     void resetChip() override { m_loop.reset(); }
     void runTicks(std::uint64_t ticks) override { m_loop.run(ticks); }
     void executeOwn(const Packet& packet) override;
+    [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override;
     [[nodiscard]] std::uint8_t statusByte() const override { return m_loop.statusByte(); }
     [[nodiscard]] Items statusItems() const override;
 

@@ -7,7 +7,9 @@
 
 #include "base/time.h"
 #include "protocol/moduletype.h"
+#include "sim/homing.h"
 #include "sim/pid.h"
+#include "sim/stepparameters.h"
 
 namespace nmc::sim {
 
@@ -77,6 +79,7 @@ struct StepSnapshot {
     bool ampEnabled = false;
     bool homing = false;
     std::int32_t home = 0;
+    std::optional<StepParameters> parameters;  ///< that are in force; nothing before Set Parameters
     StepPins inputs;
     bool limitsAutomatic = false;           ///< the limit pins follow the travel
     std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
@@ -96,7 +99,11 @@ struct ModuleSnapshot {
     bool listening = false;          ///< ADDR_IN has been low and the dead time is over
     bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;
-    std::uint64_t tick = 0;            ///< its own ticks since the simulation began
+    std::uint64_t tick = 0;   ///< its own ticks since the simulation began
+    std::uint8_t status = 0;  ///< status byte, without the communication error bit
+    std::uint8_t pins = 0;    ///< PIC-SERVO: auxiliary status; PIC-STEP: inputs
+    std::uint8_t items = 0;   ///< that Define Status has defined
+    Homing homing;
     ServoSnapshot servo;               ///< of a servo module only
     std::optional<StepSnapshot> step;  ///< of a stepper module only
 };

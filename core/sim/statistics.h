@@ -11,7 +11,8 @@
 
 namespace nmc::sim {
 
-/// What one module has done since the chain was made; a reset does not clear it.
+/// What one module has done since the chain was made or the statistics were cleared; a reset does not clear
+/// it.
 struct ModuleStatistics {
     ModuleIdentity identity;
     std::array<std::uint64_t, 16> executed{};  ///< by command code
@@ -27,10 +28,11 @@ struct ModuleStatistics {
 
 struct ChainStatistics {
     TimePoint time;
-    std::uint64_t exchanges = 0;  ///< commands that were answered, to the last byte
-    std::uint64_t bytesIn = 0;    ///< host to modules
-    std::uint64_t bytesOut = 0;   ///< modules to host
-    std::uint64_t bytesLost = 0;  ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
+    std::uint64_t exchanges = 0;     ///< commands that were answered, to the last byte
+    std::uint64_t bytesIn = 0;       ///< host to modules
+    std::uint64_t bytesOut = 0;      ///< modules to host
+    std::uint64_t bytesUnheard = 0;  ///< of bytesIn, those that found no module listening
+    std::uint64_t bytesLost = 0;     ///< beyond what the line holds: see HostLine and Chain::takeHostBytes
     std::vector<ModuleStatistics> modules;
 };
 

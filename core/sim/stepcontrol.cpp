@@ -2,6 +2,7 @@
 #include "sim/stepcontrol.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nmc::sim {
 
@@ -59,14 +60,18 @@ void StepControl::advance(Duration time) {
 // ---- Commands ----
 
 void StepControl::setParameters(const StepParameters& parameters) {
-    m_parameters = parameters;
+    const StepParameters before = std::exchange(m_parameters, parameters);
     m_hasParameters = true;
     m_current.setLimits(parameters.runningCurrent, parameters.holdingCurrent);
     m_pinsChanged = true;
-    if (m_motion.isMoving())
-        return;
-    m_motion.setSpeedMode(static_cast<SpeedMode>(parameters.mode & 0x03U));
-    m_motion.setMinimumSpeed(parameters.minimumSpeed);
+    if (m_motion.isMoving()) {
+        constexpr unsigned kSpeedMode = StepParameters::kSpeedMode;
+        m_parameters.mode =
+            static_cast<std::uint8_t>((parameters.mode & ~kSpeedMode) | (before.mode & kSpeedMode));
+        m_parameters.minimumSpeed = before.minimumSpeed;
+    }
+    m_motion.setSpeedMode(m_parameters.speedMode());
+    m_motion.setMinimumSpeed(m_parameters.minimumSpeed);
 }
 
 void StepControl::start(StepMode goal) {
@@ -205,6 +210,8 @@ StepSnapshot StepControl::snapshot() const {
     s.ampEnabled = m_ampEnabled;
     s.homing = m_homing.inProgress();
     s.home = m_home;
+    if (m_hasParameters)
+        s.parameters = m_parameters;
     s.inputs = m_pins;
     s.limitsAutomatic = m_machine.limitsAutomatic();
     s.travelMin = m_machine.travelMin();

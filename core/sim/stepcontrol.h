@@ -14,21 +14,6 @@
 
 namespace nmc::sim {
 
-/// The data of Set Parameters.
-struct StepParameters {
-    static constexpr std::uint8_t kIgnoreLimits = 0x04;
-    static constexpr std::uint8_t kIgnoreEstop = 0x08;
-    static constexpr std::uint8_t kMotorOff = 0x10;
-
-    std::uint8_t mode = 0;
-    std::uint8_t minimumSpeed = 1;
-    std::uint8_t runningCurrent = 0;
-    std::uint8_t holdingCurrent = 0;
-    std::uint8_t thermalLimit = 0;
-
-    [[nodiscard]] bool has(std::uint8_t bit) const { return (mode & bit) != 0; }
-};
-
 /// The stepper chip behind its commands: step generator, pins, and what the pins do to the motion (DS-S 4).
 /// Pins are looked at once per tick, or not at all while nothing can change them.
 class StepControl {
@@ -59,6 +44,7 @@ public:
     [[nodiscard]] std::uint8_t inputsByte() const;
     [[nodiscard]] std::uint8_t analog() const { return m_pins.analog; }
     [[nodiscard]] std::int32_t home() const { return m_home; }
+    [[nodiscard]] const Homing& homing() const { return m_homing; }
     [[nodiscard]] StepSnapshot snapshot() const;
 
 private:

@@ -129,6 +129,34 @@ void StepModule::setHoming(std::uint8_t control) {
     m_control.setHoming(control);
 }
 
+/// DS-S 5.1: "not used", "clear to zero".
+std::uint8_t StepModule::reservedBits(CommandCode code) const {
+    switch (code) {
+        case CommandCode::DefineStatus:
+        case CommandCode::ReadStatus:
+        case CommandCode::SetHoming:
+            return 0xC0;
+        case CommandCode::LoadTrajectory:
+            return 0x60;
+        case CommandCode::StopMotor:
+            return 0xF0;
+        case CommandCode::SetGain:    // Set Parameters
+        case CommandCode::IoControl:  // Set Outputs
+            return 0xE0;
+        case CommandCode::ResetPosition:
+        case CommandCode::SetAddress:
+        case CommandCode::StartMotion:
+        case CommandCode::SetBaud:
+        case CommandCode::ClearStickyBits:
+        case CommandCode::SaveAsHome:
+        case CommandCode::Reserved:
+        case CommandCode::Nop:
+        case CommandCode::HardReset:
+            return 0;
+    }
+    return 0;
+}
+
 Module::Items StepModule::statusItems() const {
     const StepMotion& motion = m_control.motion();
     return {motion.position(), m_control.analog(), motion.timerCount(), m_control.inputsByte(),
@@ -138,6 +166,7 @@ Module::Items StepModule::statusItems() const {
 ModuleSnapshot StepModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.step = m_control.snapshot();
+    s.homing = m_control.homing();
     return s;
 }
 

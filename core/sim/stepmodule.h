@@ -21,6 +21,7 @@ private:
         m_control.run(kServoTick * static_cast<Duration::rep>(ticks));
     }
     void executeOwn(const Packet& packet) override;
+    [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override;
     [[nodiscard]] std::uint8_t statusByte() const override { return m_control.statusByte(); }
     [[nodiscard]] Items statusItems() const override;
 

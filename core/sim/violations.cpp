@@ -1,40 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include "sim/violations.h"
 
+#include <array>
+
 namespace nmc::sim {
 
+namespace {
+
+using Kind = ViolationKind;
+
+constexpr std::array kTable{
+    ViolationRow{Kind::CommandInFlight, "command_in_flight",
+                 "a command sent before the previous one was answered (DS-V 4.1)"},
+    ViolationRow{Kind::CommandOverwritten, "command_overwritten",
+                 "a module lost a command to the next one (DS-V 4.1)"},
+    ViolationRow{Kind::TrapezoidInMotion, "trapezoid_in_motion",
+                 "a trapezoidal move started or changed while the motor moved (DS-V 4.4)"},
+    ViolationRow{Kind::ResetInMotion, "reset_in_motion",
+                 "Reset Position in a servo's trapezoid or in any motion of a stepper (DS-V 5.1, DS-S 5.1)"},
+    ViolationRow{Kind::ReplyCollision, "reply_collision",
+                 "two modules answered at once: two leaders of a group, or one address twice (DS-V 4.1)"},
+    ViolationRow{Kind::WrongLength, "wrong_length",
+                 "the command byte announced another number of data bytes than the command has"},
+    ViolationRow{Kind::UnknownCommand, "unknown_command", "no such command on this chip"},
+    ViolationRow{Kind::StopBits, "stop_bits",
+                 "more than one manner of stopping in Stop Motor or Set Homing Mode"},
+    ViolationRow{Kind::OutOfRange, "out_of_range", "a value outside the data sheet's range"},
+    ViolationRow{Kind::ReservedBits, "reserved_bits",
+                 "a bit that is not used and to be cleared to zero is set"},
+    ViolationRow{Kind::SetBaudSingle, "set_baud_single", "Set Baud Rate to an individual address (DS-V 5.2)"},
+    ViolationRow{Kind::Unsupported, "unsupported", "not available on this version"},
+    ViolationRow{Kind::ModeTransition, "mode_transition",
+                 "not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)"},
+    ViolationRow{Kind::DirectionChange, "direction_change",
+                 "a stepper's direction changed without a stop (DS-S 4.1, 4.2)"},
+    ViolationRow{Kind::ParametersNotSet, "parameters_not_set",
+                 "a stepper started before Set Parameters (DS-S 5.1)"},
+};
+
+/// Each kind has its row, and the rows are in the order of the kinds.
+constexpr bool isInOrder() {
+    for (std::size_t i = 0; i < kTable.size(); ++i)
+        if (kTable[i].kind != static_cast<Kind>(i))
+            return false;
+    return kTable.back().kind == Kind::ParametersNotSet;
+}
+static_assert(isInOrder());
+
+}  // namespace
+
+std::span<const ViolationRow> violationTable() {
+    return kTable;
+}
+
 std::string_view toText(ViolationKind kind) {
-    switch (kind) {
-        case ViolationKind::CommandInFlight:
-            return "command_in_flight";
-        case ViolationKind::CommandOverwritten:
-            return "command_overwritten";
-        case ViolationKind::TrapezoidInMotion:
-            return "trapezoid_in_motion";
-        case ViolationKind::ResetInMotion:
-            return "reset_in_motion";
-        case ViolationKind::ReplyCollision:
-            return "reply_collision";
-        case ViolationKind::WrongLength:
-            return "wrong_length";
-        case ViolationKind::UnknownCommand:
-            return "unknown_command";
-        case ViolationKind::StopBits:
-            return "stop_bits";
-        case ViolationKind::OutOfRange:
-            return "out_of_range";
-        case ViolationKind::SetBaudSingle:
-            return "set_baud_single";
-        case ViolationKind::Unsupported:
-            return "unsupported";
-        case ViolationKind::ModeTransition:
-            return "mode_transition";
-        case ViolationKind::DirectionChange:
-            return "direction_change";
-        case ViolationKind::ParametersNotSet:
-            return "parameters_not_set";
-    }
-    return "";
+    return kTable[static_cast<std::size_t>(kind)].name;
 }
 
 void ViolationLog::add(const Violation& violation) {

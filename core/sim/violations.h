@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,25 +11,35 @@
 
 namespace nmc::sim {
 
-/// What a host did that a real chip would not forgive, or that its data sheet forbids.
+/// What a host did that a real chip would not forgive, or that its data sheet forbids: see violationTable().
 enum class ViolationKind : std::uint8_t {
-    CommandInFlight,     ///< a command sent before the previous one was answered (DS-V 4.1)
-    CommandOverwritten,  ///< a module lost a command to the next one (DS-V 4.1)
-    TrapezoidInMotion,   ///< a trapezoidal move started or changed while the motor moved (DS-V 4.4)
-    ResetInMotion,       ///< Reset Position in a servo's trapezoid or any motion of a stepper
-    ReplyCollision,      ///< two modules answered at once: two leaders of a group, or one address twice
-    WrongLength,         ///< the command byte announced another number of data bytes than the command has
-    UnknownCommand,      ///< no such command on this chip
-    StopBits,            ///< more than one manner of stopping in Stop Motor or Set Homing Mode
-    OutOfRange,          ///< a value outside the data sheet's range
-    SetBaudSingle,       ///< Set Baud Rate to an individual address (DS-V 5.2)
-    Unsupported,         ///< not available on this version
-    ModeTransition,      ///< not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)
-    DirectionChange,     ///< a stepper's direction changed without a stop (DS-S 4.1, 4.2)
-    ParametersNotSet,    ///< a stepper started before Set Parameters (DS-S 5.1)
+    CommandInFlight,
+    CommandOverwritten,
+    TrapezoidInMotion,
+    ResetInMotion,
+    ReplyCollision,
+    WrongLength,
+    UnknownCommand,
+    StopBits,
+    OutOfRange,
+    ReservedBits,
+    SetBaudSingle,
+    Unsupported,
+    ModeTransition,
+    DirectionChange,
+    ParametersNotSet,
 };
 
-/// Snake case, as in `stats`.
+struct ViolationRow {
+    ViolationKind kind;
+    std::string_view name;  ///< snake case, as in `stats`
+    std::string_view meaning;
+};
+
+/// All kinds in their order.
+[[nodiscard]] std::span<const ViolationRow> violationTable();
+
+/// The kind's name.
 [[nodiscard]] std::string_view toText(ViolationKind kind);
 
 struct Violation {
@@ -45,6 +56,7 @@ public:
     static constexpr std::size_t kCapacity = 10'000;
 
     void add(const Violation& violation);
+    void clear() { *this = {}; }
     [[nodiscard]] const std::vector<Violation>& entries() const { return m_entries; }
     /// Including those that found no room.
     [[nodiscard]] std::uint64_t count() const { return m_count; }

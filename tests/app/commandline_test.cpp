@@ -59,6 +59,22 @@ TEST(CommandLine, TheChainMayStandBehindTheSimulatorAsTheHelpWritesIt) {
     EXPECT_TRUE(say.text.contains(QStringLiteral("servoo"))) << say.text.toStdString();
 }
 
+TEST(CommandLine, ASpaceAndAnEqualsSignBeforeTheChainMeanTheSame) {
+    for (const char* chain : {"servo", "servo,step", "servo@1,servo@4,step@1"}) {
+        const QString before = QStringLiteral("--enable-faults --simulator");
+        const QString behind = QLatin1String(chain) + QStringLiteral(" --baud 57600 --read-only mill.json");
+        for (const QLatin1Char sign : {QLatin1Char(' '), QLatin1Char('=')}) {
+            const Start start = started(before + sign + behind);
+            EXPECT_EQ(start.port, QStringLiteral("simulator=") + QLatin1String(chain));
+            EXPECT_EQ(start.baud, 57'600U);
+            EXPECT_TRUE(start.readOnly);
+            EXPECT_TRUE(start.enableFaults);
+            EXPECT_EQ(start.machine, QStringLiteral("mill.json"));
+        }
+    }
+    EXPECT_EQ(said(QStringLiteral("--simulator gizmo")).text, said(QStringLiteral("--simulator=gizmo")).text);
+}
+
 TEST(CommandLine, TakesOneMachineFile) {
     QTemporaryFile file;
     ASSERT_TRUE(file.open());

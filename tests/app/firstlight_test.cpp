@@ -285,6 +285,7 @@ TEST(FirstLight, AChainThatHasBecomeShorterIsSaid) {
 TEST(FirstLight, NobodyAnsweringIsSaidWithWhatToDo) {
     NmcsimProcess sim(QStringLiteral("servo"),
                       {QStringLiteral("--reset-dead-time"), QStringLiteral("10000")});
+    ASSERT_TRUE(sim.control(QStringLiteral("power-cycle all"))[QStringLiteral("ok")].toBool());
     Panel panel;
     panel.start(sim.terminal(), 19'200);
     ASSERT_TRUE(panel.waitFor([&] {

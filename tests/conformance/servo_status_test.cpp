@@ -58,7 +58,10 @@ protected:
                       (Bytes{0x19, 0, static_cast<std::uint8_t>(version), little(0x19 + version, 1)[0]}));
         }
     }
-    void expectNothingInBits6And7(unsigned by) { EXPECT_EQ(items(by, 0xC0), (Bytes{0x19, 0x19})); }
+    void expectNothingInBits6And7(unsigned by) {
+        EXPECT_EQ(items(by, 0xC0), (Bytes{0x19, 0x19}));
+        expectViolation("reserved_bits");
+    }
 };
 
 INSTANTIATE_TEST_SUITE_P(, PicServoItems, kPlaces, nameOf);

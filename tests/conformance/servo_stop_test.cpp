@@ -205,6 +205,12 @@ TEST_P(PicServo, StopMotor14_AmpEnableMustBeSetBeforeAnythingMoves) {
     EXPECT_GT(number("shaft"), 1000);
 }
 
+TEST_P(PicServo, StopMotor15_Bits5To7AreToBeCleared) {
+    stop(kAmplifier | 0x20);
+    EXPECT_EQ(truth("amp_enabled"), true);
+    expectViolation("reserved_bits");
+}
+
 TEST_P(PicServo, IoControl1_Bit0IsTheOutputValueOfLimit1) {
     command(0x18, {0x01});
     EXPECT_EQ(status().byte & (kLimit1 | kLimit2), kLimit1);
@@ -240,6 +246,13 @@ TEST_P(PicServo, IoControl5_BothAreInputsByDefault) {
     rig->must("set 1 limit1 1");
     rig->must("set 1 limit2 1");
     EXPECT_EQ(status().byte & (kLimit1 | kLimit2), kLimit1 | kLimit2);
+}
+
+TEST_P(PicServo, IoControl6_Bits4To7AreToBeCleared) {
+    command(0x18, {0x0C});
+    expectNoViolation();
+    command(0x18, {0x10});
+    expectViolation("reserved_bits");
 }
 
 TEST_P(PicServo, SaveCurrentPositionAsHome1_SavesThePositionAsTheHomePosition) {

@@ -23,11 +23,11 @@ protected:
         expectNoViolations();
     }
     /// Steps per second at speed 40, which is also the minimum.
-    void expectSpeedMode(unsigned mode, int stepsPerSecond) {
+    void expectSpeedMode(unsigned mode, int stepsPerSecond, const Kinds& violations = {}) {
         parameters(mode, 40);
         load({.speed = 40, .acceleration = 1});
         EXPECT_NEAR(stepsIn(kEightSeconds), 8 * stepsPerSecond, 1);
-        expectNoViolations();
+        expectViolations(violations);
     }
 };
 
@@ -106,7 +106,7 @@ TEST_P(PicStepCommands, SetParameters8_Bit4TurnsTheMotorOffOnLimitOrEStop) {
 }
 
 TEST_P(PicStepCommands, SetParameters9_Bits5To7AreIgnored) {
-    expectSpeedMode(0xE0 | k1x, 1'000);
+    expectSpeedMode(0xE0 | k1x, 1'000, {"reserved_bits"});
     set("limit1 1");
     EXPECT_EQ(status(), 0x0CU) << "the autostop is on, and the motor not turned off";
 }
@@ -229,6 +229,7 @@ TEST_P(PicStepCommands, StopMotor7_Bits4To7AreNotUsed) {
     stop(0xF1);
     EXPECT_NEAR(stepsIn(kEightSeconds), 24'000, 1);
     EXPECT_TRUE(amplifier());
+    expectViolations({"reserved_bits"});
 }
 
 TEST_P(PicStepCommands, StopMotor8_OnlyOneOfBits2And3MayBeSet) {
@@ -308,6 +309,7 @@ TEST_P(PicStepCommands, SetOutputs6_Bit4IsOut5) {
 TEST_P(PicStepCommands, SetOutputs7_Bits5To7ReachNoOutput) {
     command(0x18, {0xE5});
     EXPECT_EQ(truth<int>("outputs"), 0x05);
+    expectViolations({"reserved_bits"});
 }
 
 }  // namespace

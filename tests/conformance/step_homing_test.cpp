@@ -181,6 +181,7 @@ TEST_P(PicStepHoming, SetHomingMode8_Bits6And7AreNotUsed) {
     rig->waitTicks(2);
     EXPECT_FALSE(inProgress());
     EXPECT_TRUE(moving());
+    expectViolations({"reserved_bits"});
 }
 
 TEST_P(PicStepHoming, SetHomingMode9_AnyOfTheFlaggedConditionsCapturesHome) {

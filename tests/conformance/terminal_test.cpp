@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -24,6 +26,11 @@ using Bytes = std::vector<std::uint8_t>;
 const Bytes kNop{0xAA, 0x01, 0x0E, 0x0F};
 const Bytes kSetAddress{0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21};
 const Bytes kIdle{0x19, 0x19};
+// To all; nobody answers.
+const Bytes kNopToAll{0xAA, 0xFF, 0x0E, 0x0D};
+const Bytes kResetAll{0xAA, 0xFF, 0x0F, 0x0E};
+const Bytes kAllTo115200{0xAA, 0xFF, 0x1A, 10, 0x23};
+const Bytes kAllTo19200{0xAA, 0xFF, 0x1A, 63, 0x58};
 
 constexpr int kPatienceMs = 10'000;
 
@@ -40,6 +47,20 @@ public:
         m_port->setRate(rate);
         sim.control("time");  // the simulator looks at the rate before it answers
     }
+    /// In one breath: by then the simulator may have noticed all, some or nothing of it.
+    void writeAndSetRate(const Bytes& before, speed_t rate, const Bytes& behind) {
+        if (!before.empty())
+            m_port->write(before);
+        if (buildsSettingsAnew)
+            m_port->setRateAnew(rate);
+        else
+            m_port->setRate(rate);
+        if (!behind.empty())
+            m_port->write(behind);
+        m_written += before.size() + behind.size();
+        waitUntilHeard();
+    }
+    bool buildsSettingsAnew = false;
     void hangUp() { m_port.reset(); }
     void comeBack() { m_port.emplace(sim.terminal()); }
 
@@ -47,8 +68,7 @@ public:
     void write(const Bytes& bytes) {
         m_port->write(bytes);
         m_written += bytes.size();
-        while (sim.control("time")["received"] < m_written) {
-        }
+        waitUntilHeard();
     }
     void pass(double seconds) { sim.control("advance " + std::to_string(seconds)); }
 
@@ -93,6 +113,10 @@ public:
     unsigned garbled() { return sim.control("stats")["modules"][0]["bytes_garbled"]; }
 
 private:
+    void waitUntilHeard() {
+        while (sim.control("time")["received"] < m_written) {
+        }
+    }
     static std::vector<std::string> withStepped(std::vector<std::string> options) {
         options.emplace_back("--stepped");
         return options;
@@ -147,6 +171,32 @@ private:
     int m_fd = -1;
 };
 
+TEST(Terminal, ReadyIsSaidWhenTheFirstModuleListens) {
+    const std::vector<std::string> deafForLong{"--reset-dead-time", "500"};
+    Host host(deafForLong);
+    EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], 0);
+
+    SimProcess inRealTime("servo", deafForLong);
+    Port port(inRealTime.terminal());
+    port.write(kSetAddress);
+    Bytes answer = port.read(1, kPatienceMs);
+    answer.push_back(port.read(1, kPatienceMs).at(0));
+    EXPECT_EQ(answer, kIdle);
+}
+
+TEST(Terminal, WhatIsSentInTheDeadTimeOfAResetIsCountedAsUnheard) {
+    Host host({"--reset-dead-time", "500"});
+    ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    host.write(kResetAll);
+    host.pass(0.1);
+    EXPECT_TRUE(host.answer(kSetAddress).empty());
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], kSetAddress.size());
+    host.pass(0.5);
+    EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    EXPECT_EQ(host.sim.control("stats")["bytes_unheard"], kSetAddress.size());
+}
+
 TEST(Terminal, AHostThatNeverSetsARateIsUnderstood) {
     Host host;
     EXPECT_EQ(host.rate(), speed_t{B19200});
@@ -172,21 +222,95 @@ TEST(Terminal, ANewRateIsNoticedWithoutABytesHelp) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
     // Nothing but Set Baud at 115 200 Bd, and back at once.
-    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.write(kAllTo115200);
     host.setRate(B115200);
     host.pass(0.2);
     EXPECT_EQ(host.sim.state(1)["baud"], 113'636);
-    host.write({0xAA, 0xFF, 0x1A, 63, 0x58});
+    host.write(kAllTo19200);
     host.setRate(B19200);
     host.pass(0.05);
     EXPECT_TRUE(host.answers(kNop));
     EXPECT_EQ(host.garbled(), 0U);
 }
 
+constexpr unsigned kOften = 200;
+
+/// How a host makes its settings: from those it finds, or from nothing.
+class NewRate : public testing::TestWithParam<bool> {
+protected:
+    NewRate() {
+        host.buildsSettingsAnew = GetParam();
+        EXPECT_EQ(host.answer(kSetAddress), kIdle);
+    }
+    Host host;
+};
+
+INSTANTIATE_TEST_SUITE_P(, NewRate, testing::Bool(),
+                         [](const auto& of) { return of.param ? "SettingsMadeAnew" : "SettingsChanged"; });
+
+TEST_P(NewRate, WhatWasWrittenBeforeItLeavesAtTheOldOne) {
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate(kNopToAll, B115200, {});
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST_P(NewRate, WhatIsWrittenBehindItLeavesAtIt) {
+    host.write(kAllTo115200);
+    host.pass(0.02);
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate({}, B115200, kNopToAll);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST_P(NewRate, MayBeSetRightBehindSetBaud) {
+    // A module obeys at its tick's end, up to 0.512 ms later: six bytes at 115 200 Bd. Nulls bridge that.
+    Bytes nullsAndNop(30, 0);
+    nullsAndNop.insert(nullsAndNop.end(), kNopToAll.begin(), kNopToAll.end());
+    for (unsigned i = 1; i <= kOften; i += 2) {
+        host.writeAndSetRate(kAllTo115200, B115200, nullsAndNop);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i);
+        host.writeAndSetRate(kAllTo19200, B19200, nullsAndNop);
+        host.pass(0.02);
+        ASSERT_EQ(host.nops(), i + 1);
+    }
+}
+
+TEST_P(NewRate, MayBeSetRightBehindHardReset) {
+    for (unsigned i = 0; i < kOften; ++i) {
+        host.writeAndSetRate(kAllTo115200, B115200, {});
+        host.pass(0.02);
+        host.writeAndSetRate(kResetAll, B19200, {});
+        host.pass(0.02);
+        ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    }
+    EXPECT_EQ(host.garbled(), 0U);
+}
+
+TEST(Terminal, AWrongRateGarblesWhatIsWrittenRightBehindIt) {
+    Host host;
+    ASSERT_EQ(host.answer(kSetAddress), kIdle);
+    for (unsigned i = 1; i <= kOften; ++i) {
+        host.writeAndSetRate({}, B115200, kNopToAll);
+        host.pass(0.02);
+        host.setRate(B19200);
+    }
+    EXPECT_EQ(host.garbled(), kOften * kNopToAll.size());
+    EXPECT_EQ(host.nops(), 0U);
+}
+
 TEST(Terminal, AHostMayCloseItAndComeBack) {
     Host host;
     ASSERT_TRUE(host.answers(kSetAddress));
-    host.write({0xAA, 0xFF, 0x1A, 10, 0x23});
+    host.write(kAllTo115200);
     host.setRate(B115200);
     host.pass(0.02);
     ASSERT_TRUE(host.answers(kNop));
@@ -258,6 +382,35 @@ Bytes command(unsigned address, unsigned code, const Bytes& data) {
     return bytes;
 }
 
+TEST(Terminal, OptionsTakeTheirValueBehindASpaceOrAnEqualsSign) {
+    const std::string link = testing::TempDir() + "nmc-options-" + std::to_string(::getpid());
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--chain", "step,servo@2", "--link", link, "--seed", "3", "--speed", "2"},
+          std::vector<std::string>{"--chain=step,servo@2", "--link=" + link, "--seed=3", "--speed=2"}}) {
+        SimProcess sim("servo", options);
+        EXPECT_EQ(sim.state(1)["type"], "step");
+        EXPECT_EQ(sim.state(2)["version"], 2);
+        const Port throughTheLink(link);
+    }
+}
+
+TEST(Terminal, ASimulatorThatIsNotLetRunSaysSo) {
+    SimProcess sim("servo");
+    Port port(sim.terminal());
+    const unsigned before = sim.control("time")["stalls"];
+    ::kill(sim.pid(), SIGSTOP);
+    int status = 0;
+    ASSERT_EQ(::waitpid(sim.pid(), &status, WUNTRACED), sim.pid());
+    ASSERT_TRUE(WIFSTOPPED(status));
+    EXPECT_TRUE(port.read(1, 50).empty());  // for 50 ms
+    ::kill(sim.pid(), SIGCONT);
+    EXPECT_GT(sim.control("time")["stalls"], before);
+    EXPECT_GE(sim.control("stats")["longest_stall"], 0.05);
+    Host stepped;
+    stepped.pass(1.0);
+    EXPECT_EQ(stepped.sim.control("stats")["stalls"], 0) << "nothing is late where nothing is paced";
+}
+
 TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     // 32 moving servos at a thousand times real time are too much for any machine.
     constexpr int kServos = 32;
@@ -267,8 +420,6 @@ TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     NamedPipe errors;
     SimProcess sim(chain, {"--speed", "1000"}, errors.path());
     Port port(sim.terminal());
-    while (sim.control("time")["time"] < 0.1) {  // modules are deaf for some ms after power-up
-    }
     for (int i = 1; i <= kServos; ++i) {
         port.write(command(0, 0x21, {static_cast<std::uint8_t>(i), 0xFF}));
         while (sim.state(i)["address"] == 0) {

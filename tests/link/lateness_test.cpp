@@ -27,6 +27,24 @@ TEST(Lateness, BeyondTenMillisecondsItIsTheLargest) {
     EXPECT_EQ(lateness.percentile99(), milliseconds(700));
 }
 
+TEST(StallWatch, CountsPausesOfMoreThanTwentyMilliseconds) {
+    StallWatch watch;
+    TimePoint now{};
+    for (const Duration pause :
+         {milliseconds(5), milliseconds(20), milliseconds(21), milliseconds(300), milliseconds(5)}) {
+        now += pause;
+        watch.runs(now);
+    }
+    EXPECT_EQ(watch.count(), 2U);
+    EXPECT_EQ(watch.longest(), milliseconds(300));
+}
+
+TEST(StallWatch, TheTimeBeforeItBeganIsNone) {
+    StallWatch watch;
+    watch.runs(TimePoint{} + seconds(100));
+    EXPECT_EQ(watch.count(), 0U);
+}
+
 TEST(LagReport, IsSaidAtOnceThenEveryFiveSecondsAndWhenItIsOver) {
     LagReport report;
     const TimePoint start{};

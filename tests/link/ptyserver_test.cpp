@@ -26,12 +26,16 @@ public:
     ~Host() { ::close(m_fd); }
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
-    void setBaud(speed_t baud) {
+    /// `keeping` the other settings, or with all flags cleared.
+    void setBaud(speed_t baud, bool keeping = true) {
         termios settings{};
         ASSERT_EQ(::tcgetattr(m_fd, &settings), 0);
+        if (!keeping)
+            settings.c_iflag = settings.c_oflag = settings.c_lflag = 0;
         ::cfsetspeed(&settings, baud);
         ASSERT_EQ(::tcsetattr(m_fd, TCSANOW, &settings), 0);
     }
+    void flush() { ASSERT_EQ(::tcflush(m_fd, TCIFLUSH), 0); }
     void write(std::vector<std::uint8_t> bytes) {
         ASSERT_EQ(::write(m_fd, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
     }
@@ -75,6 +79,48 @@ TEST(PtyServer, IsAt19200UntilTheHostChoosesAnyOtherRate) {
     EXPECT_EQ(server->hostBaud(), 115'200U);
     host.setBaud(B0);
     EXPECT_FALSE(server->hostBaud().has_value());
+}
+
+TEST(PtyServer, TellsWhetherTheHostWroteOrSetItsRateFirst) {
+    auto server = PtyServer::create({});
+    Host host(server->path());
+    EXPECT_EQ(server->takeActs().first, FirstAct::Unknown) << "it has done nothing";
+    for (const speed_t rate : {speed_t{B38400}, speed_t{B57600}, speed_t{B115200}}) {
+        host.write({1, 2, 3});
+        host.setBaud(rate);
+        const HostActs wrote = server->takeActs();
+        EXPECT_EQ(wrote.first, FirstAct::Wrote);
+        EXPECT_THAT(wrote.bytes, ElementsAre(1, 2, 3));
+        EXPECT_EQ(wrote.baud, server->hostBaud());
+
+        host.setBaud(B19200);
+        host.write({4});
+        host.write({5});
+        const HostActs set = server->takeActs();
+        EXPECT_EQ(set.first, FirstAct::SetTerminal);
+        EXPECT_THAT(set.bytes, ElementsAre(4, 5));
+        EXPECT_EQ(set.baud, 19'200U);
+    }
+}
+
+TEST(PtyServer, DoesNotTakeAFlushForANewRate) {
+    auto server = PtyServer::create({});
+    Host host(server->path());
+    host.flush();
+    host.write({1});
+    host.setBaud(B115200);
+    EXPECT_EQ(server->takeActs().first, FirstAct::Unknown);
+}
+
+TEST(PtyServer, KnowsThatItIsNotToldOfSettingsMadeFromNothing) {
+    auto server = PtyServer::create({});
+    Host host(server->path());
+    host.setBaud(B38400, false);
+    host.write({1});
+    EXPECT_EQ(server->takeActs().first, FirstAct::SetTerminal) << "the first of them is told";
+    host.setBaud(B115200, false);
+    host.write({2});
+    EXPECT_EQ(server->takeActs().first, FirstAct::Unknown);
 }
 
 TEST(PtyServer, OutlivesAHostThatClosesAndComesBack) {

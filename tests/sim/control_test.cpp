@@ -68,6 +68,85 @@ TEST_F(Control, StateTellsTheTruthAboutAModule) {
     EXPECT_EQ(say("state 2")["mode"], "pwm");
 }
 
+// DS-V 5.2, 5.3: move done 01, power 08, position error 10, limit 1 20, home in progress 80.
+TEST_F(Control, StateTellsTheStatusThatTheHostWouldGet) {
+    EXPECT_EQ(say("state 1")["status"], 0x19);
+    EXPECT_EQ(say("state 1")["auxiliary"], 0x00) << "the index pin is high";
+    EXPECT_EQ(say("state 1")["status_items"], 0);
+    wire.command(1, 0x12, {0x2F});
+    wire.command(1, 0x13, {0x10});
+    say("set 1 limit1 1");
+    say("set 1 servo_overrun 1");
+    wire.waitTicks(2);
+    auto s = say("state 1");
+    EXPECT_EQ(s["status_items"], 0x2F) << "Read Status is for once";
+    EXPECT_EQ(s["status"], 0x39);
+    EXPECT_EQ(s["auxiliary"], 0x20);
+    EXPECT_EQ(
+        s["sticky"],
+        (nlohmann::json{
+            {"overcurrent", false}, {"pos_error", true}, {"pos_wrap", false}, {"servo_overrun", true}}));
+    wire.command(1, 0x0B);
+    EXPECT_EQ(say("state 1")["sticky"]["servo_overrun"], false);
+    EXPECT_EQ(say("state 2")["status"], 0x19) << "module 2 is another one";
+}
+
+TEST_F(Control, StateTellsWhatAHomeSearchWaitsForAndWhatItWillDo) {
+    const nlohmann::json none = nlohmann::json::array();
+    EXPECT_EQ(say("state 1")["homing"], false);
+    EXPECT_EQ(say("state 1")["homing_conditions"], none);
+    wire.command(1, 0x19, {0x01 | 0x08 | 0x40 | 0x80 | 0x20});
+    auto s = say("state 1");
+    EXPECT_EQ(s["homing"], true);
+    EXPECT_EQ(s["homing_conditions"], nlohmann::json({"limit1", "index", "position_error", "current_limit"}));
+    EXPECT_EQ(s["homing_stop"], "smooth");
+    say("set 1 limit1 1");
+    wire.waitTicks(2);
+    s = say("state 1");
+    EXPECT_EQ(s["homing"], false);
+    EXPECT_EQ(s["homing_conditions"], none) << "found";
+    EXPECT_EQ(s["homing_stop"], "none");
+
+    wire.command(2, 0x19, {0x12});
+    EXPECT_EQ(say("state 2")["homing_conditions"], nlohmann::json({"limit2"}));
+    EXPECT_EQ(say("state 2")["homing_stop"], "none") << "version 2 leaves that to the host";
+}
+
+TEST_F(Control, StateTellsASteppersParametersAndHomeSearch) {
+    wire = HostWire("step");
+    wire.address(1);
+    auto s = say("state 1");
+    EXPECT_TRUE(s["parameters"].is_null()) << "there must be some before any motion";
+    EXPECT_EQ(s["status"], 0x08);
+    wire.command(1, 0x56, {0x1E, 3, 200, 80, 5});
+    const nlohmann::json parameters{
+        {"speed_mode", 2},    {"ignore_limits", true},  {"ignore_estop", true},  {"motor_off_on_stop", true},
+        {"minimum_speed", 3}, {"running_current", 200}, {"holding_current", 80}, {"thermal_limit", 5}};
+    EXPECT_EQ(say("state 1")["parameters"], parameters);
+
+    // In motion the speed mode and the minimum speed stay (DS-S 5.1).
+    wire.command(1, 0x17, {0x01});
+    wire.command(1, 0x34, {0x86, 20, 1});
+    wire.waitTicks(10);
+    wire.command(1, 0x56, {0x03, 9, 100, 40, 0});
+    s = say("state 1");
+    EXPECT_EQ(s["moving"], true);
+    EXPECT_EQ(s["parameters"], (nlohmann::json{{"speed_mode", 2},
+                                               {"ignore_limits", false},
+                                               {"ignore_estop", false},
+                                               {"motor_off_on_stop", false},
+                                               {"minimum_speed", 3},
+                                               {"running_current", 100},
+                                               {"holding_current", 40},
+                                               {"thermal_limit", 0}}));
+    wire.command(1, 0x19, {0x1A});
+    s = say("state 1");
+    EXPECT_EQ(s["homing_conditions"], nlohmann::json({"limit2", "home_switch"}));
+    EXPECT_EQ(s["homing_stop"], "abrupt");
+    say("set 1 in2 1");
+    EXPECT_EQ(say("state 1")["inputs_byte"], 0x04);
+}
+
 TEST_F(Control, SetReachesTheInputsAndTheLoad) {
     for (const char* line :
          {"set 1 limit1 1", "set 1 limit2 1", "set 1 index 0", "set 1 power 0", "set 1 analog 77",
@@ -155,7 +234,8 @@ TEST_F(Control, AnErrorNamesWhatIsAllowedAndChangesNothing) {
     EXPECT_THAT(errorOf("stats 1"), HasSubstr("stats"));
     for (const char* line : {"", "  ", "hello", "quit", "\xff\xfe"})
         EXPECT_THAT(errorOf(line), HasSubstr("state N, set N NAME VALUE, power-cycle N|all, break N, mend N, "
-                                             "fault ..., fault clear, faults, foreign BYTES, stats, time"));
+                                             "fault ..., fault clear, faults, foreign BYTES, stats, stats "
+                                             "clear, time, help"));
     EXPECT_EQ(say("state 1"), before);
 }
 
@@ -259,6 +339,80 @@ TEST_F(Control, StatsCountWhatHappened) {
     EXPECT_GT(s["violations"][0]["time"], 0.01);
 }
 
+TEST_F(Control, StatsAreClearedOnRequest) {
+    wire.command(1, 0x0E);
+    wire.command(2, 0x0D);
+    EXPECT_THAT(errorOf("stats all"), HasSubstr("stats clear"));
+    EXPECT_EQ(say("stats clear"), (nlohmann::json{{"ok", true}}));
+    auto s = say("stats");
+    for (const char* key :
+         {"exchanges", "bytes_in", "bytes_out", "bytes_unheard", "bytes_lost", "violation_count"})
+        EXPECT_EQ(s[key], 0) << key;
+    EXPECT_TRUE(s["violations"].empty());
+    EXPECT_TRUE(s["modules"][0]["executed"].empty());
+    EXPECT_EQ(s["modules"][0]["replies"], 0);
+    wire.command(1, 0x0E);
+    s = say("stats");
+    EXPECT_EQ(s["exchanges"], 1);
+    EXPECT_EQ(s["modules"][0]["executed"], (nlohmann::json{{"nop", 1}}));
+    EXPECT_EQ(say("state 1")["address"], 1) << "a count, and nothing of the chain";
+}
+
+TEST_F(Control, HelpListsEveryKindOfViolation) {
+    std::vector<std::string> kinds;
+    const auto help = say("help");
+    for (const auto& row : help["violations"]) {
+        kinds.push_back(row["kind"]);
+        EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << kinds.back();
+        EXPECT_THAT(controlHelp(), HasSubstr("  " + kinds.back() + " "));
+    }
+    EXPECT_THAT(kinds, testing::ElementsAre("command_in_flight", "command_overwritten", "trapezoid_in_motion",
+                                            "reset_in_motion", "reply_collision", "wrong_length",
+                                            "unknown_command", "stop_bits", "out_of_range", "reserved_bits",
+                                            "set_baud_single", "unsupported", "mode_transition",
+                                            "direction_change", "parameters_not_set"));
+}
+
+/// What a list of `set` names says of one of them, for a kind of module.
+nlohmann::json inputOf(const nlohmann::json& help, std::string_view module, std::string_view name) {
+    for (const auto& row : help["set"])
+        if (row["name"] == name && (row["module"] == module || row["module"] == "any"))
+            return row;
+    return {};
+}
+
+TEST_F(Control, HelpListsEveryNameOfSetWithItsRangeAndPolarity) {
+    wire = HostWire("servo,step");
+    const auto help = say("help");
+    for (const auto& [number, module] : {std::pair{"1", "servo"}, std::pair{"2", "step"}}) {
+        // The names that the error of an unknown one lists.
+        std::string names = errorOf(std::string("set ") + number + " nothing 0");
+        names = names.substr(names.find("allowed are ") + 12) + ", ";
+        for (std::size_t end = 0; (end = names.find(", ")) != std::string::npos; names.erase(0, end + 2)) {
+            const auto row = inputOf(help, module, names.substr(0, end));
+            ASSERT_FALSE(row.is_null()) << module << " " << names;
+            EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << row;
+            EXPECT_THAT(errorOf(std::string("set ") + number + " " + names.substr(0, end) + " x"),
+                        HasSubstr("allowed is " + row["allowed"].get<std::string>()));
+        }
+    }
+    EXPECT_EQ(inputOf(help, "step", "limit1")["meaning"],
+              "forward limit switch, 1 is high: no motion forward");
+    EXPECT_EQ(inputOf(help, "servo", "power")["allowed"], "0 or 1");
+    EXPECT_THAT(controlHelp(), HasSubstr("no motion in reverse"));
+    EXPECT_EQ(help["lines"][0]["line"], "state N");
+}
+
+TEST_F(Control, BytesThatNoModuleListensToAreCounted) {
+    EXPECT_EQ(say("stats")["bytes_unheard"], 0);
+    say("power-cycle 2");
+    wire.command(1, 0x0E);
+    EXPECT_EQ(say("stats")["bytes_unheard"], 0) << "module 1 listens";
+    say("power-cycle all");
+    wire.exchange(Bytes(7, 0));  // 3.6 ms of the 8 in which a module is deaf
+    EXPECT_EQ(say("stats")["bytes_unheard"], 7);
+}
+
 TEST_F(Control, AnotherHostsBytesAreHexadecimalAndNeedFaultsEnabled) {
     EXPECT_THAT(errorOf("foreign"), HasSubstr("no bytes"));
     for (const char* wrong : {"foreign AG", "foreign A", "foreign AA02", "foreign 0x1"})
@@ -268,13 +422,18 @@ TEST_F(Control, AnotherHostsBytesAreHexadecimalAndNeedFaultsEnabled) {
 
 TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {
     wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
-    const auto t = say("time", Pace{0.25, 0.0001, 7, 9});
+    const auto t = say("time", Pace{0.25, 0.0001, 7, 9, 2, 0.05});
     EXPECT_EQ(t, (nlohmann::json{{"time", 5.12},
                                  {"ticks", 10000},
                                  {"lag", 0.25},
                                  {"late_p99", 0.0001},
                                  {"received", 7},
-                                 {"sent", 9}}));
+                                 {"sent", 9},
+                                 {"stalls", 2},
+                                 {"longest_stall", 0.05}}));
+    const auto s = say("stats", Pace{0.25, 0.0001, 7, 9, 2, 0.05});
+    EXPECT_EQ(s["stalls"], 2);
+    EXPECT_EQ(s["longest_stall"], 0.05);
 }
 
 }  // namespace

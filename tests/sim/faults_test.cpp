@@ -360,6 +360,23 @@ TEST_F(Faults, AnotherHostsBytesAreCarriedOutAndAnsweredLikeThisHosts) {
     EXPECT_THAT(wire.violations(), IsEmpty());
 }
 
+TEST_F(Faults, MutesAndEchoesCountTheirBytes) {
+    const auto struckOnce = [this](const std::string& kind) {
+        say("fault clear");
+        fault(kind);
+        nop(1);  // four bytes, and two in answer
+        nop(3);
+        return say("faults")["faults"][0]["struck"].get<int>();
+    };
+    EXPECT_EQ(struckOnce("bus mute rx"), 4);
+    EXPECT_EQ(struckOnce("module 1 mute rx"), 2);
+    EXPECT_EQ(struckOnce("module 2 mute rx"), 0);
+    EXPECT_EQ(struckOnce("bus mute tx"), 8);
+    EXPECT_EQ(struckOnce("module 2,3 mute tx"), 8) << "each byte once";
+    EXPECT_EQ(struckOnce("bus echo"), 8);
+    EXPECT_EQ(struckOnce("bus echo at=1000"), 0) << "not begun";
+}
+
 /// A half-duplex adapter hears each byte as it leaves: at 19 200 Bd four bytes have come back by 2.083 ms,
 /// each at the end of its stop bit.
 TEST_F(Faults, EchoedBytesComeBackWhenTheyHaveLeft) {

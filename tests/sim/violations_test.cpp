@@ -177,6 +177,59 @@ TEST_F(Violations, MoreThanOneMannerOfStoppingIsReportedAndMotorOffWins) {
     EXPECT_EQ(wire.violations(), (Kinds{Kind::StopBits, Kind::StopBits}));
 }
 
+/// A command whose first data byte has bits that the sheet wants cleared, and that byte with all other bits
+/// that go together.
+struct Form {
+    unsigned command;
+    Bytes data;
+    unsigned reserved;
+};
+
+/// Each bit of the first data byte, by itself added to it: those reserved are reported, no other is.
+void expectReservedBits(std::string_view chip, const std::vector<Form>& forms) {
+    for (const Form& form : forms)
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            HostWire wire{chip};
+            wire.address(1);
+            Bytes data = form.data;
+            data[0] = static_cast<std::uint8_t>(data[0] | 1U << bit);
+            wire.command(1, form.command, data);
+            const Kinds all = wire.violations();
+            EXPECT_EQ(std::ranges::count(all, Kind::ReservedBits), form.reserved >> bit & 1U)
+                << chip << " command " << form.command << " bit " << bit;
+        }
+}
+
+// DS-V 5.2. Set Homing Mode's bits 2, 4 and 5 are "don't care" on versions 1 and 2.
+TEST(ReservedBits, OfAServoAreReported) {
+    for (const char* chip : {"servo@1", "servo@2", "servo@3", "servo@4"})
+        expectReservedBits(chip, {{0x12, {0}, 0xC0},
+                                  {0x13, {0x1F}, 0xC0},
+                                  {0x17, {0x01}, 0xE0},
+                                  {0x18, {0x0C}, 0xF0},
+                                  {0x19, {0x00}, 0x00},
+                                  {0x94, {0x36, 0, 0, 1, 0, 0, 1, 0, 0}, 0x00}});
+}
+
+// DS-S 5.1. Stop Motor's bit 1 is "not used" and nothing more.
+TEST(ReservedBits, OfAStepperAreReported) {
+    expectReservedBits("step", {{0x12, {0}, 0xC0},
+                                {0x13, {0x1F}, 0xC0},
+                                {0x34, {0x06, 10, 10}, 0x60},
+                                {0x56, {0x03, 1, 0, 0, 0}, 0xE0},
+                                {0x17, {0x01}, 0xF0},
+                                {0x18, {0x1F}, 0xE0},
+                                {0x19, {0x00}, 0xC0}});
+}
+
+TEST_F(Violations, OutputsMadeByAReservedBitAreReported) {
+    wire.exchange({0xAA, 0x01, 0x18, 0x10, 0x29});
+    EXPECT_EQ(wire.violations(), Kinds{Kind::ReservedBits}) << "and both limit pins are outputs";
+    wire.exchange({0xAA, 0x01, 0x18, 0x0C, 0x25});
+    wire.command(1, 0x0E);  // without data: what is left of earlier packets is nobody's
+    EXPECT_EQ(wire.violations().size(), 1U);
+}
+
 TEST_F(Violations, SetBaudToASingleAddressIsReported) {
     wire.command(1, 0x1A, {63});
     EXPECT_EQ(wire.violations(), Kinds{Kind::SetBaudSingle});

@@ -27,6 +27,16 @@ void Port::setRate(speed_t rate) {
         throw std::runtime_error("tcsetattr");
 }
 
+void Port::setRateAnew(speed_t rate) {
+    termios settings{};
+    settings.c_cflag = CS8 | CREAD | CLOCAL;
+    settings.c_cc[VMIN] = 1;
+    ::cfsetspeed(&settings, rate);
+    ::tcdrain(m_fd);
+    if (::tcsetattr(m_fd, TCSANOW, &settings) != 0)
+        throw std::runtime_error("tcsetattr");
+}
+
 speed_t Port::rate() const {
     termios settings{};
     ::tcgetattr(m_fd, &settings);

@@ -19,6 +19,8 @@ public:
 
     /// Raw, at `rate`; what was written before has left.
     void setRate(speed_t rate);
+    /// The same by settings made from nothing, every flag of them, as many programs do it.
+    void setRateAnew(speed_t rate);
     [[nodiscard]] speed_t rate() const;
     void write(const std::vector<std::uint8_t>& bytes);
     /// What there is, at most `most` bytes; waits for the first up to `ms`.

@@ -24,6 +24,15 @@ Duration Lateness::percentile99() const {
     return {};
 }
 
+void StallWatch::runs(TimePoint now) {
+    const Duration pause = now - m_last.value_or(now);
+    m_last = now;
+    if (pause <= kStall)
+        return;
+    ++m_count;
+    m_longest = std::max(m_longest, pause);
+}
+
 std::optional<std::string> LagReport::sentence(Duration behind, TimePoint now) {
     constexpr Duration kWorthSaying = std::chrono::milliseconds(10);
     constexpr Duration kEvery = std::chrono::seconds(5);

@@ -26,6 +26,23 @@ private:
     Duration m_largest{};
 };
 
+/// When this process was not let run while it should have been: whatever its host did or missed in such a
+/// time is the machine's fault.
+class StallWatch {
+public:
+    static constexpr Duration kStall = std::chrono::milliseconds(20);
+
+    /// It runs, which it should do far more often than every kStall.
+    void runs(TimePoint now);
+    [[nodiscard]] std::uint64_t count() const { return m_count; }
+    [[nodiscard]] Duration longest() const { return m_longest; }
+
+private:
+    std::optional<TimePoint> m_last;
+    std::uint64_t m_count = 0;
+    Duration m_longest{};
+};
+
 /// When to say that a simulation cannot keep up: at once, every 5 seconds while it lasts, and when it is
 /// over.
 class LagReport {

@@ -24,14 +24,15 @@ std::string systemError(const std::string& what) {
 }
 
 /// No echo, no line editing, no translation, reads return at once; at the modules' power-up rate, so that a
-/// host that never sets one is understood, and any that it does set is its choice.
+/// host that never sets one is understood, and any that it does set is its choice. EXTPROC only makes packet
+/// mode tell of settings.
 bool makeRaw(int fd) {
     termios2 settings{};
     if (::ioctl(fd, TCGETS2, &settings) != 0)
         return false;
     settings.c_iflag = IGNBRK;
     settings.c_oflag = 0;
-    settings.c_lflag = 0;
+    settings.c_lflag = EXTPROC;
     settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | CBAUD << IBSHIFT);
     settings.c_cflag |= B19200;
     settings.c_ispeed = settings.c_ospeed = kPowerUpBaud;
@@ -53,6 +54,10 @@ tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link) 
     server.m_slave = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (server.m_slave < 0 || !makeRaw(server.m_slave) || ::fchmod(server.m_slave, S_IRUSR | S_IWUSR) != 0)
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " cannot be set up"));
+    const int on = 1;
+    if (::ioctl(server.m_master, TIOCPKT, &on) != 0)
+        return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " has no packet mode"));
+    server.m_firstAct = FirstActWatch(server.m_master, server.m_path);
     if (!link.empty()) {
         // A link left by an earlier run may be replaced; anything else is somebody's file.
         struct stat info {};
@@ -69,7 +74,9 @@ PtyServer::PtyServer(PtyServer&& other) noexcept
     : m_master(std::exchange(other.m_master, -1)),
       m_slave(std::exchange(other.m_slave, -1)),
       m_path(std::move(other.m_path)),
-      m_link(std::exchange(other.m_link, {})) {}
+      m_link(std::exchange(other.m_link, {})),
+      m_firstAct(std::move(other.m_firstAct)),
+      m_tellsSettings(other.m_tellsSettings) {}
 
 PtyServer::~PtyServer() {
     if (!m_link.empty()) {
@@ -84,12 +91,36 @@ PtyServer::~PtyServer() {
         ::close(m_master);
 }
 
-std::vector<std::uint8_t> PtyServer::read() const {
+HostActs PtyServer::takeActs() {
+    HostActs acts;
+    acts.first = m_firstAct.take();
+    Packets packets = readAll();
+    acts.bytes = std::move(packets.bytes);
+    termios2 settings{};
+    if (::ioctl(m_master, TCGETS2, &settings) == 0 && settings.c_ospeed != 0)
+        acts.baud = settings.c_ospeed;
+    // A host that builds its settings from nothing has taken EXTPROC away, and is told of only that once. And
+    // a flush that came first says nothing about a rate that came as well.
+    const bool flushed = acts.first == FirstAct::SetTerminal && packets.news != TIOCPKT_IOCTL;
+    if (!std::exchange(m_tellsSettings, (settings.c_lflag & EXTPROC) != 0) || flushed)
+        acts.first = FirstAct::Unknown;
+    return acts;
+}
+
+/// Each read(2) gives either bytes behind a 0, or one byte of news; it hands over what the kernel still has
+/// on the way before it finds nothing.
+PtyServer::Packets PtyServer::readAll() const {
+    constexpr std::size_t kEnough = 65'536;
+    Packets all;
     std::array<std::uint8_t, 4096> buffer{};
-    const auto got = ::read(m_master, buffer.data(), buffer.size());
-    if (got <= 0)
-        return {};
-    return {buffer.begin(), buffer.begin() + got};
+    while (all.bytes.size() < kEnough) {
+        const auto got = ::read(m_master, buffer.data(), buffer.size());
+        if (got <= 0)
+            break;
+        all.news |= buffer[0];
+        all.bytes.insert(all.bytes.end(), buffer.begin() + 1, buffer.begin() + got);
+    }
+    return all;
 }
 
 void PtyServer::write(ByteSpan bytes) const {

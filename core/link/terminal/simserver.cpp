@@ -25,7 +25,6 @@ constexpr Duration kAtLeastEvery = std::chrono::milliseconds(5);
 constexpr Duration kLate = std::chrono::milliseconds(2);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
-constexpr Duration kThroughTheKernel = std::chrono::milliseconds(1);
 
 }  // namespace
 
@@ -37,25 +36,27 @@ SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing,
       m_controlIn(controlIn),
       m_controlOut(controlOut),
       m_hostBaud(kPowerUpBaud),
-      m_started(monotonicNow()) {}
+      m_now(m_chain.statistics().time) {
+    m_started = monotonicNow() - fromSeconds(toSeconds(m_now.time_since_epoch()) / m_pacing.speed);
+}
 
 void SimServer::run(int stopFd) {
     wantFineTimers();
     while (true) {
-        std::array<pollfd, 3> fds{{{stopFd, POLLIN, 0},
+        std::array<pollfd, 4> fds{{{stopFd, POLLIN, 0},
                                    {m_terminal.fd(), POLLIN, 0},
+                                   {m_terminal.actsFd(), POLLIN, 0},
                                    {m_controlOpen ? m_controlIn : -1, POLLIN, 0}}};
         const auto alarm = wakeUpAt();
         pollUntil(fds, alarm);
         if (fds[0].revents != 0)
             return;
         m_overslept = alarm && monotonicNow() > *alarm + kLate;
+        if (!m_pacing.stepped)
+            m_stalls.runs(monotonicNow());
         catchUp();
-        if (fds[1].revents != 0)
-            serveHost();
-        else
-            followRate();
-        if (fds[2].revents != 0 && !serveControl())
+        serveHost();
+        if (fds[3].revents != 0 && !serveControl())
             return;
     }
 }
@@ -98,41 +99,45 @@ void SimServer::catchUp() {
 
 // ---- The host ----
 
-/// A new rate that nothing was written after. What was written before it may still be on its way through the
-/// kernel.
-void SimServer::followRate() {
-    if (m_terminal.hostBaud().value_or(m_hostBaud) == m_hostBaud)
-        return;
-    std::array<pollfd, 1> readable{{{m_terminal.fd(), POLLIN, 0}}};
-    pollUntil(readable, monotonicNow() + kThroughTheKernel);
-    serveHost();
-}
-
 void SimServer::serveHost() {
-    const std::vector<std::uint8_t> bytes = m_terminal.read();
-    m_received += bytes.size();
-    const bool late = m_overslept || wantedNow() > m_now + kLate;
-    const std::size_t before = endOfLastSetBaud(bytes);
-    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_hostBaud);
-    if (baud == m_hostBaud) {
-        m_chain.hostSends(bytes, m_now, late);
+    const HostActs acts = m_terminal.takeActs();
+    const std::uint32_t baud = acts.baud.value_or(m_hostBaud);
+    if (acts.bytes.empty() && baud == m_hostBaud)
         return;
-    }
-    // A pseudo-terminal does not tell what was written before tcsetattr(3) and what behind it, and takes
-    // bytes long before a UART would have sent them. Set Baud and then the new rate is how a rate is changed.
-    m_chain.hostSends(ByteSpan(bytes).first(before), m_now, late);
+    m_received += acts.bytes.size();
+    const bool late = m_overslept || wantedNow() > m_now + kLate;
+    const std::size_t before = beforeNewRate(acts);
+    m_chain.hostSends(ByteSpan(acts.bytes).first(before), m_now, late);
     m_hostBaud = baud;
     m_chain.setHostBaud(baud);
-    m_chain.hostSends(ByteSpan(bytes).subspan(before), m_now, late);
+    m_chain.hostSends(ByteSpan(acts.bytes).subspan(before), m_now, late);
 }
 
-std::size_t SimServer::endOfLastSetBaud(ByteSpan bytes) {
+/// How many of the bytes the host wrote before it set its present rate. Of what it wrote and set in one
+/// breath the kernel knows the beginning only; there Set Baud and Hard Reset are what a rate is changed
+/// behind. Where it knows nothing, nobody leaves a rate that the modules understand.
+std::size_t SimServer::beforeNewRate(const HostActs& acts) {
+    const std::size_t all = acts.bytes.size();
+    const bool wantsNewRate = m_sentRateCommand;
+    const std::size_t behindRateCommand = endOfLastRateCommand(acts.bytes);
+    if (acts.baud.value_or(m_hostBaud) == m_hostBaud)
+        return all;
+    if (acts.first == FirstAct::SetTerminal)
+        return 0;
+    if (behindRateCommand > 0 || wantsNewRate)
+        return behindRateCommand;
+    return acts.first == FirstAct::Wrote || m_chain.understands(m_hostBaud) ? all : 0;
+}
+
+std::size_t SimServer::endOfLastRateCommand(ByteSpan bytes) {
     std::size_t end = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         if (!m_monitor.hears(bytes[i], false))
             continue;
         const sim::Packet& packet = m_monitor.packet();
-        if (packet.code() == CommandCode::SetBaud && packet.sumIsRight())
+        const bool isOne = packet.code() == CommandCode::SetBaud || packet.code() == CommandCode::HardReset;
+        m_sentRateCommand = isOne && packet.sumIsRight();
+        if (m_sentRateCommand)
             end = i + 1;
     }
     return end;
@@ -186,9 +191,13 @@ bool SimServer::answer(const std::string& line) {
 std::string SimServer::answerTo(const std::string& line) {
     if (line.rfind("advance", 0) == 0)
         return advance(line);
-    // Only `time` reports the pace, so only `time` begins to measure it anew.
-    const bool asksForIt = line.rfind("time", 0) == 0;
-    return sim::handleControlLine(m_chain, line, m_now, asksForIt ? takePace() : sim::Pace{});
+    const std::string answer = sim::handleControlLine(m_chain, line, m_now, pace());
+    // Only `time` reports how late bytes were, so only `time` begins to measure it anew.
+    if (line.rfind("time", 0) == 0)
+        m_lateness = {};
+    if (line.rfind("stats clear", 0) == 0)
+        m_stalls = {};
+    return answer;
 }
 
 std::string SimServer::advance(const std::string& line) {
@@ -205,12 +214,16 @@ std::string SimServer::advance(const std::string& line) {
     m_now += fromSeconds(seconds);
     m_chain.advanceTo(m_now);
     deliver();
-    return sim::handleControlLine(m_chain, "time", m_now, takePace());
+    return answerTo("time");
 }
 
-sim::Pace SimServer::takePace() {
-    const Lateness late = std::exchange(m_lateness, {});
-    return {toSeconds(late.largest()), toSeconds(late.percentile99()), m_received, m_sent};
+sim::Pace SimServer::pace() const {
+    return {toSeconds(m_lateness.largest()),
+            toSeconds(m_lateness.percentile99()),
+            m_received,
+            m_sent,
+            m_stalls.count(),
+            toSeconds(m_stalls.longest())};
 }
 
 }  // namespace nmc

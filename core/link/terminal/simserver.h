@@ -25,7 +25,8 @@ struct Pacing {
 /// that no scheduler can upset.
 class SimServer {
 public:
-    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each.
+    /// `controlIn` is read for lines, `controlOut` gets one line of JSON for each. The chain goes on from the
+    /// time that it has reached.
     SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn, int controlOut);
 
     void run(int stopFd);
@@ -36,17 +37,17 @@ private:
     [[nodiscard]] TimePoint realTimeOf(TimePoint simulated) const;
     [[nodiscard]] std::optional<TimePoint> wakeUpAt() const;
     void catchUp();
-    void followRate();
     void serveHost();
-    /// Number of `bytes` up to the end of the last Set Baud command among them; 0 without one.
-    std::size_t endOfLastSetBaud(ByteSpan bytes);
+    [[nodiscard]] std::size_t beforeNewRate(const HostActs& acts);
+    /// Number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 without one.
+    std::size_t endOfLastRateCommand(ByteSpan bytes);
     void deliver();
     /// Returns false when it was the last line.
     bool serveControl();
     bool answer(const std::string& line);
     std::string answerTo(const std::string& line);
     std::string advance(const std::string& line);
-    [[nodiscard]] sim::Pace takePace();
+    [[nodiscard]] sim::Pace pace() const;
 
     sim::Chain m_chain;
     PtyServer m_terminal;
@@ -56,13 +57,15 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
-    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
+    sim::Receiver m_monitor;         ///< hears the host, whatever the rates
+    bool m_sentRateCommand = false;  ///< the host's last command was Set Baud or Hard Reset
     TimePoint m_started;
     TimePoint m_now;           ///< simulated time that has been reached
     bool m_overslept = false;  ///< what the host wrote may have waited
     std::uint64_t m_received = 0;
     std::uint64_t m_sent = 0;
     Lateness m_lateness;  ///< of the bytes to the host, since last asked
+    StallWatch m_stalls;
     LagReport m_lagReport;
 };
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "sim/controlinputs.h"
+
+#include <cmath>
+
+#include "sim/controlwords.h"
+
+namespace nmc::sim {
+
+namespace {
+
+using Word = InputRow::Word;
+using Done = tl::expected<void, std::string>;
+
+[[nodiscard]] constexpr InputRow pin(std::string_view name, Input input, Chips chips,
+                                     std::string_view meaning) {
+    return {name, input, chips, "0 or 1", 0, 1, true, {}, meaning};
+}
+
+/// A place of the shaft.
+[[nodiscard]] constexpr InputRow place(std::string_view name, Input input, Chips chips,
+                                       std::string_view meaning) {
+    return {name,   input, chips, "-1e12 to 1e12 counts or none", -1e12, 1e12, true, {Word{"none", {}}},
+            meaning};
+}
+
+[[nodiscard]] constexpr InputRow limits(Chips chips, std::string_view meaning) {
+    return {"limits", Input::Limits,
+            chips,    "auto or manual",
+            0,        -1,
+            true,     {Word{"auto", 1.0}, Word{"manual", 0.0}},
+            meaning};
+}
+
+// Bounds that keep the plant's arithmetic sound; a motor of this class is far inside them.
+constexpr std::array kInputs{
+    pin("limit1", Input::Limit1, Chips::Servo, "pin LIMIT1, 1 is high, as in status bit 5"),
+    pin("limit1", Input::Limit1, Chips::Step, "forward limit switch, 1 is high: no motion forward"),
+    pin("limit2", Input::Limit2, Chips::Servo, "pin LIMIT2, 1 is high, as in status bit 6"),
+    pin("limit2", Input::Limit2, Chips::Step, "reverse limit switch, 1 is high: no motion in reverse"),
+    pin("index", Input::Index, Chips::Servo,
+        "pin INDEX, 1 is high (auxiliary bit 0 is then 0), until the shaft moves on"),
+    pin("power", Input::Power, Chips::Servo, "motor power: 1 is on, 0 turns the servo off"),
+    pin("power", Input::Power, Chips::Step, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
+    InputRow{"analog",
+             Input::Analog,
+             Chips::Servo,
+             "0 to 255 or auto",
+             0,
+             255,
+             true,
+             {Word{"auto", {}}},
+             "what the A/D converter reads; auto: the motor's current"},
+    InputRow{"analog",
+             Input::Analog,
+             Chips::Step,
+             "0 to 255",
+             0,
+             255,
+             true,
+             {},
+             "what the A/D converter reads; below the thermal limit the motor is off"},
+    InputRow{"load",
+             Input::Load,
+             Chips::Servo,
+             "-100 to 100 N·m",
+             -100,
+             100,
+             false,
+             {},
+             "torque on the shaft; a positive one pulls it backwards"},
+    InputRow{"inertia",
+             Input::Inertia,
+             Chips::Servo,
+             "1e-6 to 100 kg·m²",
+             1e-6,
+             100,
+             false,
+             {},
+             "of the rotor with its load"},
+    InputRow{"friction",
+             Input::Friction,
+             Chips::Servo,
+             "0 to 100 N·m",
+             0,
+             100,
+             false,
+             {},
+             "dry friction, against any motion"},
+    place("travel_min", Input::TravelMin, Chips::Both, "hard stop, not above the shaft"),
+    place("travel_max", Input::TravelMax, Chips::Both, "hard stop, not below the shaft"),
+    limits(Chips::Servo, "auto: limit1 is 1 at travel_min and limit2 at travel_max"),
+    limits(Chips::Step, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
+    InputRow{"servo_overrun",
+             Input::ServoOverrun,
+             Chips::Servo,
+             "1",
+             1,
+             1,
+             true,
+             {},
+             "as if a servo tick had taken too long"},
+    pin("estop", Input::Estop, Chips::Step, "E-stop, 1 is high: stops"),
+    pin("in1", Input::In1, Chips::Step, "pin IN1, 1 is high"),
+    pin("in2", Input::In2, Chips::Step, "pin IN2, 1 is high"),
+    pin("home_switch", Input::HomeSwitch, Chips::Step, "home switch, 1 is high"),
+    place("home_switch_at", Input::HomeSwitchAt, Chips::Step,
+          "the home switch is 1 from there on forward; none: as set"),
+};
+
+/// What a word on the line says; nothing when the row does not allow it.
+std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
+    for (const Word& word : row.words)
+        if (!text.empty() && word.text == text)
+            return word;
+    const auto value = number<double>(text);
+    // Written so that NaN is refused.
+    if (!value || !(*value >= row.min && *value <= row.max) || (row.whole && *value != std::floor(*value)))
+        return std::nullopt;
+    return Word{text, value};
+}
+
+/// What is around a module, of either kind.
+struct Surroundings {
+    double shaft = 0;
+    bool limitsAutomatic = false;
+    bool homeSwitchAutomatic = false;
+};
+
+Surroundings surroundings(const ModuleSnapshot& s) {
+    if (s.step)
+        return {static_cast<double>(s.step->shaft), s.step->limitsAutomatic,
+                s.step->homeSwitchAt.has_value()};
+    return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
+}
+
+/// What the module's present state forbids although the value is in range; empty when nothing does.
+std::string conflict(const Surroundings& now, Input input, std::optional<double> value) {
+    const auto shaft = [&now] { return "the shaft stands at " + std::to_string(now.shaft) + " counts"; };
+    if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
+        return "the limits follow the travel; allowed after limits manual";
+    if (input == Input::HomeSwitch && now.homeSwitchAutomatic)
+        return "the home switch follows the shaft; allowed after home_switch_at none";
+    if (input == Input::TravelMin && value && *value > now.shaft)
+        return shaft() + "; allowed is up to that, or none";
+    if (input == Input::TravelMax && value && *value < now.shaft)
+        return shaft() + "; allowed is from that on, or none";
+    return {};
+}
+
+Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view text, TimePoint now) {
+    const std::optional<Word> word = valueOf(row, text);
+    if (!word)
+        return tl::unexpected(std::string(row.name) + " cannot be " + quoted(text) + "; allowed is " +
+                              std::string(row.allowed));
+    const Surroundings around = surroundings(chain.snapshot(module, now));
+    if (const std::string why = conflict(around, row.input, word->value); !why.empty())
+        return tl::unexpected(why);
+    chain.set(module, row.input, word->value, now);
+    return {};
+}
+
+}  // namespace
+
+std::span<const InputRow> inputTable() {
+    return kInputs;
+}
+
+Done setInput(Chain& chain, ModuleIndex module, std::string_view name, std::string_view value,
+              TimePoint now) {
+    const bool isStep = chain.identity(module).type == ModuleType::Step;
+    std::string names;
+    for (const InputRow& row : kInputs) {
+        if (row.chips != Chips::Both && (row.chips == Chips::Step) != isStep)
+            continue;
+        if (row.name == name)
+            return setInput(chain, module, row, value, now);
+        names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return tl::unexpected((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
+                          "; allowed are " + names);
+}
+
+}  // namespace nmc::sim

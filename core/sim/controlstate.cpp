@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "sim/controlstate.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "protocol/baud.h"
+
+namespace nmc::sim {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json gainsJson(const Gains& g) {
+    return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
+            {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
+}
+
+/// A number, or null where there is none.
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+/// The bits that Clear Sticky Bits clears, as the next status shows them (DS-V 5.3).
+Json stickyJson(const ModuleSnapshot& s) {
+    return {{"overcurrent", (s.status & 0x04U) != 0},
+            {"pos_error", (s.status & 0x10U) != 0},
+            {"pos_wrap", (s.pins & 0x02U) != 0},
+            {"servo_overrun", (s.pins & 0x20U) != 0}};
+}
+
+/// What the home search that is on still waits for; nothing when none is.
+Json homingConditions(const ModuleSnapshot& s) {
+    struct Condition {
+        std::uint8_t bit;
+        const char* name;
+    };
+    const std::array conditions{Condition{Homing::kLimit1, "limit1"}, Condition{Homing::kLimit2, "limit2"},
+                                Condition{Homing::kIndex, s.step ? "home_switch" : "index"},
+                                Condition{Homing::kPositionError, "position_error"},
+                                Condition{Homing::kCurrentLimit, "current_limit"}};
+    Json names = Json::array();
+    for (const Condition& condition : conditions)
+        if (s.homing.waitsFor(condition.bit))
+            names.push_back(condition.name);
+    return names;
+}
+
+/// What it will do to the motor. Versions 1 and 2 of the PIC-SERVO leave that to the host (DS-V 5.2).
+const char* homingStop(const ModuleSnapshot& s) {
+    if (!s.homing.inProgress() || (!s.step && s.identity.version < 3))
+        return "none";
+    switch (s.homing.stop()) {
+        case Homing::Stop::None:
+            return "none";
+        case Homing::Stop::Off:
+            return "off";
+        case Homing::Stop::Abrupt:
+            return "abrupt";
+        case Homing::Stop::Smooth:
+            return "smooth";
+    }
+    return "none";
+}
+
+Json servoJson(const ModuleSnapshot& s) {
+    const ServoSnapshot& servo = s.servo;
+    return {{"position", servo.position},
+            {"shaft", servo.shaftCounts},
+            {"command_position", servo.commandPosition},
+            {"position_error", servo.positionError},
+            {"velocity", servo.velocity},
+            {"command_velocity", servo.commandVelocity},
+            {"pwm", servo.pwm},
+            {"current_limit_adjustment", servo.currentLimitAdjustment},
+            {"current", servo.amperes},
+            {"analog", servo.analog},
+            {"analog_input", orNull(servo.analogInput)},
+            {"servo_on", servo.servoOn},
+            {"amp_enabled", servo.ampEnabled},
+            {"power", servo.power},
+            {"mode", toText(servo.mode)},
+            {"home", servo.home},
+            {"sticky", stickyJson(s)},
+            {"limit1", servo.limit1},
+            {"limit2", servo.limit2},
+            {"index", servo.index},
+            {"load", servo.loadNm},
+            {"inertia", servo.inertiaKgM2},
+            {"friction", servo.frictionNm},
+            {"travel_min", orNull(servo.travelMin)},
+            {"travel_max", orNull(servo.travelMax)},
+            {"limits", servo.limitsAutomatic ? "auto" : "manual"},
+            {"gains", gainsJson(servo.gains)}};
+}
+
+Json pinsJson(const StepPins& pins) {
+    return {{"estop", pins.estop},   {"in1", pins.in1},       {"in2", pins.in2},
+            {"limit1", pins.limit1}, {"limit2", pins.limit2}, {"home_switch", pins.homeSwitch}};
+}
+
+Json parametersJson(const StepParameters& p) {
+    return {{"speed_mode", multiplier(p.speedMode())},
+            {"ignore_limits", p.has(StepParameters::kIgnoreLimits)},
+            {"ignore_estop", p.has(StepParameters::kIgnoreEstop)},
+            {"motor_off_on_stop", p.has(StepParameters::kMotorOff)},
+            {"minimum_speed", p.minimumSpeed},
+            {"running_current", p.runningCurrent},
+            {"holding_current", p.holdingCurrent},
+            {"thermal_limit", p.thermalLimit}};
+}
+
+Json stepJson(const StepSnapshot& step) {
+    return {{"position", step.position},
+            {"shaft", step.shaft},
+            {"step_rate", step.stepRate},
+            {"speed", step.speed},
+            {"timer_count", step.timerCount},
+            {"moving", step.moving},
+            {"reverse", step.reverse},
+            {"mode", toText(step.mode)},
+            {"amp_enabled", step.ampEnabled},
+            {"power", step.inputs.power},
+            {"analog", step.inputs.analog},
+            {"home", step.home},
+            {"parameters", step.parameters ? parametersJson(*step.parameters) : Json(nullptr)},
+            {"inputs", pinsJson(step.inputs)},
+            {"travel_min", orNull(step.travelMin)},
+            {"travel_max", orNull(step.travelMax)},
+            {"limits", step.limitsAutomatic ? "auto" : "manual"},
+            {"home_switch_at", orNull(step.homeSwitchAt)},
+            {"outputs", step.outputs},
+            {"current_limit", step.currentLimit}};
+}
+
+}  // namespace
+
+Json stateJson(const ModuleSnapshot& s, unsigned number) {
+    Json json{{"module", number},
+              {"type", s.step ? "step" : "servo"},
+              {"version", s.identity.version},
+              {"address", s.address},
+              {"group", s.group},
+              {"leader", s.leader},
+              {"baud", std::lround(realRate(s.brd))},
+              {"listening", s.listening},
+              {"addr_broken", s.addressLineBroken},
+              {"time", toSeconds(s.time.time_since_epoch())},
+              {"tick", s.tick},
+              {"status", s.status},
+              {s.step ? "inputs_byte" : "auxiliary", s.pins},
+              {"status_items", s.items},
+              {"homing", s.homing.inProgress()},
+              {"homing_conditions", homingConditions(s)},
+              {"homing_stop", homingStop(s)}};
+    json.update(s.step ? stepJson(*s.step) : servoJson(s));
+    return json;
+}
+
+}  // namespace nmc::sim

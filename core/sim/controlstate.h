@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "sim/snapshot.h"
+
+namespace nmc::sim {
+
+/// What `state N` answers about module `number`, which counts from 1.
+[[nodiscard]] nlohmann::ordered_json stateJson(const ModuleSnapshot& module, unsigned number);
+
+}  // namespace nmc::sim
