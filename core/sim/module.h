@@ -102,7 +102,7 @@ public:
     [[nodiscard]] virtual ModuleSnapshot snapshot(TimePoint now) const;
     [[nodiscard]] const ModuleStatistics& statistics() const { return m_statistics; }
     void countGarbled() { ++m_statistics.bytesGarbled; }
-    void clearStatistics() { m_statistics = {m_statistics.type}; }
+    void clearStatistics() { m_statistics = {m_statistics.identity}; }
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:

@@ -156,7 +156,7 @@ std::uint8_t ServoModule::reservedBits(CommandCode code) const {
         case CommandCode::SetBaud:
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return 0;

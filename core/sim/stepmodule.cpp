@@ -149,7 +149,7 @@ std::uint8_t StepModule::reservedBits(CommandCode code) const {
         case CommandCode::SetBaud:
         case CommandCode::ClearStickyBits:
         case CommandCode::SaveAsHome:
-        case CommandCode::Reserved:
+        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return 0;
