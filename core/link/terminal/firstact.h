@@ -15,10 +15,10 @@ enum class FirstAct : std::uint8_t {
     SetTerminal,  ///< tcsetattr(3) or tcflush(3); bytes may have followed
 };
 
-/// Tells it. The terminal itself cannot: it takes bytes at once, tcdrain(3) returns at once, and by the time
-/// anybody reads, the host may have set its next rate. But of both we are told in the very call of the host:
-/// of a write by inotify(7), of a setting by packet mode (ioctl_tty(2), TIOCPKT), and epoll(7) hands that on
-/// in the order in which it came.
+/// Watches what a host does first. The terminal itself does not tell: it takes bytes at once, tcdrain(3)
+/// returns at once, and by the time anybody reads, the host may have set its next rate. But the kernel tells
+/// of both within the host's own call, of a write by inotify(7) and of a setting by packet mode
+/// (ioctl_tty(2), TIOCPKT), and epoll(7) keeps the order.
 class FirstActWatch {
 public:
     FirstActWatch() = default;

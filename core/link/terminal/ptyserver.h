@@ -17,7 +17,7 @@ namespace nmc {
 struct HostActs {
     std::vector<std::uint8_t> bytes;
     std::optional<std::uint32_t> baud;  ///< its rate now; empty at B0, which is "hang up" and no rate
-    /// When the rate is another one now. Unknown as well where the host has done too much at once.
+    /// Where the rate is another one now. Unknown, too, where more than that was done at once.
     FirstAct first = FirstAct::Unknown;
 };
 

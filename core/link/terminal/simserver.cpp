@@ -118,12 +118,17 @@ void SimServer::serveHost() {
 /// behind. Where it knows nothing, nobody leaves a rate that the modules understand.
 std::size_t SimServer::beforeNewRate(const HostActs& acts) {
     const std::size_t all = acts.bytes.size();
+    const bool changed = acts.baud.value_or(m_hostBaud) != m_hostBaud;
+    if (changed && acts.first == FirstAct::SetTerminal) {
+        m_sentRateCommand = false;
+        endOfLastRateCommand(acts.bytes);
+        return 0;
+    }
     const bool wantsNewRate = m_sentRateCommand;
     const std::size_t behindRateCommand = endOfLastRateCommand(acts.bytes);
-    if (acts.baud.value_or(m_hostBaud) == m_hostBaud)
+    if (!changed)
         return all;
-    if (acts.first == FirstAct::SetTerminal)
-        return 0;
+    m_sentRateCommand = false;
     if (behindRateCommand > 0 || wantsNewRate)
         return behindRateCommand;
     return acts.first == FirstAct::Wrote || m_chain.understands(m_hostBaud) ? all : 0;

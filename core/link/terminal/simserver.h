@@ -57,8 +57,9 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
-    sim::Receiver m_monitor;         ///< hears the host, whatever the rates
-    bool m_sentRateCommand = false;  ///< the host's last command was Set Baud or Hard Reset
+    sim::Receiver m_monitor;  ///< hears the host, whatever the rates
+    /// Its last command was Set Baud or Hard Reset, and it has set no rate since.
+    bool m_sentRateCommand = false;
     TimePoint m_started;
     TimePoint m_now;           ///< simulated time that has been reached
     bool m_overslept = false;  ///< what the host wrote may have waited
