@@ -4158,6 +4158,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>A value of this test is out of its range.</source>
         <translation>Ein Wert dieser Prüfung liegt außerhalb seines Bereichs.</translation>
     </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs answer. No motor is connected here.</source>
+        <translation>Ein- und Ausgänge antworten. Hier ist kein Motor angeschlossen.</translation>
+    </message>
+    <message>
+        <source>This module drives no motor.</source>
+        <translation>Dieses Modul treibt keinen Motor.</translation>
+    </message>
+    <message>
+        <source>This module is not a PIC-I/O.</source>
+        <translation>Dieses Modul ist kein PIC-I/O.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4734,10 +4750,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Frequenzgang</translation>
     </message>
     <message>
-        <source>T: how the position follows the command. L: what the loop makes of its error; where it crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate is too low to measure.</source>
-        <translation>T: wie die Position dem Sollwert folgt. L: was der Kreis aus seiner Abweichung macht; wo er 0 dB kreuzt, ist seine Phase über -180° die Phasenreserve. Hinter der grauen Linie ist die Baudrate zu niedrig zum Messen.</translation>
-    </message>
-    <message>
         <source>Nothing is measured yet. Sines of the command show how the loop follows, from slow to fast.</source>
         <translation>Noch ist nichts gemessen. Sinusschwingungen des Sollwerts zeigen, wie der Kreis folgt, von langsam bis schnell.</translation>
     </message>
@@ -4760,6 +4772,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>L, open loop</source>
         <translation>L, offen</translation>
+    </message>
+    <message>
+        <source>T: how the position follows the command. L: what the loop makes of its error; where it crosses 0 dB its phase above -180° is the phase margin. Behind the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
+        <translation>T: wie die Position der Sollposition folgt. L: was der Regelkreis aus seinem Fehler macht; wo L durch 0 dB geht, ist seine Phase über -180° die Phasenreserve. Hinter der grauen Linie ist die Baudrate zum Messen zu niedrig. Balken: zwei Standardabweichungen von T.</translation>
     </message>
 </context>
 <context>
@@ -5021,6 +5037,157 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>Antwort des Simulators</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CounterBox</name>
+    <message>
+        <source>Set, from 0</source>
+        <translation>Einstellen, ab 0</translation>
+    </message>
+    <message>
+        <source>Set the mode of timer and counter, and begin at 0</source>
+        <translation>Betriebsart von Zeitgeber und Zähler einstellen, ab 0</translation>
+    </message>
+    <message>
+        <source>Latch inputs</source>
+        <translation>Eingänge festhalten</translation>
+    </message>
+    <message>
+        <source>Latch pins and counter at one moment</source>
+        <translation>Pins und Zähler im selben Augenblick festhalten</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>Store outputs for later</source>
+        <translation>Ausgänge für später ablegen</translation>
+    </message>
+    <message>
+        <source>Put out</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Put out what was stored</source>
+        <translation>Abgelegtes ausgeben</translation>
+    </message>
+    <message>
+        <source>Counter and synchronous I/O</source>
+        <translation>Zähler und gleichzeitige Ein- und Ausgabe</translation>
+    </message>
+    <message>
+        <source>What counts</source>
+        <translation>Was gezählt wird</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>timer, 5 MHz</source>
+        <translation>Zeitgeber, 5 MHz</translation>
+    </message>
+    <message>
+        <source>counter of rising edges on IO10</source>
+        <translation>Zähler der steigenden Flanken an IO10</translation>
+    </message>
+    <message>
+        <source>Prescaler</source>
+        <translation>Vorteiler</translation>
+    </message>
+    <message>
+        <source>every one</source>
+        <translation>jede</translation>
+    </message>
+    <message>
+        <source>every 2nd</source>
+        <translation>jede 2.</translation>
+    </message>
+    <message>
+        <source>every 4th</source>
+        <translation>jede 4.</translation>
+    </message>
+    <message>
+        <source>every 8th</source>
+        <translation>jede 8.</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Zählung</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Zählt</translation>
+    </message>
+    <message>
+        <source>What was latched</source>
+        <translation>Was festgehalten wurde</translation>
+    </message>
+    <message>
+        <source>At one moment</source>
+        <translation>Im selben Augenblick</translation>
+    </message>
+    <message>
+        <source>Outputs to store</source>
+        <translation>Abzulegende Ausgänge</translation>
+    </message>
+    <message>
+        <source>The outputs</source>
+        <translation>Die Ausgänge</translation>
+    </message>
+    <message>
+        <source>IO1 counts 1, IO2 2, IO3 4, and so on up to IO12, which counts 2048.</source>
+        <translation>IO1 zählt 1, IO2 2, IO3 4 und so weiter bis IO12, das 2048 zählt.</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>%1 to store</source>
+        <translation>%1 zum Ablegen</translation>
+    </message>
+    <message>
+        <source>What counts is unknown: another program has set it.</source>
+        <translation>Was zählt, ist unbekannt: Ein anderes Programm hat es eingestellt.</translation>
+    </message>
+    <message>
+        <source>= %1 s</source>
+        <translation>= %1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz on IO10</source>
+        <translation>%1 Hz an IO10</translation>
+    </message>
+    <message>
+        <source>IO12 to IO1: %1, count %2</source>
+        <translation>IO12 bis IO1: %1, Zählerstand %2</translation>
+    </message>
+    <message>
+        <source>Sends what is chosen above. The count begins at 0.</source>
+        <translation>Sendet, was oben gewählt ist. Die Zählung beginnt bei 0.</translation>
+    </message>
+    <message>
+        <source>Latches all pins and the count at one moment, and reads them.</source>
+        <translation>Hält alle Pins und den Zählerstand im selben Augenblick fest und liest sie.</translation>
+    </message>
+    <message>
+        <source>Sends these values to the module, which keeps them until they are put out.</source>
+        <translation>Sendet diese Werte an das Modul, das sie behält, bis sie ausgegeben werden.</translation>
+    </message>
+    <message>
+        <source>Store something first.</source>
+        <translation>Zuerst etwas ablegen.</translation>
+    </message>
+    <message>
+        <source>Puts out what was stored, pins and PWM at one moment.</source>
+        <translation>Gibt Abgelegtes aus, Pins und PWM im selben Augenblick.</translation>
+    </message>
+    <message>
+        <source>stored: %1, PWM %2 and %3</source>
+        <translation>abgelegt: %1, PWM %2 und %3</translation>
     </message>
 </context>
 <context>
@@ -6167,12 +6334,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Den Status dieses Moduls abfragen</translation>
     </message>
     <message>
-        <source>Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v4, PIC-STEP v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it.</source>
-        <translation>Typ und Version gehören nicht zu denen, deren Datenblättern dieses Programm folgt (PIC-SERVO v1 bis v4, PIC-STEP v1); was ein Befehl bei ihm täte, ist nicht bekannt. Es wird nur angesehen; Alles Stopp erreicht es.</translation>
-    </message>
-    <message>
         <source>Sends No Operation, which only asks for the status.</source>
         <translation>Sendet No Operation, das nur den Status abfragt.</translation>
+    </message>
+    <message>
+        <source>Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it.</source>
+        <translation>Typ und Version gehören nicht zu denen, deren Datenblättern dieses Programm folgt (PIC-SERVO v1 bis v5 und v10, PIC-STEP v1, PIC-I/O v1); was ein Befehl bei ihm bewirken würde, ist nicht bekannt. Es wird nur angesehen; ALLES STOPP erreicht es.</translation>
     </message>
 </context>
 <context>
@@ -6768,6 +6935,163 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Sets the amplifier&apos;s enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does.</source>
         <translation>Stellt nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ohne sie bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::IoHead</name>
+    <message>
+        <source>State of the selected module</source>
+        <translation>Zustand des gewählten Moduls</translation>
+    </message>
+    <message>
+        <source>Name of this module</source>
+        <translation>Name dieses Moduls</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What it is on this machine. Sends nothing.</source>
+        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1, Adresse %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::IoPanel</name>
+    <message>
+        <source>I/O module</source>
+        <translation>E/A-Modul</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>Seiten des Moduls</translation>
+    </message>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/D und PWM</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Zähler</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::IoValuesBox</name>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/D und PWM</translation>
+    </message>
+    <message>
+        <source>What it is on this machine. Sends nothing.</source>
+        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>A/D-Eingang</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation>Liest</translation>
+    </message>
+    <message>
+        <source>Each step</source>
+        <translation>Je Stufe</translation>
+    </message>
+    <message>
+        <source>At 0</source>
+        <translation>Bei 0</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What %1 reads</source>
+        <translation>Was %1 liest</translation>
+    </message>
+    <message>
+        <source>%1, each step</source>
+        <translation>%1, je Stufe</translation>
+    </message>
+    <message>
+        <source>How much each of the 255 steps stands for.</source>
+        <translation>Wofür jede der 255 Stufen steht.</translation>
+    </message>
+    <message>
+        <source>%1 at 0</source>
+        <translation>%1 bei 0</translation>
+    </message>
+    <message>
+        <source>What an A/D value of 0 stands for.</source>
+        <translation>Wofür ein A/D-Wert von 0 steht.</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Einheit von %1</translation>
+    </message>
+    <message>
+        <source>PWM output</source>
+        <translation>PWM-Ausgang</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>0 to 255</source>
+        <translation>0 bis 255</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>Aus bei Stopp</translation>
+    </message>
+    <message>
+        <source>What %1 was told</source>
+        <translation>Was %1 gesagt wurde</translation>
+    </message>
+    <message>
+        <source>Value of %1</source>
+        <translation>Wert von %1</translation>
+    </message>
+    <message>
+        <source>255 is on all the time. Enter sends it.</source>
+        <translation>255 ist ständig an. Die Eingabetaste sendet es.</translation>
+    </message>
+    <message>
+        <source>STOP ALL switches %1 off</source>
+        <translation>ALLES STOPP schaltet %1 aus</translation>
+    </message>
+    <message>
+        <source>STOP ALL switches this output off. Without a tick it stays as it is.</source>
+        <translation>ALLES STOPP schaltet diesen Ausgang aus. Ohne Haken bleibt er, wie er ist.</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 von 255</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? unbekannt</translation>
     </message>
 </context>
 <context>
@@ -8557,6 +8881,165 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
 </context>
 <context>
+    <name>nmc::PinBox</name>
+    <message>
+        <source>Make all pins inputs</source>
+        <translation>Alle Pins zu Eingängen machen</translation>
+    </message>
+    <message>
+        <source>Make all twelve pins inputs</source>
+        <translation>Alle zwölf Pins zu Eingängen machen</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pins</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Ask first</source>
+        <translation>Erst fragen</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>Aus bei Stopp</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? unbekannt</translation>
+    </message>
+    <message>
+        <source>Direction of %1</source>
+        <translation>Richtung von %1</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>High</translation>
+    </message>
+    <message>
+        <source>high: output %1</source>
+        <translation>High: Ausgang %1</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What it is on this machine. Sends nothing.</source>
+        <translation>Was es an dieser Maschine ist. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Ask before %1 changes</source>
+        <translation>Fragen, bevor sich %1 ändert</translation>
+    </message>
+    <message>
+        <source>The panel asks before it switches this output.</source>
+        <translation>Das Programm fragt, bevor es diesen Ausgang schaltet.</translation>
+    </message>
+    <message>
+        <source>STOP ALL takes %1 low</source>
+        <translation>ALLES STOPP nimmt %1 auf Low</translation>
+    </message>
+    <message>
+        <source>STOP ALL takes this output low. Without a tick it stays as it is.</source>
+        <translation>ALLES STOPP nimmt diesen Ausgang auf Low. Ohne Haken bleibt er, wie er ist.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Switch %1 on?</source>
+        <translation>%1 einschalten?</translation>
+    </message>
+    <message>
+        <source>Switch %1 off?</source>
+        <translation>%1 ausschalten?</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Switch on</source>
+        <translation>&amp;Einschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Switch off</source>
+        <translation>&amp;Ausschalten</translation>
+    </message>
+    <message>
+        <source>Makes all twelve pins inputs: outputs let go of what they drive.</source>
+        <translation>Macht alle zwölf Pins zu Eingängen: Ausgänge lassen los, was sie treiben.</translation>
+    </message>
+    <message>
+        <source>Another program has left this module, and it does not tell which pins are outputs. Make all pins inputs to begin anew.</source>
+        <translation>Ein anderes Programm hat dieses Modul hinterlassen, und es sagt nicht, welche Pins Ausgänge sind. Alle Pins zu Eingängen machen, um neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>The directions are unknown. Make all pins inputs first.</source>
+        <translation>Die Richtungen sind unbekannt. Zuerst alle Pins zu Eingängen machen.</translation>
+    </message>
+    <message>
+        <source>Whether the module reads this pin or drives it.</source>
+        <translation>Ob das Modul diesen Pin liest oder treibt.</translation>
+    </message>
+    <message>
+        <source>high, told low</source>
+        <translation>High, soll Low sein</translation>
+    </message>
+    <message>
+        <source>low, told high</source>
+        <translation>Low, soll High sein</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>Low</translation>
+    </message>
+    <message>
+        <source>This pin is an input.</source>
+        <translation>Dieser Pin ist ein Eingang.</translation>
+    </message>
+    <message>
+        <source>The directions are unknown.</source>
+        <translation>Die Richtungen sind unbekannt.</translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation>Schaltet diesen Ausgang sofort.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::PointsModel</name>
     <message>
         <source>Point</source>
@@ -9019,6 +9502,50 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Open recording</source>
         <translation>Aufzeichnung öffnen</translation>
     </message>
+    <message>
+        <source>&amp;Lay a recording under the live traces…</source>
+        <translation>Aufzeichnung unter die laufenden Kurven &amp;legen …</translation>
+    </message>
+    <message>
+        <source>Under the live traces</source>
+        <translation>Unter den laufenden Kurven</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the recording out of the plots. Its file stays as it is.</source>
+        <translation>Nimmt die Aufzeichnung aus den Kurven. Ihre Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>◂ Earlier</source>
+        <translation>◂ Früher</translation>
+    </message>
+    <message>
+        <source>Moves the recording to the left.</source>
+        <translation>Verschiebt die Aufzeichnung nach links.</translation>
+    </message>
+    <message>
+        <source>Later ▸</source>
+        <translation>Später ▸</translation>
+    </message>
+    <message>
+        <source>Moves the recording to the right.</source>
+        <translation>Verschiebt die Aufzeichnung nach rechts.</translation>
+    </message>
+    <message>
+        <source>Draws a recording pale below what is live, its first motion where the last one here began.</source>
+        <translation>Zeichnet eine Aufzeichnung blass unter das Laufende, ihre erste Bewegung dort, wo hier die letzte begann.</translation>
+    </message>
+    <message>
+        <source>Lay a recording under the live traces</source>
+        <translation>Aufzeichnung unter die laufenden Kurven legen</translation>
+    </message>
+    <message>
+        <source>Pale below the live traces: %1</source>
+        <translation>Blass unter den laufenden Kurven: %1</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopePanel</name>
@@ -9037,6 +9564,10 @@ Ohne Hardware den Simulator wählen.</translation>
     <message>
         <source>%1 (simulator)</source>
         <translation>%1 (Simulator)</translation>
+    </message>
+    <message>
+        <source>Pale below: %1</source>
+        <translation>Blass darunter: %1</translation>
     </message>
 </context>
 <context>
