@@ -92,6 +92,15 @@ ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const 
     return {identity, module.items().value_or(m_readOnly ? kAllItems : kStandingItems)};
 }
 
+std::size_t Chain::longestReply() const {
+    std::size_t longest = 0;
+    for (const Module& module : m_modules) {
+        const ModuleIdentity identity = module.belief.info().identity;
+        longest = std::max(longest, replyLength(identity, allItems(identity)));
+    }
+    return longest;
+}
+
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);

@@ -97,6 +97,8 @@ public:
     /// them permit; or first of all a known length.
     [[nodiscard]] Ask look(Purpose purpose, ModuleIndex module) const;
     [[nodiscard]] ReplyLayout layoutOf(const Belief& belief, const Payload& payload) const;
+    /// Bytes of the longest answer that any of the modules can give.
+    [[nodiscard]] std::size_t longestReply() const;
 
     /// The command goes out, and will be latched then: all that watch the module must reckon with it.
     void tell(ModuleIndex module, const ModuleCommand& command, TimePoint latched);

@@ -81,7 +81,8 @@ Line::Script StopTask::blindScript() {
     m_blind = m_run->blindStops(m_chain);
     const Line::Script packets = m_chain.stopScript(m_blind);
     script.insert(script.end(), packets.begin(), packets.end());
-    const Duration underWay = byteTimeAtBaud(m_chain.rate()) * static_cast<Duration::rep>(kMaxReply);
+    const Duration underWay =
+        byteTimeAtBaud(m_chain.rate()) * static_cast<Duration::rep>(m_chain.longestReply());
     script.insert(script.end(), {Line::Lag{underWay}, DiscardInput{}});
     return script;
 }

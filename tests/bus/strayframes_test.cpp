@@ -85,7 +85,7 @@ TEST_F(Strays, AreNeitherEchoesNorHeldLinesNorTooShort) {
     strays.onSent(PacketBytes(command));
     for (const char* heard :
          {"01 13 20 34 ", "AA 01 13 20 34 ", "00 00 00 00 00 00 ", "FF FF FF FF ", "19 19 ", "01 0E 0F ",
-          "19 2C 01 00 00 47 ", "01 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 01 "})
+          "19 2C 01 00 00 47 ", "01 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 01 "})
         for (int i = 0; i < 5; ++i) {
             hear(heard);
             EXPECT_FALSE(foreign()) << heard;

@@ -26,9 +26,8 @@
 /// - purpose: connect poll operation check hold stop challenge flush
 /// - module: in the order of addressing, from 1; - where that is not known
 /// - baud: nominal rate of the port
-/// - type:items: the reply's layout, as type number and mask of status items in hexadecimal; where the
-/// version
-///   is known, it stands behind the type, as in 0.10:C5
+/// - type:items: the reply's layout, as type number and mask of status items in hexadecimal; behind the type
+///   stands the version where it is known, as in 0.10:C5
 /// - verdict: accepted refused silent partial bad_checksum rejected abandoned not_asked; a rejected one names
 ///   its rule behind a colon, as in rejected:home_changed
 /// - >command, <reply: the bytes in hexadecimal, as sent and received, checksums included
