@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "protocol/baud.h"
 #include "protocol/commandtable.h"
 #include "sim/controlwords.h"
+#include "sim/familystate.h"
 #include "sim/faultspec.h"
 
 namespace nmc::sim {
@@ -20,6 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string_view>;
+using WordSpan = std::span<const std::string_view>;
 
 constexpr std::string_view kVerbs =
     "allowed are state N, set N NAME VALUE, power-cycle N|all, break N, mend N, fault ..., fault clear, "
@@ -124,7 +127,9 @@ Json stepJson(const StepSnapshot& step) {
 Json state(Chain& chain, ModuleIndex module, TimePoint now) {
     const ModuleSnapshot s = chain.snapshot(module, now);
     Json json{{"module", module.value() + 1},
-              {"type", s.step ? "step" : "servo"},
+              {"type", s.step ? "step"
+                       : s.io ? "io"
+                              : "servo"},
               {"version", s.identity.version},
               {"address", s.address},
               {"group", s.group},
@@ -134,14 +139,32 @@ Json state(Chain& chain, ModuleIndex module, TimePoint now) {
               {"addr_broken", s.addressLineBroken},
               {"time", toSeconds(s.time.time_since_epoch())},
               {"tick", s.tick}};
-    json.update(s.step ? stepJson(*s.step) : servoJson(s.servo));
+    json.update(s.step ? stepJson(*s.step) : s.io ? ioJson(*s.io) : servoJson(s.servo));
+    if (s.servo.later)
+        json.update(laterServoJson(s.identity, s.servo));
     return json;
 }
 
 // ---- set ----
 
-/// Which chips have an input of that name.
-enum class Chips : std::uint8_t { Both, Servo, Step };
+/// Which chips have an input of that name; Both: servos and steppers.
+enum class Chips : std::uint8_t { Both, Servo, Step, Sc, Io };
+
+bool includes(Chips chips, const ModuleIdentity& module) {
+    switch (chips) {
+        case Chips::Both:
+            return module.type != ModuleType::Io;
+        case Chips::Servo:
+            return module.type == ModuleType::Servo;
+        case Chips::Step:
+            return module.type == ModuleType::Step;
+        case Chips::Sc:
+            return isSc(module);
+        case Chips::Io:
+            return module.type == ModuleType::Io;
+    }
+    return false;
+}
 
 /// A word that stands for a value, or for none.
 struct Word {
@@ -158,6 +181,7 @@ struct InputRow {
     double max;
     bool whole;
     std::array<Word, 2> words;
+    unsigned count = 0;  ///< there are so many, and a number stands before the value
 };
 
 /// An end of the travel.
@@ -199,6 +223,10 @@ constexpr std::array kInputs{
              1e12,
              true,
              {Word{"none", {}}}},
+    InputRow{"steps", Input::Steps, Chips::Sc, "-32768 to 32767", -32768, 32767, true, {}},
+    InputRow{"vsense", Input::VoltSense, Chips::Sc, "0 to 5 V", 0, 5, false, {}},
+    InputRow{"in", Input::Pin, Chips::Io, "0 or 1", 0, 1, true, {}, 12},
+    InputRow{"analog", Input::Analog, Chips::Io, "0 to 255", 0, 255, true, {}, 3},
 };
 
 /// What a word on the line says; nothing when the row does not allow it.
@@ -241,30 +269,42 @@ std::string conflict(const Surroundings& now, Input input, std::optional<double>
     return {};
 }
 
-Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view text, TimePoint now) {
+/// `words`: the value, with a number before it where there are several.
+Json setInput(Chain& chain, ModuleIndex module, const InputRow& row, WordSpan words, TimePoint now) {
+    const std::string name(row.name);
+    if (words.size() != (row.count == 0 ? 1U : 2U))
+        return error("wrong number of words for set; allowed is set N " +
+                     (row.count == 0 ? "NAME VALUE" : name + " K VALUE"));
+    const unsigned which = row.count == 0 ? 0 : number<unsigned>(words[0]).value_or(0);
+    if (which > row.count || (row.count > 0 && which == 0))
+        return error("no " + name + ' ' + quoted(words[0]) + "; allowed is 1 to " +
+                     std::to_string(row.count));
+    const std::string_view text = words.back();
     const std::optional<Word> word = valueOf(row, text);
     if (!word)
-        return error(std::string(row.name) + " cannot be " + quoted(text) + "; allowed is " +
-                     std::string(row.allowed));
+        return error(name + " cannot be " + quoted(text) + "; allowed is " + std::string(row.allowed));
     const Surroundings around = surroundings(chain.snapshot(module, now));
     if (const std::string why = conflict(around, row.input, word->value); !why.empty())
         return error(why);
-    chain.set(module, row.input, word->value, now);
+    chain.set(module, row.input, word->value, now, which);
     return ok();
 }
 
-Json set(Chain& chain, ModuleIndex module, std::string_view name, std::string_view text, TimePoint now) {
-    const bool isStep = chain.identity(module).type == ModuleType::Step;
+/// `words`: name and value.
+Json set(Chain& chain, ModuleIndex module, WordSpan words, TimePoint now) {
+    const ModuleIdentity identity = chain.identity(module);
     std::string names;
     for (const InputRow& row : kInputs) {
-        if (row.chips != Chips::Both && (row.chips == Chips::Step) != isStep)
+        if (!includes(row.chips, identity))
             continue;
-        if (row.name == name)
-            return setInput(chain, module, row, text, now);
+        if (row.name == words[0])
+            return setInput(chain, module, row, words.subspan(1), now);
         names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
     }
-    return error((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
-                 "; allowed are " + names);
+    const std::string_view who = identity.type == ModuleType::Step ? "a stepper"
+                                 : identity.type == ModuleType::Io ? "a PIC-I/O"
+                                                                   : "a servo";
+    return error(std::string(who) + " has no input " + quoted(words[0]) + "; allowed are " + names);
 }
 
 // ---- stats, time ----
@@ -332,7 +372,7 @@ Json withModule(Chain& chain, const Words& words, TimePoint now) {
     if (words[0] == "state")
         return state(chain, *module, now);
     if (words[0] == "set")
-        return set(chain, *module, words[2], words[3], now);
+        return set(chain, *module, WordSpan(words).subspan(2), now);
     if (words[0] == "break")
         chain.breakAddressLine(*module, now);
     else
@@ -391,10 +431,11 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
         std::string_view name;
         std::size_t words;
         std::string_view usage;
+        std::size_t optional = 0;  ///< so many words more
     };
     static constexpr std::array kTable{
         Verb{"state", 2, "state N"},
-        Verb{"set", 4, "set N NAME VALUE"},
+        Verb{"set", 4, "set N NAME VALUE", 1},
         Verb{"power-cycle", 2, "power-cycle N|all"},
         Verb{"break", 2, "break N"},
         Verb{"mend", 2, "mend N"},
@@ -411,7 +452,7 @@ Json answer(Chain& chain, const Words& words, TimePoint now, const Pace& pace) {
     for (const Verb& verb : kTable) {
         if (words[0] != verb.name)
             continue;
-        if (words.size() != verb.words)
+        if (words.size() < verb.words || words.size() > verb.words + verb.optional)
             return error("wrong number of words for " + std::string(verb.name) + "; allowed is " +
                          std::string(verb.usage));
         if (verb.name == "stats")

@@ -31,6 +31,8 @@ std::string_view toText(ViolationKind kind) {
             return "mode_transition";
         case ViolationKind::DirectionChange:
             return "direction_change";
+        case ViolationKind::PathOverflow:
+            return "path_overflow";
         case ViolationKind::ParametersNotSet:
             return "parameters_not_set";
     }

@@ -25,6 +25,7 @@ enum class ViolationKind : std::uint8_t {
     Unsupported,         ///< not available on this version
     ModeTransition,      ///< not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)
     DirectionChange,     ///< a stepper's direction changed without a stop (DS-S 4.1, 4.2)
+    PathOverflow,        ///< a point that found the path buffer full
     ParametersNotSet,    ///< a stepper started before Set Parameters (DS-S 5.1)
 };
 
