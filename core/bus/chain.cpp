@@ -102,6 +102,15 @@ std::size_t Chain::longestReply() const {
     return longest;
 }
 
+std::size_t Chain::longestReply() const {
+    std::size_t longest = 0;
+    for (const Module& module : m_modules) {
+        const ModuleIdentity identity = module.belief.info().identity;
+        longest = std::max(longest, replyLength(identity, allItems(identity)));
+    }
+    return longest;
+}
+
 void Chain::tell(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/chainprivate.h"
+#include "sim/iomodule.h"
 #include "sim/servomodule.h"
 #include "sim/stepmodule.h"
 
@@ -27,10 +28,12 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
             m_random.below(static_cast<std::uint64_t>(std::chrono::nanoseconds(kServoTick).count())));
         const ModuleOptions moduleOptions{Duration(phase), options.resetDeadTime, options.unpaced,
                                           options.deafWhenAddressInputRises};
-        assert(identity.type == ModuleType::Servo || identity.type == ModuleType::Step);
+        assert(isKnown(identity));
         const auto index = static_cast<std::uint8_t>(modules.size());
         if (identity.type == ModuleType::Step)
             modules.push_back(std::make_unique<StepModule>(identity, index, moduleOptions, violations));
+        else if (identity.type == ModuleType::Io)
+            modules.push_back(std::make_unique<IoModule>(identity, index, moduleOptions, violations));
         else
             modules.push_back(std::make_unique<ServoModule>(identity, index, moduleOptions, violations));
     }
@@ -84,6 +87,7 @@ void Chain::Private::catchUp() {
         // A pending command is to find its module at its tick, not beyond.
         module->advanceTo(now);
     }
+    updateAddressLines();  // A servo fault in step and direction mode tells on them.
 }
 
 // ---- Modules ----
@@ -304,11 +308,12 @@ ModuleSnapshot Chain::snapshot(ModuleIndex module, TimePoint now) {
     return s;
 }
 
-void Chain::set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now) {
+void Chain::set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now,
+                unsigned number) {
     d->runTo(now);
     Module& m = *d->modules[module.value()];
     m.advanceTo(d->now);
-    m.set(input, value);
+    m.set(input, value, number);
 }
 
 void Chain::powerCycle(ModuleIndex module, TimePoint now) {

@@ -89,7 +89,9 @@ public:
     /// Ground truth about a module after its last tick.
     [[nodiscard]] ModuleSnapshot snapshot(ModuleIndex module, TimePoint now);
     /// Sets an input or the load of a module; the value must be in the range that Input states.
-    void set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now);
+    /// `number`: which of several, from 1 (see Input).
+    void set(ModuleIndex module, Input input, std::optional<double> value, TimePoint now,
+             unsigned number = 0);
     /// Switches the supply of the module's logic off and on: its chip starts anew, its motor's shaft stays.
     void powerCycle(ModuleIndex module, TimePoint now);
     /// Breaks or mends the ADDR line between the module and its neighbour towards the host. Without a

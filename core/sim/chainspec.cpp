@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/controlwords.h"
+
 namespace nmc::sim {
 
 namespace {
 
 constexpr std::string_view kAllowed =
-    "allowed is a comma list of 1 to 32 of servo, servo@1, servo@2, servo@3, servo@4, step and step@1";
+    "allowed is a comma list of 1 to 32 of servo, servo@1, servo@2, servo@3, servo@4, servo@5, servo@10, "
+    "step, step@1, io and io@1";
 
 struct Kind {
     std::string_view name;
     ModuleType type;
-    char lastVersion;  ///< the one simulated when none is named
+    std::uint8_t usualVersion;  ///< the one simulated when none is named
 };
-constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, '4'}, Kind{"step", ModuleType::Step, '1'}};
+constexpr std::array kKinds{Kind{"servo", ModuleType::Servo, 4}, Kind{"step", ModuleType::Step, 1},
+                            Kind{"io", ModuleType::Io, 1}};
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t";
@@ -24,10 +28,6 @@ std::string_view trimmed(std::string_view text) {
     if (first == std::string_view::npos)
         return {};
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
-std::string quoted(std::string_view item) {
-    return "'" + std::string(item) + "'";
 }
 
 tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
@@ -40,12 +40,15 @@ tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     if (kind == kKinds.end())
         return tl::unexpected("Unknown item " + quoted(item) + " in the chain; " + std::string(kAllowed) +
                               ".");
-    const std::string_view version =
-        at == std::string_view::npos ? std::string_view(&kind->lastVersion, 1) : item.substr(at + 1);
-    if (version.size() != 1 || version[0] < '1' || version[0] > kind->lastVersion)
+    ModuleIdentity module{kind->type, kind->usualVersion};
+    if (at == std::string_view::npos)
+        return module;
+    const std::string_view version = item.substr(at + 1);
+    module.version = number<std::uint8_t>(version).value_or(0);
+    if (std::to_string(module.version) != version || !isKnown(module))
         return tl::unexpected("There is no such version as in item " + quoted(item) + "; " +
                               std::string(kAllowed) + ".");
-    return ModuleIdentity{kind->type, static_cast<std::uint8_t>(version[0] - '0')};
+    return module;
 }
 
 }  // namespace

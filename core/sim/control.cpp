@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -133,7 +134,7 @@ Json state(const Asked& asked) {
 
 Json set(const Asked& asked) {
     return withModule(asked, [&asked](ModuleIndex module) {
-        return okOr(setInput(asked.chain, module, asked.words[2], asked.words[3], asked.now));
+        return okOr(setInput(asked.chain, module, std::span(asked.words).subspan(2), asked.now));
     });
 }
 
@@ -225,7 +226,7 @@ struct Verb {
 constexpr std::size_t kMany = SIZE_MAX;
 constexpr std::array kVerbs{
     Verb{"state", 2, 2, state, "state N", "the truth about module N"},
-    Verb{"set", 4, 4, set, "set N NAME VALUE", "a pin, the load or the surroundings of module N"},
+    Verb{"set", 4, 5, set, "set N NAME VALUE", "a pin, the load or the surroundings of module N"},
     Verb{"power-cycle", 2, 2, powerCycle, "power-cycle N|all", "the supply of the chip off and on"},
     Verb{"break", 2, 2, breakLine, "break N", "the ADDR line from module N towards the host"},
     Verb{"mend", 2, 2, mendLine, "mend N", "that line again"},
@@ -255,6 +256,10 @@ std::string_view toText(Chips chips) {
             return "servo";
         case Chips::Step:
             return "step";
+        case Chips::Sc:
+            return "servo@10";
+        case Chips::Io:
+            return "io";
     }
     return "";
 }
@@ -301,8 +306,8 @@ std::string controlHelp() {
         text += "  " + column(verb.usage, 23) + std::string(verb.does) + '\n';
     text += "\nWhat set can change, of which kind of module:\n";
     for (const InputRow& row : inputTable())
-        text += "  " + column(row.name, 15) + column(toText(row.chips), 8) + std::string(row.allowed) + "\n" +
-                std::string(25, ' ') + std::string(row.meaning) + '\n';
+        text += "  " + column(row.name, 15) + column(toText(row.chips), 10) + std::string(row.allowed) +
+                "\n" + std::string(27, ' ') + std::string(row.meaning) + '\n';
     text += "\nViolations, in stats: what a real chip would not have forgiven:\n";
     for (const ViolationRow& row : violationTable())
         text += "  " + column(row.name, 23) + std::string(row.meaning) + '\n';

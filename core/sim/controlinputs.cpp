@@ -11,6 +11,7 @@ namespace {
 
 using Word = InputRow::Word;
 using Done = tl::expected<void, std::string>;
+using Words = std::span<const std::string_view>;
 
 [[nodiscard]] constexpr InputRow pin(std::string_view name, Input input, Chips chips,
                                      std::string_view meaning) {
@@ -106,6 +107,35 @@ constexpr std::array kInputs{
     pin("home_switch", Input::HomeSwitch, Chips::Step, "home switch, 1 is high"),
     place("home_switch_at", Input::HomeSwitchAt, Chips::Step,
           "the home switch is 1 from there on forward; none: as set"),
+    InputRow{"steps",
+             Input::Steps,
+             Chips::Sc,
+             "-32768 to 32767",
+             -32768,
+             32767,
+             true,
+             {},
+             "so many pulses come at its step input, negative ones in reverse"},
+    InputRow{"vsense",
+             Input::VoltSense,
+             Chips::Sc,
+             "0 to 5 V",
+             0,
+             5,
+             false,
+             {},
+             "what it senses of the supply: power is on from 0.9 to 4.5 V"},
+    InputRow{"in", Input::Pin, Chips::Io, "0 or 1", 0, 1, true, {}, "pin K of 1 to 12, 1 is high", 12},
+    InputRow{"analog",
+             Input::Analog,
+             Chips::Io,
+             "0 to 255",
+             0,
+             255,
+             true,
+             {},
+             "what A/D input K of 1 to 3 reads",
+             3},
 };
 
 /// What a word on the line says; nothing when the row does not allow it.
@@ -148,15 +178,41 @@ std::string conflict(const Surroundings& now, Input input, std::optional<double>
     return {};
 }
 
-Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, std::string_view text, TimePoint now) {
+bool includes(Chips chips, const ModuleIdentity& module) {
+    switch (chips) {
+        case Chips::Both:
+            return module.type != ModuleType::Io;
+        case Chips::Servo:
+            return module.type == ModuleType::Servo;
+        case Chips::Step:
+            return module.type == ModuleType::Step;
+        case Chips::Sc:
+            return isSc(module);
+        case Chips::Io:
+            return module.type == ModuleType::Io;
+    }
+    return false;
+}
+
+/// `words`: the value, with a number before it where there are several.
+Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, Words words, TimePoint now) {
+    const std::string name(row.name);
+    if (words.size() != (row.count == 0 ? 1U : 2U))
+        return tl::unexpected("wrong number of words for set; allowed is set N " +
+                              (row.count == 0 ? "NAME VALUE" : name + " K VALUE"));
+    const unsigned which = row.count == 0 ? 0 : number<unsigned>(words[0]).value_or(0);
+    if (which > row.count || (row.count > 0 && which == 0))
+        return tl::unexpected("no " + name + ' ' + quoted(words[0]) + "; allowed is 1 to " +
+                              std::to_string(row.count));
+    const std::string_view text = words.back();
     const std::optional<Word> word = valueOf(row, text);
     if (!word)
-        return tl::unexpected(std::string(row.name) + " cannot be " + quoted(text) + "; allowed is " +
+        return tl::unexpected(name + " cannot be " + quoted(text) + "; allowed is " +
                               std::string(row.allowed));
     const Surroundings around = surroundings(chain.snapshot(module, now));
     if (const std::string why = conflict(around, row.input, word->value); !why.empty())
         return tl::unexpected(why);
-    chain.set(module, row.input, word->value, now);
+    chain.set(module, row.input, word->value, now, which);
     return {};
 }
 
@@ -166,19 +222,20 @@ std::span<const InputRow> inputTable() {
     return kInputs;
 }
 
-Done setInput(Chain& chain, ModuleIndex module, std::string_view name, std::string_view value,
-              TimePoint now) {
-    const bool isStep = chain.identity(module).type == ModuleType::Step;
+Done setInput(Chain& chain, ModuleIndex module, Words words, TimePoint now) {
+    const ModuleIdentity identity = chain.identity(module);
     std::string names;
     for (const InputRow& row : kInputs) {
-        if (row.chips != Chips::Both && (row.chips == Chips::Step) != isStep)
+        if (!includes(row.chips, identity))
             continue;
-        if (row.name == name)
-            return setInput(chain, module, row, value, now);
+        if (row.name == words[0])
+            return setInput(chain, module, row, words.subspan(1), now);
         names += std::string(names.empty() ? "" : ", ") + std::string(row.name);
     }
-    return tl::unexpected((isStep ? "a stepper has no input " : "a servo has no input ") + quoted(name) +
-                          "; allowed are " + names);
+    const std::string_view who = identity.type == ModuleType::Step ? "a stepper"
+                                 : identity.type == ModuleType::Io ? "a PIC-I/O"
+                                                                   : "a servo";
+    return tl::unexpected(std::string(who) + " has no input " + quoted(words[0]) + "; allowed are " + names);
 }
 
 }  // namespace nmc::sim

@@ -13,8 +13,8 @@
 
 namespace nmc::sim {
 
-/// Which chips have an input of that name, in that sense.
-enum class Chips : std::uint8_t { Both, Servo, Step };
+/// Which chips have an input of that name, in that sense; Both: servos and steppers.
+enum class Chips : std::uint8_t { Both, Servo, Step, Sc, Io };
 
 /// What `set N NAME VALUE` can change.
 struct InputRow {
@@ -33,14 +33,16 @@ struct InputRow {
     bool whole;
     std::array<Word, 2> words;
     std::string_view meaning;  ///< with its polarity
+    unsigned count = 0;        ///< there are so many, and a number stands before the value
 };
 
 /// All inputs of all chips; a name comes once for each chip that understands something else by it.
 [[nodiscard]] std::span<const InputRow> inputTable();
 
-/// Sets an input by its name; otherwise a sentence that says what is allowed.
+/// Sets an input; `words` are its name and value, with a number between them where there are several.
+/// Otherwise a sentence that says what is allowed.
 [[nodiscard]] tl::expected<void, std::string> setInput(Chain& chain, ModuleIndex module,
-                                                       std::string_view name, std::string_view value,
+                                                       std::span<const std::string_view> words,
                                                        TimePoint now);
 
 }  // namespace nmc::sim

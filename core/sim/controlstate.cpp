@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/baud.h"
+#include "sim/familystate.h"
 
 namespace nmc::sim {
 
@@ -142,7 +143,9 @@ Json stepJson(const StepSnapshot& step) {
 
 Json stateJson(const ModuleSnapshot& s, unsigned number) {
     Json json{{"module", number},
-              {"type", s.step ? "step" : "servo"},
+              {"type", s.step ? "step"
+                       : s.io ? "io"
+                              : "servo"},
               {"version", s.identity.version},
               {"address", s.address},
               {"group", s.group},
@@ -153,12 +156,18 @@ Json stateJson(const ModuleSnapshot& s, unsigned number) {
               {"time", toSeconds(s.time.time_since_epoch())},
               {"tick", s.tick},
               {"status", s.status},
-              {s.step ? "inputs_byte" : "auxiliary", s.pins},
-              {"status_items", s.items},
-              {"homing", s.homing.inProgress()},
-              {"homing_conditions", homingConditions(s)},
-              {"homing_stop", homingStop(s)}};
+              {"status_items", s.items}};
+    if (s.io) {
+        json.update(ioJson(*s.io));
+        return json;
+    }
+    json[s.step ? "inputs_byte" : "auxiliary"] = s.pins;
+    json["homing"] = s.homing.inProgress();
+    json["homing_conditions"] = homingConditions(s);
+    json["homing_stop"] = homingStop(s);
     json.update(s.step ? stepJson(*s.step) : servoJson(s));
+    if (s.servo.later)
+        json.update(laterServoJson(s.identity, s.servo));
     return json;
 }
 

@@ -6,7 +6,7 @@
 namespace nmc::sim {
 
 void Encoder::read(std::int64_t shaft) {
-    const std::int64_t edges = std::clamp(shaft - m_shaft, -kMaxEdgesPerTick, kMaxEdgesPerTick);
+    const std::int64_t edges = std::clamp(shaft - m_shaft, -m_maxEdges, m_maxEdges);
     m_shaft = shaft;
     m_counter = static_cast<std::uint16_t>(m_counter + (m_reversed ? -edges : edges));
     const auto moved = static_cast<std::int16_t>(static_cast<std::uint16_t>(m_counter - m_lastRead));
@@ -16,10 +16,10 @@ void Encoder::read(std::int64_t shaft) {
     m_wrapped = m_wrapped || next != m_position;
 }
 
-void Encoder::reset() {
-    m_position = 0;
-    m_counter = 0;
-    m_lastRead = 0;
+void Encoder::setPosition(std::int32_t position) {
+    m_position = position;
+    m_counter = static_cast<std::uint16_t>(position);
+    m_lastRead = m_counter;
 }
 
 }  // namespace nmc::sim

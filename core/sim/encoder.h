@@ -10,12 +10,16 @@ class Encoder {
 public:
     /// Most edges the PIC-ENC can follow: 500 000 per second (DS-V 3.2), times 512 us.
     static constexpr std::int64_t kMaxEdgesPerTick = 256;
+    /// CMC and SC count by themselves, as fast as their greatest velocity (docs/family.md).
+    static constexpr std::int64_t kLaterMaxEdgesPerTick = 1280;
+    explicit Encoder(std::int64_t maxEdgesPerTick = kMaxEdgesPerTick) : m_maxEdges(maxEdgesPerTick) {}
 
     /// Once per maximum-rate tick with the shaft's true position in counts. Edges that come too fast are
     /// lost.
     void read(std::int64_t shaft);
-    /// Reset Position: the counter of the PIC-ENC and its extension become 0.
-    void reset();
+    /// Reset Position: the counter and its extension become this.
+    void setPosition(std::int32_t position);
+    void reset() { setPosition(0); }
 
     [[nodiscard]] std::int32_t position() const { return m_position; }
     [[nodiscard]] bool wrapped() const { return m_wrapped; }
@@ -24,6 +28,7 @@ public:
     void setReversed(bool reversed) { m_reversed = reversed; }
 
 private:
+    std::int64_t m_maxEdges;
     std::int64_t m_shaft = 0;
     std::int32_t m_position = 0;
     std::uint16_t m_counter = 0;

@@ -29,10 +29,10 @@ void Module::powerUp(TimePoint now) {
     m_pending.reset();
     m_reply.clear();
     m_sent = 0;
-    reset(now);
+    reset(now, Restart::PowerUp);
 }
 
-void Module::reset(TimePoint now) {
+void Module::reset(TimePoint now, Restart restart) {
     m_receiver.reset();
     m_deafUntil = now + m_options.resetDeadTime;
     m_awake = false;
@@ -45,7 +45,7 @@ void Module::reset(TimePoint now) {
     m_ownAddress.reset();
     m_addressIsFaults = false;
     m_itemsAreFaults = false;
-    resetChip();
+    resetChip(restart);
 }
 
 void Module::setAddressInput(bool low, TimePoint now) {
@@ -72,6 +72,14 @@ void Module::setAddress(const Packet& packet) {
     m_addressOutputLow = true;
     m_addressIsFaults = m_commandStruck;
     m_ownAddress.reset();
+    addressed();
+}
+
+void Module::restorePlace(const Place& place) {
+    m_address = place.address;
+    m_group = place.group;
+    m_leader = place.leader;
+    m_addressOutputLow = true;
 }
 
 // ---- Commands ----
@@ -131,12 +139,13 @@ void Module::executeGood(const Pending& command) {
             setBaud(command);
             return;
         case CommandCode::HardReset:
-            reset(command.due);
+            configureReset(packet);
+            reset(command.due, Restart::HardReset);
             return;
         case CommandCode::ReadStatus:
         case CommandCode::Nop:
-        case CommandCode::AddPathPoints:
             return;
+        case CommandCode::AddPathPoints:
         case CommandCode::ResetPosition:
         case CommandCode::LoadTrajectory:
         case CommandCode::StartMotion:
@@ -178,7 +187,7 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_reply.clear();
     const unsigned error = communicationError ? kCommunicationError : 0U;
     m_reply.push_back(static_cast<std::uint8_t>(statusByte() | error));
-    appendItems(items);
+    writeItems({m_reply, items});
     m_reply.push_back(sum8(m_reply));
     m_sent = 0;
     m_collided = false;
@@ -192,25 +201,6 @@ void Module::replaceReply(ByteSpan bytes, Duration later) {
     m_replyStruck = m_replyStruck || later > Duration::zero() || !std::ranges::equal(bytes, reply());
     m_reply = ReplyBytes(bytes);
     m_replyStart += later;
-}
-
-void Module::appendItems(std::uint8_t mask) {
-    const auto wanted = [mask](unsigned bit) { return (unsigned{mask} >> bit & 1U) != 0; };
-    const Items items = statusItems();
-    if (wanted(0))
-        m_reply.appendLittleEndian(items.position);
-    if (wanted(1))
-        m_reply.push_back(items.analog);
-    if (wanted(2))
-        m_reply.appendLittleEndian(items.speed);
-    if (wanted(3))
-        m_reply.push_back(items.pins);
-    if (wanted(4))
-        m_reply.appendLittleEndian(items.home);
-    if (wanted(5)) {
-        m_reply.push_back(static_cast<std::uint8_t>(m_identity.type));
-        m_reply.push_back(m_identity.version);
-    }
 }
 
 bool Module::replyByteSent() {
@@ -297,7 +287,6 @@ ModuleSnapshot Module::snapshot(TimePoint now) const {
     s.time = now;
     s.tick = m_ticks;
     s.status = statusByte();
-    s.pins = statusItems().pins;
     s.items = m_items;
     return s;
 }

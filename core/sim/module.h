@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
@@ -13,6 +14,26 @@
 #include "sim/violations.h"
 
 namespace nmc::sim {
+
+/// A status packet: at most status, 17 item bytes and sum; and one byte that a fault may add.
+using ReplyBytes = ByteBuffer<20>;
+
+/// Writes the status items that a mask asks for, in the order of their bits.
+class ItemWriter {
+public:
+    ItemWriter(ReplyBytes& reply, std::uint8_t mask) : m_reply(reply), m_mask(mask) {}
+    template <std::integral T>
+    ItemWriter& item(T value) {
+        if ((m_mask & 1U) != 0)
+            m_reply.appendLittleEndian(value);
+        m_mask >>= 1U;
+        return *this;
+    }
+
+private:
+    ReplyBytes& m_reply;
+    unsigned m_mask;
+};
 
 /// Later than any event.
 inline constexpr TimePoint kNever = TimePoint::max();
@@ -41,7 +62,7 @@ public:
     /// As after switching its supply off and on.
     void powerUp(TimePoint now);
     void setAddressInput(bool low, TimePoint now);
-    [[nodiscard]] bool addressOutputIsLow() const { return m_addressOutputLow; }
+    [[nodiscard]] bool addressOutputIsLow() const { return m_addressOutputLow && !raisesAddressOutput(); }
     /// Whether its UART takes part in what happens on the line.
     [[nodiscard]] bool isAwake(TimePoint now);
 
@@ -98,7 +119,8 @@ public:
     // The world outside and the truth inside.
     /// Runs all ticks that have ended.
     void advanceTo(TimePoint now);
-    virtual void set(Input input, std::optional<double> value) = 0;
+    /// `number`: which of several, from 1; 0 where there is one.
+    virtual void set(Input input, std::optional<double> value, unsigned number) = 0;
     [[nodiscard]] virtual ModuleSnapshot snapshot(TimePoint now) const;
     [[nodiscard]] const ModuleStatistics& statistics() const { return m_statistics; }
     void countGarbled() { ++m_statistics.bytesGarbled; }
@@ -106,21 +128,24 @@ public:
     [[nodiscard]] std::uint8_t index() const { return m_index; }
 
 protected:
-    /// The values of the status items; both chips send them in the same order and size (Define Status).
-    struct Items {
-        std::int32_t position = 0;
-        std::uint8_t analog = 0;
-        std::uint16_t speed = 0;  ///< PIC-SERVO: negative velocity; PIC-STEP: timer count
-        std::uint8_t pins = 0;    ///< PIC-SERVO: auxiliary status; PIC-STEP: inputs
-        std::int32_t home = 0;
-    };
-
-    /// A status packet: at most status, 14 item bytes and sum; and one byte that a fault may add.
-    using ReplyBytes = ByteBuffer<17>;
-
     /// Logs a violation by the command that is being executed.
     void violates(ViolationKind kind);
     [[nodiscard]] ModuleIdentity identity() const { return m_identity; }
+    /// Type and version, as item 5 has them.
+    [[nodiscard]] std::uint16_t identityItem() const {
+        return static_cast<std::uint16_t>(m_identity.version << 8U | static_cast<unsigned>(m_identity.type));
+    }
+
+    struct Place {
+        std::uint8_t address = 0;
+        std::uint8_t group = 0xFF;
+        bool leader = false;
+    };
+    [[nodiscard]] Place place() const { return {m_address, m_group, m_leader}; }
+    /// As after the Set Address that gave it this place.
+    void restorePlace(const Place& place);
+
+    enum class Restart : std::uint8_t { PowerUp, HardReset };
 
 private:
     struct Pending {
@@ -133,8 +158,13 @@ private:
 
     /// Whether Hard Reset to address FF is obeyed in any group (DS-S 5.1).
     [[nodiscard]] virtual bool obeysResetOfAll() const { return false; }
+    /// A fault that the chip tells on ADDR_OUT.
+    [[nodiscard]] virtual bool raisesAddressOutput() const { return false; }
+    /// Hard Reset with data, before it is carried out.
+    virtual void configureReset(const Packet&) {}
     /// Power-up state of everything that is the chip's own.
-    virtual void resetChip() = 0;
+    virtual void resetChip(Restart restart) = 0;
+    virtual void addressed() {}
     virtual void runTicks(std::uint64_t ticks) = 0;
     /// A command that is not common to all chips. Its length is within the command table's bounds, or logged.
     virtual void executeOwn(const Packet& packet) = 0;
@@ -142,16 +172,15 @@ private:
     [[nodiscard]] virtual std::uint8_t reservedBits(CommandCode code) const = 0;
     /// Without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
-    [[nodiscard]] virtual Items statusItems() const = 0;
+    virtual void writeItems(ItemWriter writer) const = 0;
 
-    void appendItems(std::uint8_t mask);
     void accept(const Packet& packet, TimePoint now);
     void runTo(std::uint64_t tick);
     void executeGood(const Pending& command);
     void checkForm(const Packet& packet);
     void setAddress(const Packet& packet);
     void setBaud(const Pending& command);
-    void reset(TimePoint now);
+    void reset(TimePoint now, Restart restart);
     void reply(TimePoint now, std::uint8_t items, bool communicationError);
     [[nodiscard]] TimePoint tickEnd(std::uint64_t tick) const;
     /// Number of ticks that have ended at `now`.

@@ -100,15 +100,15 @@ void MotorPlant::hold(bool held) {
         m_state.radPerSecond = 0.0;
 }
 
-void MotorPlant::advanceTick(int pwm, bool bridgeEnabled) {
+void MotorPlant::advanceTick(double pwm, bool bridgeEnabled) {
     if (!bridgeEnabled) {
         for (int i = 0; i < kSubsteps && !atRest(); ++i)
             substepOpen();
         return;
     }
-    const int magnitude = std::max(0, std::abs(pwm) - m_parameters.amplifierDeadbandPwm);
+    const double magnitude = std::max(0.0, std::abs(pwm) - m_parameters.amplifierDeadbandPwm);
     const double volts = (pwm < 0 ? -magnitude : magnitude) * m_voltsPerPwm;
-    if (magnitude == 0 && atRest())
+    if (magnitude == 0.0 && atRest())
         return;
     for (int i = 0; i < kSubsteps; ++i)
         substepClosed(volts);

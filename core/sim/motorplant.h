@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const MotorParameters& parameters() const { return m_parameters; }
 
     /// One maximum-rate servo tick (512 us) with a PWM value of -255..255, the sign being the direction pin.
-    void advanceTick(int pwm, bool bridgeEnabled);
+    void advanceTick(double pwm, bool bridgeEnabled);
 
     /// Something holds the shaft where it is, however strong the motor; or lets it go.
     void hold(bool held);

@@ -16,6 +16,7 @@ struct Gains {
     std::uint16_t el = 0;  ///< position error limit in counts, 0..3FFF
     std::uint8_t sr = 1;   ///< servo rate divisor
     std::uint8_t db = 0;   ///< deadband compensation in PWM counts, version 4
+    std::uint8_t sm = 1;   ///< counts per step pulse, SC
 };
 
 /// The control filter of DS-V 4.3, in integers. The sheet prints a minus before Kd, which would drive instead

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace nmc::sim {
 
@@ -37,6 +38,8 @@ void Profile::follow(std::int32_t position, std::int32_t countsPerTick) {
     m_position = fine(position);
     m_velocity = fine(countsPerTick);
     m_done = true;
+    m_accelerating = false;
+    m_slewing = true;
 }
 
 void Profile::hold(std::int32_t position) {
@@ -47,14 +50,20 @@ void Profile::rename(std::int32_t position) {
     m_position = fine(position);
 }
 
-void Profile::startTrapezoid(std::int32_t goal, std::uint32_t velocity, std::uint32_t acceleration) {
+void Profile::shift(std::int32_t counts) {
+    m_position = wrap48(m_position + fine(counts));
+}
+
+void Profile::startTrapezoid(std::int32_t goal, std::uint32_t velocity, std::uint32_t acceleration,
+                             Start start) {
     m_mode = Mode::Trapezoidal;
     m_goalPosition = fine(goal);
     m_goalVelocity = velocity;
     m_acceleration = acceleration;
     m_halfInverseAcceleration = acceleration == 0 ? 0.0 : 0.5 / static_cast<double>(acceleration);
-    m_velocity = 0;
-    m_done = m_position == m_goalPosition;
+    if (start == Start::AtZero)
+        m_velocity = 0;
+    m_done = m_position == m_goalPosition && m_velocity == 0;
     m_accelerationDone = m_done;
     m_slewDone = m_done;
 }
@@ -81,9 +90,49 @@ void Profile::stopSmoothly() {
     m_done = m_velocity == 0;
 }
 
-void Profile::step() {
+void Profile::stepPath(std::int64_t velocity) {
+    const std::int64_t before = std::abs(m_velocity);
+    m_mode = Mode::Path;
+    m_velocity = velocity;
+    m_position = wrap48(m_position + m_velocity);
+    m_done = false;
+    m_accelerating = std::abs(m_velocity) > before;
+    m_slewing = std::abs(m_velocity) == before;
+}
+
+void Profile::endPath() {
+    m_mode = Mode::Hold;
+    m_velocity = 0;
+    m_done = true;
+}
+
+int Profile::direction() const {
+    const auto sign = [](std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; };
+    if (m_velocity != 0)
+        return sign(m_velocity);
     switch (m_mode) {
         case Mode::Hold:
+        case Mode::Path:
+            return 0;
+        case Mode::Trapezoidal:
+            return m_done ? 0 : sign(wrap48(m_goalPosition - m_position));
+        case Mode::Velocity:
+            return sign(m_goalVelocity);
+    }
+    return 0;
+}
+
+void Profile::step() {
+    const std::int64_t before = std::abs(m_velocity);
+    stepMode();
+    m_accelerating = std::abs(m_velocity) > before;
+    m_slewing = std::abs(m_velocity) == before;
+}
+
+void Profile::stepMode() {
+    switch (m_mode) {
+        case Mode::Hold:
+        case Mode::Path:
             return;
         case Mode::Trapezoidal:
             if (!m_done)
@@ -116,13 +165,14 @@ void Profile::stepTrapezoid() {
 
     const std::int64_t wanted = std::max<std::int64_t>(0, std::min(speed + m_acceleration, m_goalVelocity));
     const std::int64_t target = approach(distance, wanted);
-    const std::int64_t next = std::max(target, speed - m_acceleration);
+    // From the wrong direction it takes some ticks to get there.
+    const std::int64_t next = std::min(std::max(target, speed - m_acceleration), speed + m_acceleration);
 
     m_accelerationDone = m_accelerationDone || next < speed + m_acceleration || next >= m_goalVelocity;
     m_slewDone = m_slewDone || (m_accelerationDone && next < m_goalVelocity);
     m_velocity = next * sign;
     m_position = wrap48(m_position + m_velocity);
-    if (m_position == m_goalPosition && next <= m_acceleration) {
+    if (m_position == m_goalPosition && std::abs(next) <= m_acceleration) {
         m_velocity = 0;
         m_done = true;
         m_accelerationDone = true;

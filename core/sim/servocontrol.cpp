@@ -2,6 +2,8 @@
 // What changes a servo loop from outside: the host's commands and the world around the motor.
 #include "sim/servoloop.h"
 
+#include "base/strong.h"
+
 namespace nmc::sim {
 
 std::string_view toText(ServoMode mode) {
@@ -25,7 +27,7 @@ void ServoLoop::reset() {
     fresh.m_encoder = m_encoder;
     fresh.m_encoder.reset();
     fresh.m_encoder.clearWrapped();
-    fresh.m_power = m_power;
+    fresh.m_volts = m_volts;
     fresh.m_limitsAutomatic = m_limitsAutomatic;
     fresh.m_limitInput[0] = m_limitInput[0];
     fresh.m_limitInput[1] = m_limitInput[1];
@@ -35,10 +37,23 @@ void ServoLoop::reset() {
     *this = fresh;
 }
 
-void ServoLoop::resetPosition() {
-    m_encoder.reset();
-    m_profile.rename(0);
-    m_lastServoPosition = 0;
+void ServoLoop::setPosition(std::int32_t position) {
+    m_encoder.setPosition(position);
+    m_profile.rename(position);
+    m_lastServoPosition = position;
+    m_quiet = false;
+}
+
+/// The command keeps its distance: nothing moves.
+void ServoLoop::resetRelativeToHome() {
+    const auto back = [home = m_home](std::int32_t position) {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(position) -
+                                         static_cast<std::uint32_t>(home));
+    };
+    const std::int32_t command = m_profile.position();
+    m_encoder.setPosition(back(m_encoder.position()));
+    m_profile.shift(countsBetween(command, back(command)));
+    m_lastServoPosition = back(m_lastServoPosition);
     m_quiet = false;
 }
 
@@ -56,12 +71,14 @@ void ServoLoop::turnServoOn() {
         m_servoOn = true;
     }
     m_stoppedHere = false;
+    m_fault = false;
     m_quiet = false;
 }
 
 /// Whatever ends servoing also makes the PWM value 0 (DS-V 4.5), the one waiting for Start Motion too.
 void ServoLoop::disableServo() {
     m_servoOn = false;
+    m_path.end();
     m_positionError = true;
     m_loaded.pwm = 0;
     setOutput(0, false);
@@ -70,24 +87,98 @@ void ServoLoop::disableServo() {
     m_quiet = false;
 }
 
+/// As disableServo(), but nobody has asked for it.
+void ServoLoop::fault() {
+    disableServo();
+    m_fault = true;
+}
+
 void ServoLoop::start() {
     const Trajectory& t = m_loaded;
-    if (!t.has(Trajectory::kServo)) {
-        const std::uint8_t pwm = t.pwm;
-        const bool reverse = t.has(Trajectory::kReverse);
-        disableServo();
-        m_loaded.pwm = pwm;
-        setOutput(m_power ? pwm : 0, reverse);
-        driveMotor();
+    if (protectsLimits() && isBlocked(loadedDirection()))
         return;
-    }
+    if (!t.has(Trajectory::kServo))
+        return startPwm();
+    m_path.end();
     turnServoOn();
     if (t.isTrapezoidal()) {
-        m_profile.startTrapezoid(t.position, t.velocity, t.acceleration);
+        // CMC and SC let a move be changed under way.
+        m_profile.startTrapezoid(loadedGoal(), t.velocity, t.acceleration,
+                                 isLater() ? Profile::Start::AtPresentVelocity : Profile::Start::AtZero);
         return;
     }
     const std::int64_t velocity = t.velocity;
     m_profile.startVelocity(t.has(Trajectory::kReverse) ? -velocity : velocity, t.acceleration);
+}
+
+void ServoLoop::startPwm() {
+    const Trajectory t = m_loaded;
+    const int present = m_magnitude;
+    const bool reverse = m_reverse;
+    disableServo();
+    m_loaded.pwm = t.pwm;
+    // CMC and SC keep the present output where no value is loaded.
+    if (isLater() && !t.has(Trajectory::kPwm))
+        setOutput(undervoltage() ? 0 : present, reverse);
+    else
+        setOutput(undervoltage() ? 0 : t.pwm * pwmSteps(), t.has(Trajectory::kReverse));
+    driveMotor();
+}
+
+std::int32_t ServoLoop::loadedGoal() const {
+    if (!isLater() || !m_loaded.has(Trajectory::kRelative))
+        return m_loaded.position;
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) +
+                                     static_cast<std::uint32_t>(m_loaded.position));
+}
+
+int ServoLoop::loadedDirection() const {
+    const Trajectory& t = m_loaded;
+    if (t.isTrapezoidal()) {
+        const std::int32_t way = countsBetween(m_profile.position(), loadedGoal());
+        return way > 0 ? 1 : way < 0 ? -1 : 0;
+    }
+    if (t.has(Trajectory::kServo) ? t.velocity == 0 : t.pwm == 0)
+        return 0;
+    return t.has(Trajectory::kReverse) ? -1 : 1;
+}
+
+void ServoLoop::startPath() {
+    turnServoOn();
+    m_path.start();
+}
+
+void ServoLoop::endPath() {
+    if (!m_path.running())
+        return;
+    m_path.end();
+    m_profile.endPath();
+}
+
+void ServoLoop::holdPosition() {
+    turnServoOn();
+    m_profile.hold(m_encoder.position());
+}
+
+// ---- Limit protection of an SC ----
+
+bool ServoLoop::protectsLimits() const {
+    return isSc() && !controls(ScControl::kStepAndDirection) &&
+           (controls(ScControl::kLimitOff) || controls(ScControl::kLimitAbrupt));
+}
+
+bool ServoLoop::isBlocked(int direction) const {
+    return direction != 0 && limitPin(direction > 0 ? 0 : 1);
+}
+
+void ServoLoop::protectLimits() {
+    const int driven = m_magnitude == 0 ? 0 : m_reverse ? -1 : 1;
+    if (!isBlocked(m_servoOn ? m_profile.direction() : driven))
+        return;
+    if (m_servoOn && !controls(ScControl::kLimitOff))
+        stopAbruptly();
+    else
+        disableServo();
 }
 
 void ServoLoop::setAmplifier(bool enabled) {
@@ -101,27 +192,39 @@ void ServoLoop::turnOff() {
 }
 
 // "Current command velocity and goal velocity will be set to zero": it is the loaded parameter that becomes
-// 0, so that it has to be loaded again before the next move.
+// 0, so that it has to be loaded again before the next move. CMC and SC keep it.
 void ServoLoop::stopAbruptly() {
     turnServoOn();
-    m_loaded.velocity = 0;
+    m_path.end();
+    if (!isLater())
+        m_loaded.velocity = 0;
     m_profile.stopAbruptly();
 }
 
 void ServoLoop::stopSmoothly() {
     turnServoOn();
-    m_loaded.velocity = 0;
+    if (m_path.running()) {
+        // A path has no acceleration of its own.
+        m_path.end();
+        return m_profile.startVelocity(0, m_loaded.acceleration);
+    }
+    if (!isLater())
+        m_loaded.velocity = 0;
     m_profile.stopSmoothly();
 }
 
 void ServoLoop::stopHere(std::int32_t position) {
     turnServoOn();
+    m_path.end();
     m_stoppedHere = true;
     m_profile.hold(position);
 }
 
 void ServoLoop::controlPins(std::uint8_t control) {
-    m_pinControl = control;
+    if (!isSc())
+        m_pinControl = static_cast<std::uint8_t>(control & 0x0FU);
+    if (isLater())
+        m_control = static_cast<std::uint8_t>(control & (isSc() ? 0xFFU : ScControl::kFastPath));
     m_quiet = false;
 }
 
@@ -162,6 +265,13 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::ServoOverrun:
             m_servoOverrun = true;
             return;
+        case Input::Steps:
+            m_steps += static_cast<std::int64_t>(value.value_or(0.0));
+            return;
+        case Input::VoltSense:
+            m_volts = value.value_or(kGoodVolts);
+            return;
+        case Input::Pin:  // A PIC-I/O's.
         case Input::Estop:
         case Input::In1:
         case Input::In2:
@@ -187,7 +297,7 @@ void ServoLoop::setSwitch(Input input, bool level) {
     if (input == Input::Limit2)
         m_limitInput[1] = level;
     if (input == Input::Power)
-        m_power = level;
+        m_volts = level ? kGoodVolts : 0.0;
     if (input == Input::Limits)
         m_limitsAutomatic = level;
     if (input == Input::Index) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace nmc::sim {
 
@@ -13,12 +14,14 @@ void ServoLoop::run(std::uint64_t ticks) {
 }
 
 void ServoLoop::tick() {
-    m_plant.advanceTick(m_pwm, m_ampEnabled && m_power);
+    m_plant.advanceTick(static_cast<double>(m_pwm) / pwmSteps(), m_ampEnabled && isPowered());
     m_encoder.read(m_plant.shaft());
     m_tripped = false;
     limitCurrent();
-    if (!m_power && (m_servoOn || m_magnitude != 0))
-        disableServo();
+    if (undervoltage() && (m_servoOn || m_magnitude != 0))
+        fault();
+    if (protectsLimits())
+        protectLimits();
     if (--m_ticksToServoTick <= 0) {
         m_ticksToServoTick = ticksPerServoTick();
         servoTick();
@@ -27,7 +30,7 @@ void ServoLoop::tick() {
     if (m_homing.inProgress())
         watchHome();
     m_quiet = !m_servoOn && m_pwm == 0 && m_velocity == 0 && m_adjustment == 0 && !m_limiting &&
-              m_lastServoPosition == m_encoder.position() && m_plant.atRest();
+              m_steps == 0 && m_lastServoPosition == m_encoder.position() && m_plant.atRest();
 }
 
 void ServoLoop::servoTick() {
@@ -37,18 +40,31 @@ void ServoLoop::servoTick() {
     m_lastServoPosition = position;
     if (!m_servoOn) {
         m_profile.follow(position, m_velocity);
+        m_steps = 0;
         return;
     }
-    m_profile.step();
-    const auto error = static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) -
-                                                 static_cast<std::uint32_t>(position));
+    stepProfile();
+    const std::int32_t error = positionError();
     if (std::abs(std::int64_t{error}) > m_gains.el) {
-        disableServo();
+        fault();
         m_tripped = true;
         return;
     }
     const std::int64_t output = m_filter.output(m_gains, error);
-    setOutput(std::min<std::int64_t>(std::abs(output) / 256, m_gains.ol), output < 0);
+    setOutput(std::min<std::int64_t>(std::abs(output) * pwmSteps() / 256, m_gains.ol * pwmSteps()),
+              output < 0);
+}
+
+void ServoLoop::stepProfile() {
+    if (!m_path.running())
+        m_profile.step();
+    else if (const auto velocity = m_path.next(controls(ScControl::kFastPath)))
+        m_profile.stepPath(*velocity);
+    else
+        m_profile.endPath();
+    const std::int64_t steps = std::exchange(m_steps, 0);
+    if (steps != 0 && controls(ScControl::kStepAndDirection))
+        m_profile.shift(static_cast<std::int32_t>(steps * m_gains.sm));
 }
 
 void ServoLoop::setOutput(std::int64_t magnitude, bool reverse) {
@@ -67,14 +83,14 @@ bool ServoLoop::currentIsOver() const {
 void ServoLoop::limitCurrent() {
     m_limiting = currentIsOver();
     m_overcurrent = m_overcurrent || m_limiting;
-    m_adjustment = std::clamp(m_adjustment + (m_limiting ? 1 : -1), 0, m_magnitude);
+    m_adjustment = std::clamp(m_adjustment + (m_limiting ? pwmSteps() : -pwmSteps()), 0, m_magnitude);
 }
 
 void ServoLoop::driveMotor() {
     int magnitude = m_magnitude - m_adjustment;
     // A raw PWM value goes to the amplifier as it is (DS-V 4.5).
     if (magnitude > 0 && m_servoOn)
-        magnitude = std::min(magnitude + m_gains.db, 255);
+        magnitude = std::min(magnitude + m_gains.db * pwmSteps(), 255 * pwmSteps());
     m_pwm = m_reverse ? -magnitude : magnitude;
 }
 
@@ -106,7 +122,9 @@ bool ServoLoop::limitPin(unsigned number) const {
     if (!m_limitsAutomatic)
         return m_limitInput[number];
     const auto shaft = static_cast<double>(m_plant.shaft());
-    return number == 0 ? shaft <= motor().travelMinCounts : shaft >= motor().travelMaxCounts;
+    // LIMIT1 of an SC is the forward one (docs/family.md).
+    const bool atReverseEnd = (number == 0) != isSc();
+    return atReverseEnd ? shaft <= motor().travelMinCounts : shaft >= motor().travelMaxCounts;
 }
 
 bool ServoLoop::indexPin() const {
@@ -127,7 +145,7 @@ std::uint8_t ServoLoop::statusByte() const {
     unsigned bits = 0;
     bits |= !m_servoOn || m_profile.done() ? 0x01U : 0U;
     bits |= m_overcurrent ? 0x04U : 0U;
-    bits |= m_power ? 0x08U : 0U;
+    bits |= isPowered() ? 0x08U : 0U;
     bits |= m_positionError || !m_servoOn ? 0x10U : 0U;
     bits |= limitPin(0) ? 0x20U : 0U;
     bits |= limitPin(1) ? 0x40U : 0U;
@@ -137,12 +155,14 @@ std::uint8_t ServoLoop::statusByte() const {
 
 std::uint8_t ServoLoop::auxiliaryByte() const {
     unsigned bits = 0;
-    bits |= indexPin() ? 0U : 0x01U;
+    // Up to version 5 the complement of the index, and phases that are over; then the phase there is.
+    bits |= indexPin() == isSc() ? 0x01U : 0U;
     bits |= m_encoder.wrapped() ? 0x02U : 0U;
     bits |= m_servoOn ? 0x04U : 0U;
-    bits |= m_profile.accelerationDone() ? 0x08U : 0U;
-    bits |= m_profile.slewDone() ? 0x10U : 0U;
+    bits |= (isSc() ? m_profile.accelerating() : m_profile.accelerationDone()) ? 0x08U : 0U;
+    bits |= (isSc() ? m_profile.slewing() : m_profile.slewDone()) ? 0x10U : 0U;
     bits |= m_servoOverrun ? 0x20U : 0U;
+    bits |= m_path.running() ? 0x40U : 0U;
     return static_cast<std::uint8_t>(bits);
 }
 
@@ -155,13 +175,14 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.commandVelocity = static_cast<double>(m_profile.velocity()) / 65536.0;
     s.velocity = m_plant.speedCountsPerTick();
     s.amperes = m_plant.currentAmperes();
-    s.pwm = m_pwm;
-    s.currentLimitAdjustment = m_adjustment;
+    s.pwm = m_pwm / pwmSteps();
+    s.currentLimitAdjustment = m_adjustment / pwmSteps();
     s.analog = analog();
     s.analogInput = m_analogInput;
     s.servoOn = m_servoOn;
-    s.ampEnabled = m_ampEnabled;
-    s.power = m_power;
+    // An SC lowers its enable outputs while the voltage is out of range.
+    s.ampEnabled = m_ampEnabled && (!isSc() || isPowered());
+    s.power = isPowered();
     if (m_servoOn && m_stoppedHere)
         s.mode = ServoMode::StopHere;
     else if (m_servoOn)
@@ -181,6 +202,24 @@ ServoSnapshot ServoLoop::snapshot() const {
     if (std::isfinite(motor.travelMaxCounts))
         s.travelMax = motor.travelMaxCounts;
     s.gains = m_gains;
+    if (isLater())
+        s.later = laterSnapshot();
+    return s;
+}
+
+LaterServoSnapshot ServoLoop::laterSnapshot() const {
+    LaterServoSnapshot s;
+    s.pwm = static_cast<double>(m_pwm) / pwmSteps();
+    s.pathPoints = static_cast<unsigned>(m_path.points());
+    s.pathMode = m_path.running();
+    s.fastPath = controls(ScControl::kFastPath);
+    s.voltSense = m_volts;
+    s.ioControl = m_control;
+    s.limitStopsOff = protectsLimits() && controls(ScControl::kLimitOff);
+    s.limitStopsAbruptly = protectsLimits() && !s.limitStopsOff;
+    s.threePhase = controls(ScControl::kThreePhase);
+    s.antiphase = controls(ScControl::kAntiphase);
+    s.stepAndDirection = controls(ScControl::kStepAndDirection);
     return s;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/encoder.h"
 #include "sim/homing.h"
 #include "sim/motorplant.h"
+#include "sim/path.h"
 #include "sim/pid.h"
 #include "sim/profile.h"
 #include "sim/snapshot.h"
@@ -15,9 +16,11 @@ namespace nmc::sim {
 
 /// What Load Trajectory leaves in the chip's memory. A value that is not loaded keeps what it was.
 struct Trajectory {
+    static constexpr std::uint8_t kPwm = 0x08;
     static constexpr std::uint8_t kServo = 0x10;
     static constexpr std::uint8_t kVelocityProfile = 0x20;
     static constexpr std::uint8_t kReverse = 0x40;
+    static constexpr std::uint8_t kRelative = 0x40;  ///< in trapezoidal mode of CMC and SC
     static constexpr std::uint8_t kStartNow = 0x80;
 
     std::int32_t position = 0;
@@ -30,12 +33,25 @@ struct Trajectory {
     [[nodiscard]] bool isTrapezoidal() const { return has(kServo) && !has(kVelocityProfile); }
 };
 
+/// Bits of an SC's I/O Control (docs/family.md).
+struct ScControl {
+    static constexpr std::uint8_t kLimitOff = 0x04;
+    static constexpr std::uint8_t kLimitAbrupt = 0x08;
+    static constexpr std::uint8_t kThreePhase = 0x10;
+    static constexpr std::uint8_t kAntiphase = 0x20;
+    static constexpr std::uint8_t kFastPath = 0x40;  ///< of a CMC, too
+    static constexpr std::uint8_t kStepAndDirection = 0x80;
+};
+
 /// The part of the PIC-SERVO that moves a motor, with the motor: encoder, profile, control filter, current
 /// limit, home search, power monitor (DS-V 4.2 - 4.5). Knows nothing of packets. Time comes as ticks of 512
 /// us.
 class ServoLoop {
 public:
-    explicit ServoLoop(std::uint8_t version) : m_version(version) {}
+    explicit ServoLoop(std::uint8_t version)
+        : m_version(version),
+          m_encoder(version >= kLater ? Encoder::kLaterMaxEdgesPerTick : Encoder::kMaxEdgesPerTick),
+          m_path(Path::capacityOf(version)) {}
 
     /// Power-up state of the chip. The motor and its shaft do not know about it.
     void reset();
@@ -43,10 +59,14 @@ public:
     void run(std::uint64_t ticks);
 
     // Commands (DS-V 5.2).
-    void resetPosition();
+    void resetPosition() { setPosition(0); }
+    void resetRelativeToHome();
+    void setPosition(std::int32_t position);
     void setGains(const Gains& gains);
+    [[nodiscard]] const Gains& gains() const { return m_gains; }
     void load(const Trajectory& trajectory) { m_loaded = trajectory; }
     [[nodiscard]] const Trajectory& loaded() const { return m_loaded; }
+    /// Nothing happens when limit protection forbids the motion.
     void start();
     void setAmplifier(bool enabled);
     void turnOff();
@@ -57,6 +77,12 @@ public:
     void setHoming(std::uint8_t control);
     void clearStickyBits();
     void saveAsHome() { m_home = m_encoder.position(); }
+    /// False when the path buffer is full.
+    bool addPathPoint(std::uint16_t word) { return m_path.add(word); }
+    void startPath();
+    void endPath();
+    /// The servo holds the motor where it is.
+    void holdPosition();
 
     // Status items (DS-V 5.2 Define Status, 5.3).
     /// Without the checksum bit, which is the receiver's.
@@ -68,6 +94,14 @@ public:
     [[nodiscard]] std::uint8_t analog() const;
     /// Counts the motor moved in the last servo tick; forward is positive.
     [[nodiscard]] std::int32_t velocity() const { return m_velocity; }
+    /// Command position - position, counts.
+    [[nodiscard]] std::int32_t positionError() const {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) -
+                                         static_cast<std::uint32_t>(m_encoder.position()));
+    }
+    [[nodiscard]] std::size_t pathPoints() const { return m_path.points(); }
+    /// The servo has been switched off by an error or by its voltage, in step and direction mode.
+    [[nodiscard]] bool steppingFault() const { return m_fault && controls(ScControl::kStepAndDirection); }
 
     /// In the middle of a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
     [[nodiscard]] bool inTrapezoid() const;
@@ -83,8 +117,29 @@ public:
     [[nodiscard]] ServoSnapshot snapshot() const;
 
 private:
+    static constexpr std::uint8_t kLater = 5;  ///< CMC and SC
+    static constexpr std::uint8_t kSc = 10;
+    [[nodiscard]] bool isLater() const { return m_version >= kLater; }
+    [[nodiscard]] bool isSc() const { return m_version >= kSc; }
+    /// Steps of the output for one PWM count: two more bits on an SC.
+    [[nodiscard]] int pwmSteps() const { return isSc() ? 4 : 1; }
+    [[nodiscard]] bool controls(std::uint8_t bit) const { return (m_control & bit) != 0; }
+
+    [[nodiscard]] LaterServoSnapshot laterSnapshot() const;
     void tick();
     void servoTick();
+    void stepProfile();
+    void startPwm();
+    void protectLimits();
+    [[nodiscard]] bool protectsLimits() const;
+    /// Limit protection forbids motion in this direction: 1 forward, -1 reverse.
+    [[nodiscard]] bool isBlocked(int direction) const;
+    /// Where the loaded trajectory would go.
+    [[nodiscard]] int loadedDirection() const;
+    [[nodiscard]] std::int32_t loadedGoal() const;
+    void fault();
+    [[nodiscard]] bool undervoltage() const { return m_volts < kMinVolts; }
+    [[nodiscard]] bool isPowered() const { return !undervoltage() && m_volts <= kMaxVolts; }
     void limitCurrent();
     void watchHome();
     void driveMotor();
@@ -103,6 +158,7 @@ private:
     MotorPlant m_plant;
     Encoder m_encoder;
     Profile m_profile;
+    Path m_path;
     PidFilter m_filter;
     Homing m_homing;
     Gains m_gains;
@@ -112,7 +168,7 @@ private:
     std::int32_t m_velocity = 0;
     std::int32_t m_home = 0;
     int m_ticksToServoTick = 1;
-    int m_magnitude = 0;  ///< PWM before current limiting
+    int m_magnitude = 0;  ///< PWM before current limiting, in pwmSteps() as the next two
     int m_adjustment = 0;
     int m_pwm = 0;  ///< what the amplifier gets
     bool m_reverse = false;
@@ -125,11 +181,18 @@ private:
     bool m_tripped = false;   ///< the position error limit was exceeded in this tick
     bool m_limiting = false;  ///< the current is over its limit in this tick
     bool m_quiet = false;     ///< another tick would change nothing
+    bool m_fault = false;     ///< an error or the voltage has switched the servo off
     std::uint8_t m_pinControl = kPinsAreInputs;
+    std::uint8_t m_control = 0;  ///< I/O Control: what of ScControl the version has
 
     static constexpr std::uint8_t kPinsAreInputs = 0x0C;
+    // POWER_ON (docs/family.md).
+    static constexpr double kMinVolts = 0.9;
+    static constexpr double kMaxVolts = 4.5;
+    static constexpr double kGoodVolts = 2.5;
     // The world outside.
-    bool m_power = true;
+    double m_volts = kGoodVolts;  ///< at VOLT_SENSE; older versions only know whether there is power
+    std::int64_t m_steps = 0;     ///< pulses at the step input that are not yet in the command
     bool m_limitsAutomatic = false;
     bool m_limitInput[2] = {false, false};
     std::optional<std::uint8_t> m_analogInput;

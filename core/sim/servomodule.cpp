@@ -2,6 +2,7 @@
 #include "sim/servomodule.h"
 
 #include <bit>
+#include <utility>
 
 #include "sim/datareader.h"
 
@@ -10,6 +11,8 @@ namespace nmc::sim {
 namespace {
 
 constexpr std::uint32_t kMaxMotion = 0x7FFF'FFFF;
+/// Of CMC and SC: 1280 counts per tick.
+constexpr std::uint32_t kLaterMaxVelocity = 83'886'080;
 
 std::uint16_t wordAt(const Packet& packet, std::size_t offset) {
     return readLittleEndian<std::uint16_t>(ByteSpan(packet.data).subspan(offset, 2));
@@ -20,7 +23,7 @@ std::uint16_t wordAt(const Packet& packet, std::size_t offset) {
 void ServoModule::executeOwn(const Packet& packet) {
     switch (packet.code()) {
         case CommandCode::ResetPosition:
-            return resetPosition();
+            return resetPosition(packet);
         case CommandCode::LoadTrajectory:
             return loadTrajectory(packet);
         case CommandCode::StartMotion:
@@ -30,28 +33,119 @@ void ServoModule::executeOwn(const Packet& packet) {
         case CommandCode::StopMotor:
             return stopMotor(packet);
         case CommandCode::IoControl:
-            return m_loop.controlPins(packet.data[0]);
+            return controlIo(packet.data[0]);
         case CommandCode::SetHoming:
             return setHoming(packet.data[0]);
         case CommandCode::ClearStickyBits:
             return m_loop.clearStickyBits();
         case CommandCode::SaveAsHome:
             return m_loop.saveAsHome();
+        case CommandCode::AddPathPoints:
+            return addPathPoints(packet);
         case CommandCode::SetAddress:
         case CommandCode::DefineStatus:
         case CommandCode::ReadStatus:
         case CommandCode::SetBaud:
-        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return;  // Module's.
     }
 }
 
-void ServoModule::resetPosition() {
+void ServoModule::resetPosition(const Packet& packet) {
+    constexpr unsigned kRelativeToHome = 0x01, kToValue = 0x02;
     if (m_loop.inTrapezoid())
         violates(ViolationKind::ResetInMotion);
-    m_loop.resetPosition();
+    // Versions 1 to 4 ignore a control byte, and 5 knows its first bit only.
+    const unsigned known = isSc() ? kRelativeToHome | kToValue : isLater() ? kRelativeToHome : 0U;
+    const unsigned control = packet.length() == 0 ? 0U : packet.data[0] & known;
+    if (std::popcount(control) > 1)
+        violates(ViolationKind::OutOfRange);
+    if (isSc() && packet.length() > 0 && (packet.length() == 5) != ((control & kToValue) != 0))
+        violates(ViolationKind::WrongLength);
+    if ((control & kRelativeToHome) != 0)
+        m_loop.resetRelativeToHome();
+    else if ((control & kToValue) != 0)
+        m_loop.setPosition(readLittleEndian<std::int32_t>(ByteSpan(packet.data).subspan(1, 4)));
+    else
+        m_loop.resetPosition();
+}
+
+void ServoModule::controlIo(std::uint8_t control) {
+    // One manner of stopping at a limit, and none with step and direction.
+    constexpr unsigned kOneOf = ScControl::kLimitOff | ScControl::kLimitAbrupt | ScControl::kStepAndDirection;
+    if (isSc() && std::popcount(control & kOneOf) > 1)
+        violates(ViolationKind::OutOfRange);
+    m_loop.controlPins(control);
+}
+
+void ServoModule::addPathPoints(const Packet& packet) {
+    if (!isLater())
+        return;
+    if (!isSc() && !m_advancedFeatures)
+        return violates(ViolationKind::Unsupported);
+    if (packet.length() == 0)
+        return m_loop.startPath();
+    if (packet.length() % 2 != 0)
+        violates(ViolationKind::WrongLength);
+    for (std::size_t i = 0; i + 1 < packet.length(); i += 2)
+        if (!m_loop.addPathPoint(wordAt(packet, i)))
+            violates(ViolationKind::PathOverflow);
+}
+
+// ---- Saved configuration of an SC ----
+
+std::uint8_t ServoModule::Saved::ioControl(Restart restart) const {
+    unsigned bits = 0;
+    bits |= has(kThreePhase) ? ScControl::kThreePhase : 0U;
+    bits |= has(kAntiphase) ? ScControl::kAntiphase : 0U;
+    if (restart == Restart::HardReset)
+        return static_cast<std::uint8_t>(bits);
+    bits |= has(kStepAndDirection) ? ScControl::kStepAndDirection : 0U;
+    bits |= has(kLimitProtection) ? ScControl::kLimitAbrupt : 0U;
+    return static_cast<std::uint8_t>(bits);
+}
+
+void ServoModule::configureReset(const Packet& packet) {
+    if (!isSc() || packet.length() == 0)
+        return;
+    m_saved.reset();
+    if ((packet.data[0] & Saved::kSave) != 0)
+        m_saved = Saved{packet.data[0], place(), m_loop.loaded().velocity, m_loop.loaded().acceleration,
+                        m_loop.gains()};
+}
+
+void ServoModule::resetChip(Restart restart) {
+    m_loop.reset();
+    m_advancedFeatures = false;
+    m_switchesOnWhenAddressed = false;
+    if (!m_saved)
+        return;
+    m_loop.controlPins(m_saved->ioControl(restart));
+    if (restart == Restart::HardReset)
+        return;
+    m_loop.setGains(m_saved->gains);
+    Trajectory loaded;
+    loaded.velocity = m_saved->velocity;
+    loaded.acceleration = m_saved->acceleration;
+    m_loop.load(loaded);
+    m_switchesOnWhenAddressed = !m_saved->has(Saved::kAddresses);
+    if (m_switchesOnWhenAddressed)
+        return;
+    restorePlace(m_saved->place);
+    switchOnAsSaved();
+}
+
+void ServoModule::addressed() {
+    if (std::exchange(m_switchesOnWhenAddressed, false))
+        switchOnAsSaved();
+}
+
+void ServoModule::switchOnAsSaved() {
+    if (m_saved->has(Saved::kAmplifier))
+        m_loop.setAmplifier(true);
+    if (m_saved->has(Saved::kServo))
+        m_loop.holdPosition();
 }
 
 void ServoModule::loadTrajectory(const Packet& packet) {
@@ -68,8 +162,10 @@ void ServoModule::loadTrajectory(const Packet& packet) {
         t.pwm = reader.next<std::uint8_t>();
     if (packet.length() > 0 && packet.length() != reader.taken())
         violates(ViolationKind::WrongLength);
-    const bool goalIsFar = t.has(0x01) && !isGoal(t.position, m_loop.position());
-    if (t.velocity > kMaxMotion || t.acceleration > kMaxMotion || goalIsFar)
+    const bool relative = isLater() && t.isTrapezoidal() && t.has(Trajectory::kRelative);
+    const bool goalIsFar = t.has(0x01) && !relative && !isGoal(t.position, m_loop.position());
+    const std::uint32_t maxVelocity = isLater() ? kLaterMaxVelocity : kMaxMotion;
+    if (t.velocity > maxVelocity || t.acceleration > kMaxMotion || goalIsFar)
         violates(ViolationKind::OutOfRange);
     t.velocity &= kMaxMotion;
     t.acceleration &= kMaxMotion;
@@ -79,8 +175,10 @@ void ServoModule::loadTrajectory(const Packet& packet) {
 }
 
 void ServoModule::startMotion() {
-    // DS-V 4.4: a trapezoid starts from standstill, and nothing about it changes while it runs.
-    if (m_loop.loaded().isTrapezoidal() && (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
+    // DS-V 4.4: a trapezoid starts from standstill, and nothing about it changes while it runs. CMC and SC
+    // allow it.
+    if (!isLater() && m_loop.loaded().isTrapezoidal() &&
+        (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
         violates(ViolationKind::TrapezoidInMotion);
     m_loop.start();
 }
@@ -97,6 +195,8 @@ void ServoModule::setGain(const Packet& packet) {
     g.sr = packet.data[12];
     const bool hasDeadband = identity().version >= 4 && packet.length() >= 14;
     g.db = hasDeadband ? packet.data[13] : std::uint8_t{0};
+    if (isSc() && packet.length() >= 15)
+        g.sm = packet.data[14];
 
     const auto tooLarge = [](std::uint16_t value) { return value > 0x7FFF; };
     if (tooLarge(g.kp) || tooLarge(g.kd) || tooLarge(g.ki) || tooLarge(g.il) || g.el > 0x3FFF || g.sr == 0)
@@ -110,7 +210,8 @@ void ServoModule::setGain(const Packet& packet) {
 }
 
 void ServoModule::stopMotor(const Packet& packet) {
-    constexpr unsigned kAmplifier = 0x01, kOff = 0x02, kAbrupt = 0x04, kSmooth = 0x08, kHere = 0x10;
+    constexpr unsigned kAmplifier = 0x01, kOff = 0x02, kAbrupt = 0x04, kSmooth = 0x08, kHere = 0x10,
+                       kAdvanced = 0x20;
     const unsigned control = packet.data[0];
     const bool here = (control & kHere) != 0;
     if (std::popcount(control & (kOff | kAbrupt | kSmooth | kHere)) > 1)
@@ -128,6 +229,10 @@ void ServoModule::stopMotor(const Packet& packet) {
         m_loop.stopHere(readLittleEndian<std::int32_t>(ByteSpan(packet.data).subspan(1, 4)));
     else if (here)
         violates(ViolationKind::Unsupported);
+    else
+        m_loop.endPath();
+    // Only a CMC has them to switch on; an SC ignores the bit.
+    m_advancedFeatures = m_advancedFeatures || (isLater() && !isSc() && (control & kAdvanced) != 0);
 }
 
 void ServoModule::setHoming(std::uint8_t control) {
@@ -137,16 +242,16 @@ void ServoModule::setHoming(std::uint8_t control) {
     m_loop.setHoming(control);
 }
 
-/// DS-V 5.2: "not used", "clear to zero".
+/// DS-V 5.2: "not used", "clear to zero"; later versions use some of them (docs/family.md).
 std::uint8_t ServoModule::reservedBits(CommandCode code) const {
     switch (code) {
         case CommandCode::DefineStatus:
         case CommandCode::ReadStatus:
-            return 0xC0;
+            return isLater() ? 0x00 : 0xC0;
         case CommandCode::StopMotor:
-            return 0xE0;
+            return isLater() ? 0xC0 : 0xE0;
         case CommandCode::IoControl:
-            return 0xF0;
+            return isSc() ? 0x03 : isLater() ? 0xB0 : 0xF0;
         case CommandCode::LoadTrajectory:
         case CommandCode::SetGain:
         case CommandCode::SetHoming:
@@ -164,16 +269,26 @@ std::uint8_t ServoModule::reservedBits(CommandCode code) const {
     return 0;
 }
 
-Module::Items ServoModule::statusItems() const {
-    // The wire carries the negative of the velocity (DS-V 5.2 Define Status).
-    const auto velocity = static_cast<std::uint16_t>(-m_loop.velocity());
-    return {m_loop.position(), m_loop.analog(), velocity, m_loop.auxiliaryByte(), m_loop.home()};
+void ServoModule::writeItems(ItemWriter writer) const {
+    // Up to version 4 the wire carries the negative of the velocity (DS-V 5.2 Define Status).
+    const std::int32_t velocity = isLater() ? m_loop.velocity() : -m_loop.velocity();
+    writer.item(m_loop.position()).item(m_loop.analog()).item(static_cast<std::uint16_t>(velocity));
+    writer.item(m_loop.auxiliaryByte()).item(m_loop.home()).item(identityItem());
+    if (isLater())
+        writer.item(static_cast<std::uint16_t>(m_loop.positionError()))
+            .item(static_cast<std::uint8_t>(m_loop.pathPoints()));
 }
 
 ModuleSnapshot ServoModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.servo = m_loop.snapshot();
+    s.pins = m_loop.auxiliaryByte();
     s.homing = m_loop.homing();
+    if (s.servo.later) {
+        s.servo.later->advancedFeatures = m_advancedFeatures || isSc();
+        if (m_saved)
+            s.servo.later->saved = m_saved->control;
+    }
     return s;
 }
 

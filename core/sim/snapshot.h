@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -17,6 +18,24 @@ enum class ServoMode : std::uint8_t { Pwm, Velocity, Trapezoidal, StopHere };
 
 /// "pwm", "velocity", "trapezoidal", "stop-here".
 [[nodiscard]] std::string_view toText(ServoMode mode);
+
+/// What CMC and SC have beyond the first data sheet (docs/family.md).
+struct LaterServoSnapshot {
+    double pwm = 0;  ///< as ServoSnapshot::pwm, with the quarters of an SC's 10 bits
+    unsigned pathPoints = 0;
+    bool pathMode = false;
+    bool fastPath = false;
+    bool advancedFeatures = false;  ///< CMC only; an SC has them always
+    // SC only.
+    double voltSense = 0;  ///< volts at VOLT_SENSE
+    std::uint8_t ioControl = 0;
+    bool limitStopsOff = false;  ///< a limit switches the motor off, or stops it abruptly
+    bool limitStopsAbruptly = false;
+    bool threePhase = false;
+    bool antiphase = false;
+    bool stepAndDirection = false;
+    std::optional<std::uint8_t> saved;  ///< control byte of the saved configuration
+};
 
 /// Ground truth about a servo module at its last tick.
 struct ServoSnapshot {
@@ -46,6 +65,7 @@ struct ServoSnapshot {
     std::optional<double> travelMin;  ///< hard stops, in shaft counts
     std::optional<double> travelMax;
     Gains gains;
+    std::optional<LaterServoSnapshot> later;  ///< of CMC and SC only
 };
 
 /// The starting and goal modes of the stepper's mode table (DS-S 5.1, Table 4).
@@ -89,6 +109,24 @@ struct StepSnapshot {
     std::uint8_t currentLimit = 0;             ///< CUR_LIM, 255 is full current
 };
 
+/// Levels of PIC-I/O's twelve pins and of its A/D inputs, and what it does with them. Of the masks bit 0 is
+/// IO1, bit 11 IO12.
+struct IoSnapshot {
+    std::uint16_t directions = 0x0FFF;  ///< bits of the inputs
+    std::uint16_t levels = 0;           ///< of all pins, whoever drives them
+    std::uint16_t outputs = 0;          ///< what Set Output has set
+    std::array<std::uint8_t, 3> analog{};
+    std::array<std::uint8_t, 2> pwm{};
+    std::uint16_t storedOutputs = 0;  ///< by Set Synch Output, as the next
+    std::array<std::uint8_t, 2> storedPwm{};
+    bool counting = false;   ///< timer or counter is enabled
+    bool countsPin = false;  ///< it counts IO10, not time
+    unsigned prescaler = 1;
+    std::uint32_t count = 0;
+    std::uint16_t latchedPins = 0;
+    std::uint32_t latchedCount = 0;
+};
+
 /// Ground truth about a module.
 struct ModuleSnapshot {
     ModuleIdentity identity;
@@ -106,6 +144,7 @@ struct ModuleSnapshot {
     Homing homing;
     ServoSnapshot servo;               ///< of a servo module only
     std::optional<StepSnapshot> step;  ///< of a stepper module only
+    std::optional<IoSnapshot> io;      ///< of a PIC-I/O only
 };
 
 /// What `set` can change from outside (simulator.md, Control).
@@ -128,6 +167,11 @@ enum class Input : std::uint8_t {
     In2,           ///< 0 or 1
     HomeSwitch,    ///< 0 or 1
     HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set
+    // Of an SC only.
+    Steps,      ///< so many step pulses since, negative in reverse: -32768..32767
+    VoltSense,  ///< volts, 0..5
+    // Of a PIC-I/O only; it has Analog too, numbered from 1 to 3, and none of the others.
+    Pin,  ///< 0 or 1, numbered from 1 to 12
 };
 
 }  // namespace nmc::sim

@@ -52,6 +52,9 @@ void StepMachine::set(Input input, std::optional<double> value) {
         case Input::Inertia:
         case Input::Friction:
         case Input::ServoOverrun:
+        case Input::Steps:
+        case Input::VoltSense:
+        case Input::Pin:
             return;  // A servo's.
     }
 }

@@ -27,12 +27,12 @@ void StepModule::executeOwn(const Packet& packet) {
             return setHoming(packet.data[0]);
         case CommandCode::SaveAsHome:
             return m_control.saveAsHome();
-        case CommandCode::ClearStickyBits:  // Not on this chip.
+        case CommandCode::ClearStickyBits:  // This and the next not on this chip.
+        case CommandCode::AddPathPoints:
         case CommandCode::SetAddress:
         case CommandCode::DefineStatus:
         case CommandCode::ReadStatus:
         case CommandCode::SetBaud:
-        case CommandCode::AddPathPoints:
         case CommandCode::Nop:
         case CommandCode::HardReset:
             return;  // Module's.
@@ -157,15 +157,16 @@ std::uint8_t StepModule::reservedBits(CommandCode code) const {
     return 0;
 }
 
-Module::Items StepModule::statusItems() const {
+void StepModule::writeItems(ItemWriter writer) const {
     const StepMotion& motion = m_control.motion();
-    return {motion.position(), m_control.analog(), motion.timerCount(), m_control.inputsByte(),
-            m_control.home()};
+    writer.item(motion.position()).item(m_control.analog()).item(motion.timerCount());
+    writer.item(m_control.inputsByte()).item(m_control.home()).item(identityItem());
 }
 
 ModuleSnapshot StepModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
     s.step = m_control.snapshot();
+    s.pins = m_control.inputsByte();
     s.homing = m_control.homing();
     return s;
 }

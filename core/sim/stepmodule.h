@@ -11,19 +11,19 @@ class StepModule final : public Module {
 public:
     using Module::Module;
 
-    void set(Input input, std::optional<double> value) override { m_control.set(input, value); }
+    void set(Input input, std::optional<double> value, unsigned) override { m_control.set(input, value); }
     [[nodiscard]] ModuleSnapshot snapshot(TimePoint now) const override;
 
 private:
     [[nodiscard]] bool obeysResetOfAll() const override { return true; }
-    void resetChip() override { m_control.reset(); }
+    void resetChip(Restart) override { m_control.reset(); }
     void runTicks(std::uint64_t ticks) override {
         m_control.run(kServoTick * static_cast<Duration::rep>(ticks));
     }
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override;
     [[nodiscard]] std::uint8_t statusByte() const override { return m_control.statusByte(); }
-    [[nodiscard]] Items statusItems() const override;
+    void writeItems(ItemWriter writer) const override;
 
     void resetPosition();
     void loadTrajectory(const Packet& packet);

@@ -34,6 +34,7 @@ constexpr std::array kTable{
                  "not in the stepper's mode table, or not with what was loaded (DS-S 5.1, Table 4)"},
     ViolationRow{Kind::DirectionChange, "direction_change",
                  "a stepper's direction changed without a stop (DS-S 4.1, 4.2)"},
+    ViolationRow{Kind::PathOverflow, "path_overflow", "a point that found the path buffer full"},
     ViolationRow{Kind::ParametersNotSet, "parameters_not_set",
                  "a stepper started before Set Parameters (DS-S 5.1)"},
 };

@@ -27,6 +27,7 @@ enum class ViolationKind : std::uint8_t {
     Unsupported,
     ModeTransition,
     DirectionChange,
+    PathOverflow,
     ParametersNotSet,
 };
 

@@ -17,9 +17,11 @@ using nmc::sim::Chain;
 
 class BenchHost {
 public:
-    explicit BenchHost(unsigned servos) : m_chain(chainOf(servos)) {
+    explicit BenchHost(unsigned servos, const std::string& version = "", const std::string& others = "",
+                       unsigned other = 0)
+        : m_chain(chainOf(servos, version, others, other)) {
         m_now += std::chrono::milliseconds(20);
-        for (unsigned i = 1; i <= servos; ++i)
+        for (unsigned i = 1; i <= servos + other; ++i)
             send({0, 0x21, byte(i), 0xFF});
         // Kp 200, Kd 2000, Ki 20, IL 200, OL 255, no current limit, EL 16383, SR 1, no deadband.
         send({0xFF, 0xE6, 200, 0, 0xD0, 0x07, 20, 0, 200, 0, 255, 0, 0xFF, 0x3F, 1, 0});
@@ -53,10 +55,13 @@ public:
 
 private:
     static std::uint8_t byte(unsigned value) { return static_cast<std::uint8_t>(value & 0xFFU); }
-    static Chain chainOf(unsigned servos) {
-        std::string spec = "servo";
+    static Chain chainOf(unsigned servos, const std::string& version, const std::string& others,
+                         unsigned other) {
+        std::string spec = "servo" + version;
         for (unsigned i = 1; i < servos; ++i)
-            spec += ",servo";
+            spec += ",servo" + version;
+        for (unsigned i = 0; i < other; ++i)
+            spec += "," + others;
         return Chain(nmc::sim::parseChain(spec).value());
     }
 
@@ -122,5 +127,23 @@ void AnHourOfEightPolledServos(benchmark::State& state) {
     }
 }
 BENCHMARK(AnHourOfEightPolledServos)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// The aim is 100: eight moving PIC-SERVO SC and eight PIC-I/O with their timers on, each asked for all eight
+/// items in turn at 115 200 Bd without a pause.
+void PolledScAndIo(benchmark::State& state) {
+    constexpr unsigned kOfEach = 8;
+    BenchHost host(kOfEach, "@10", "io", kOfEach);
+    host.goTo115200();
+    for (unsigned i = 1; i <= kOfEach; ++i) {
+        host.send({static_cast<std::uint8_t>(i), 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
+        host.send({static_cast<std::uint8_t>(i + kOfEach), 0x18, 0x01});
+    }
+    const TimePoint begin = host.now();
+    for (auto _ : state)
+        for (unsigned i = 1; i <= 2 * kOfEach; ++i)
+            host.send({static_cast<std::uint8_t>(i), 0x13, 0xFF});
+    report(state, host.now() - begin);
+}
+BENCHMARK(PolledScAndIo)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks that every statement of the data sheets has its test and every test its statement.
 
-usage: check_statements.py [--only servo|step] CONFORMANCE_TESTS
+usage: check_statements.py [--only servo|step|sc|io] CONFORMANCE_TESTS
 
-Reads statements-servo.md and statements-step.md beside this script and asks the test program for its tests.
+Reads the tables statements-*.md beside this script and asks the test program for its tests.
 """
 import argparse
 import re
@@ -22,8 +22,16 @@ COMMON = ["ResetPosition", "SetAddress", "DefineStatus", "ReadStatus", "LoadTraj
 CHIPS = {
     "servo": {"suites": "PicServo", "commands": COMMON + ["SetGain", "IoControl", "ClearStickyBits"]},
     "step": {"suites": "PicStep", "commands": COMMON + ["SetParameters", "SetOutputs"]},
+    # What PIC-SERVO SC and CMC have beyond the first sheet.
+    "sc": {"suites": "ScServo",
+           "commands": ["ResetPosition", "LoadTrajectory", "DefineStatus", "StopMotor", "IoControl", "SetGain",
+                        "ClearBits", "HardReset", "AddPathPoints"]},
+    "io": {"suites": "PicIo",
+           "commands": ["SetDirection", "SetAddress", "DefineStatus", "ReadStatus", "SetPwm", "SynchOutput",
+                        "SetOutput", "SetSynchOutput", "SetTimerMode", "SetBaudRate", "SynchInput",
+                        "NoOperation", "HardReset"]},
 }
-STATUS_BYTES = {"StatusByte": 8, "AuxByte": 6, "InputsByte": 6}
+STATUS_BYTES = {"StatusByte": 8, "AuxByte": 6, "InputsByte": 6, "ScAuxByte": 7}
 
 ROW = re.compile(r"^\| *([A-Za-z]+) (\d+) *\|(.*)\| *`?([A-Za-z]+\.[A-Za-z0-9_]+)`? *\|$")
 
@@ -112,7 +120,7 @@ def main():
     if not arguments.only:
         for test in tests:
             if not test.startswith(tuple(chip["suites"] for chip in CHIPS.values())):
-                complain(f"{test} belongs to neither chip")
+                complain(f"{test} belongs to no chip")
 
     for complaint in complaints:
         print(f"check_statements: {complaint}", file=sys.stderr)

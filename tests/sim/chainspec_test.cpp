@@ -19,7 +19,8 @@ TEST(ChainSpec, ServosHaveVersion4UnlessTheySayOtherwise) {
 }
 
 TEST(ChainSpec, AnErrorNamesTheItemAndWhatIsAllowed) {
-    for (const std::string item : {"motor", "servo@0", "servo@5", "servo@", "servo@44", "Servo", "servo@x"}) {
+    for (const std::string item : {"motor", "servo@0", "servo@6", "servo@9", "servo@11", "servo@", "servo@44",
+                                   "servo@04", "Servo", "servo@x", "io@2", "adc"}) {
         const auto chain = parseChain("servo," + item);
         ASSERT_FALSE(chain) << item;
         EXPECT_THAT(chain.error(), HasSubstr("'" + item + "'"));
@@ -39,6 +40,15 @@ TEST(ChainSpec, ASteppersOnlyVersionIsOne) {
         EXPECT_THAT(refused.error(), HasSubstr("'" + item + "'"));
         EXPECT_THAT(refused.error(), HasSubstr("step@1"));
     }
+}
+
+TEST(ChainSpec, KnowsTheRestOfTheFamily) {
+    const auto chain = parseChain("servo@5,servo@10,io,io@1");
+    ASSERT_TRUE(chain);
+    EXPECT_EQ((*chain)[0], (ModuleIdentity{ModuleType::Servo, 5}));
+    EXPECT_EQ((*chain)[1], (ModuleIdentity{ModuleType::Servo, 10}));
+    EXPECT_EQ((*chain)[2], (ModuleIdentity{ModuleType::Io, 1}));
+    EXPECT_EQ((*chain)[3], (ModuleIdentity{ModuleType::Io, 1}));
 }
 
 TEST(ChainSpec, RefusesAnEmptyChainAndAnEmptyItem) {

@@ -300,6 +300,43 @@ TEST_F(Control, ANameOfTheOtherKindOfModuleIsAnErrorThatNamesWhatIsAllowed) {
                                              "servo_overrun"));
 }
 
+TEST_F(Control, PinsAndAdInputsOfAPicIoHaveNumbers) {
+    wire.chain = Chain(parseChain("io,servo@10").value());
+    EXPECT_EQ(say("set 1 in 12 1"), nlohmann::json({{"ok", true}}));
+    EXPECT_EQ(say("set 1 analog 3 200"), nlohmann::json({{"ok", true}}));
+    const auto s = say("state 1");
+    EXPECT_EQ(s["type"], "io");
+    EXPECT_EQ(s["pins"][11], true);
+    EXPECT_EQ(s["pins"][0], false);
+    EXPECT_EQ(s["analog"], nlohmann::json({0, 0, 200}));
+    EXPECT_FALSE(s.contains("position"));
+
+    EXPECT_THAT(errorOf("set 1 in 13 1"), HasSubstr("allowed is 1 to 12"));
+    EXPECT_THAT(errorOf("set 1 in 0 1"), HasSubstr("allowed is 1 to 12"));
+    EXPECT_THAT(errorOf("set 1 in x 1"), HasSubstr("allowed is 1 to 12"));
+    EXPECT_THAT(errorOf("set 1 analog 4 1"), HasSubstr("allowed is 1 to 3"));
+    EXPECT_THAT(errorOf("set 1 in 1 2"), HasSubstr("0 or 1"));
+    EXPECT_THAT(errorOf("set 1 in 1"), HasSubstr("set N in K VALUE"));
+    EXPECT_THAT(errorOf("set 1 limit1 1"), HasSubstr("allowed are in, analog"));
+    EXPECT_THAT(errorOf("set 2 limit1 1 1"), HasSubstr("set N NAME VALUE"));
+    EXPECT_THAT(errorOf("set 1 in 1 1 1"), HasSubstr("wrong number of words"));
+}
+
+TEST_F(Control, AnScHasItsOwnInputsAndState) {
+    wire.chain = Chain(parseChain("servo@10,servo@4").value());
+    EXPECT_EQ(say("set 1 vsense 4.75"), nlohmann::json({{"ok", true}}));
+    const auto s = say("state 1");
+    EXPECT_EQ(s["version"], 10);
+    EXPECT_EQ(s["vsense"], 4.75);
+    EXPECT_EQ(s["power"], false);
+    EXPECT_EQ(s["saved"], nullptr);
+    EXPECT_EQ(s["limit_stop"], "none");
+    EXPECT_THAT(errorOf("set 1 vsense 5.1"), HasSubstr("0 to 5 V"));
+    EXPECT_THAT(errorOf("set 1 steps 40000"), HasSubstr("32767"));
+    EXPECT_THAT(errorOf("set 2 steps 1"), HasSubstr("no input"));
+    EXPECT_FALSE(say("state 2").contains("path_points"));
+}
+
 TEST_F(Control, PowerCycleBreakAndMendReachTheAddressLine) {
     EXPECT_EQ(say("power-cycle all"), (nlohmann::json{{"ok", true}}));
     wire.wait(milliseconds(10));

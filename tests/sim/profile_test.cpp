@@ -226,5 +226,45 @@ TEST(Profile, ThePositionOfANegativeFractionIsRoundedDown) {
     EXPECT_EQ(p.position(), -1);
 }
 
+RC_GTEST_PROP(Profile, AMoveThatBeginsInMotionKeepsToItsAccelerationAndEndsOnItsGoal, ()) {
+    const auto a = *rc::gen::inRange<std::uint32_t>(1, 40'000);
+    const auto vmax = *rc::gen::inRange<std::uint32_t>(65'536, 20 * 65'536);
+    Profile p;
+    p.startVelocity(*rc::gen::inRange<std::int64_t>(-20 * kOne, 20 * kOne), a);
+    for (int ticks = *rc::gen::inRange(0, 200); ticks > 0; --ticks)
+        p.step();
+    const auto goal = *rc::gen::inRange(-20'000, 20'000);
+    p.startTrapezoid(goal, vmax, a, Profile::Start::AtPresentVelocity);
+    for (int tick = 0; !p.done(); ++tick) {
+        const std::int64_t before = p.finePosition();
+        const std::int64_t speed = p.velocity();
+        p.step();
+        const std::int64_t moved = p.finePosition() - before;
+        RC_ASSERT(std::abs(moved - speed) <= std::int64_t{a});
+        RC_ASSERT(!p.done() || std::abs(moved) <= std::int64_t{a});
+        RC_ASSERT(tick < 10'000'000);
+    }
+    RC_ASSERT(p.finePosition() == goal * kOne);
+    RC_ASSERT(p.velocity() == 0);
+}
+
+TEST(Profile, TellsWhetherItAcceleratesOrSlews) {
+    Profile p;
+    EXPECT_FALSE(p.accelerating() || p.slewing()) << "power-up";
+    p.follow(0, 0);
+    EXPECT_TRUE(p.slewing()) << "stopped";
+    p.startTrapezoid(100, 2 * kOne, kOne);
+    p.step();
+    EXPECT_TRUE(p.accelerating() && !p.slewing());
+    p.step();
+    EXPECT_TRUE(p.accelerating());
+    p.step();
+    EXPECT_TRUE(!p.accelerating() && p.slewing());
+    while (p.position() < 98)
+        p.step();
+    p.step();
+    EXPECT_FALSE(p.accelerating() || p.slewing()) << "decelerating";
+}
+
 }  // namespace
 }  // namespace nmc::sim

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "sim/iomodule.h"
+
+#include "sim/datareader.h"
+
+namespace nmc::sim {
+
+namespace {
+
+constexpr unsigned kAllPins = 0x0FFF;
+constexpr unsigned kCounterPin = 1U << 9U;  ///< IO10
+/// 5.0 MHz times 512 us.
+constexpr std::uint64_t kTimerClocksPerTick = 2560;
+
+/// IO1 to IO8, then IO9 to IO12 in the low nibble.
+std::uint16_t pinsOf(DataReader& reader) {
+    return reader.next<std::uint16_t>() & kAllPins;
+}
+
+}  // namespace
+
+void IoModule::executeOwn(const Packet& packet) {
+    DataReader reader(packet);
+    switch (packet.code()) {
+        case CommandCode::ResetPosition:  // Set Direction
+            return watchingCounterPin([&] { m_chip.directions = pinsOf(reader); });
+        case CommandCode::LoadTrajectory:  // Set PWM
+            m_chip.outputs.pwm = {packet.data[0], packet.data[1]};
+            return;
+        case CommandCode::StartMotion:  // Synch Output
+            m_chip.outputs.pwm = m_chip.stored.pwm;
+            return setPins(m_chip.stored.pins);
+        case CommandCode::SetGain:  // Set Output
+            return setPins(pinsOf(reader));
+        case CommandCode::StopMotor:  // Set Synch Output
+            m_chip.stored = {pinsOf(reader), {packet.data[2], packet.data[3]}};
+            return;
+        case CommandCode::IoControl:  // Set Timer Mode
+            return setTimerMode(packet.data[0]);
+        case CommandCode::SaveAsHome:  // Synch Input
+            m_chip.latchedPins = levels();
+            m_chip.latchedCount = m_chip.timer.count();
+            return;
+        case CommandCode::SetHoming:  // This and the next two not on this chip.
+        case CommandCode::ClearStickyBits:
+        case CommandCode::AddPathPoints:
+        case CommandCode::SetAddress:
+        case CommandCode::DefineStatus:
+        case CommandCode::ReadStatus:
+        case CommandCode::SetBaud:
+        case CommandCode::Nop:
+        case CommandCode::HardReset:
+            return;  // Module's.
+    }
+}
+
+/// Also starts the count anew.
+void IoModule::setTimerMode(std::uint8_t mode) {
+    m_chip.timer = {(mode & 0x01U) != 0, (mode & 0x02U) != 0, 1U << (mode >> 4U & 0x03U), 0};
+}
+
+void IoModule::setPins(std::uint16_t pins) {
+    watchingCounterPin([&] {
+        const unsigned inputs = m_chip.directions;
+        m_chip.outputs.pins = static_cast<std::uint16_t>((m_chip.outputs.pins & inputs) | (pins & ~inputs));
+    });
+}
+
+std::uint16_t IoModule::levels() const {
+    const unsigned inputs = m_chip.directions;
+    return static_cast<std::uint16_t>(((m_pinsOutside & inputs) | (m_chip.outputs.pins & ~inputs)) &
+                                      kAllPins);
+}
+
+template <typename Change>
+void IoModule::watchingCounterPin(Change change) {
+    const unsigned before = levels() & kCounterPin;
+    change();
+    Timer& timer = m_chip.timer;
+    if (timer.enabled && timer.countsPin && before == 0 && (levels() & kCounterPin) != 0)
+        ++timer.events;
+}
+
+void IoModule::runTicks(std::uint64_t ticks) {
+    if (m_chip.timer.enabled && !m_chip.timer.countsPin)
+        m_chip.timer.events += kTimerClocksPerTick * ticks;
+}
+
+void IoModule::set(Input input, std::optional<double> value, unsigned number) {
+    if (input == Input::Analog)
+        m_analog.at(number - 1) = static_cast<std::uint8_t>(value.value_or(0.0));
+    if (input != Input::Pin)
+        return;
+    watchingCounterPin([&] {
+        const unsigned pin = 1U << (number - 1);
+        const bool high = value.value_or(0.0) != 0.0;
+        m_pinsOutside = static_cast<std::uint16_t>(high ? m_pinsOutside | pin : m_pinsOutside & ~pin);
+    });
+}
+
+void IoModule::writeItems(ItemWriter writer) const {
+    writer.item(levels()).item(m_analog[0]).item(m_analog[1]).item(m_analog[2]);
+    writer.item(m_chip.timer.count()).item(identityItem());
+    writer.item(m_chip.latchedPins).item(m_chip.latchedCount);
+}
+
+ModuleSnapshot IoModule::snapshot(TimePoint now) const {
+    ModuleSnapshot s = Module::snapshot(now);
+    const Timer& timer = m_chip.timer;
+    s.io = IoSnapshot{m_chip.directions,  levels(),           m_chip.outputs.pins, m_analog,
+                      m_chip.outputs.pwm, m_chip.stored.pins, m_chip.stored.pwm,   timer.enabled,
+                      timer.countsPin,    timer.prescaler,    timer.count(),       m_chip.latchedPins,
+                      m_chip.latchedCount};
+    return s;
+}
+
+}  // namespace nmc::sim

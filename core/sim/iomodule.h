@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sim/module.h"
+
+namespace nmc::sim {
+
+/// A PIC-I/O, version 1: twelve pins, three A/D inputs, two PWM outputs and a timer or counter
+/// (docs/family.md). Of the masks bit 0 is IO1.
+class IoModule final : public Module {
+public:
+    using Module::Module;
+
+    void set(Input input, std::optional<double> value, unsigned number) override;
+    [[nodiscard]] ModuleSnapshot snapshot(TimePoint now) const override;
+
+private:
+    using Pwm = std::array<std::uint8_t, 2>;
+    /// Puts out by itself, or waits for Synch Output.
+    struct Outputs {
+        std::uint16_t pins = 0;
+        Pwm pwm{};
+    };
+    struct Timer {
+        bool enabled = false;
+        bool countsPin = false;
+        unsigned prescaler = 1;
+        std::uint64_t events = 0;  ///< ticks of its clock, or edges
+        [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(events / prescaler); }
+    };
+    /// What the chip forgets when it starts anew.
+    struct Chip {
+        std::uint16_t directions = 0x0FFF;  ///< bits of the inputs
+        Outputs outputs;
+        Outputs stored;
+        Timer timer;
+        std::uint16_t latchedPins = 0;
+        std::uint32_t latchedCount = 0;
+    };
+
+    void resetChip(Restart) override { m_chip = {}; }
+    void runTicks(std::uint64_t ticks) override;
+    void executeOwn(const Packet& packet) override;
+    [[nodiscard]] std::uint8_t statusByte() const override { return 0; }
+    void writeItems(ItemWriter writer) const override;
+    [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override {
+        return code == CommandCode::IoControl ? 0xCC : 0x00;  // Set Timer Mode
+    }
+
+    void setTimerMode(std::uint8_t mode);
+    /// Bits of inputs do not count.
+    void setPins(std::uint16_t pins);
+    /// Whoever drives them.
+    [[nodiscard]] std::uint16_t levels() const;
+    /// Counts an edge that `change` makes at the counter's pin.
+    template <typename Change>
+    void watchingCounterPin(Change change);
+
+    Chip m_chip;
+    // The world outside.
+    std::uint16_t m_pinsOutside = 0;
+    std::array<std::uint8_t, 3> m_analog{};
+};
+
+}  // namespace nmc::sim
