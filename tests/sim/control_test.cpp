@@ -407,7 +407,7 @@ TEST_F(Control, HelpListsEveryKindOfViolation) {
                                             "reset_in_motion", "reply_collision", "wrong_length",
                                             "unknown_command", "stop_bits", "out_of_range", "reserved_bits",
                                             "set_baud_single", "unsupported", "mode_transition",
-                                            "direction_change", "parameters_not_set"));
+                                            "direction_change", "path_overflow", "parameters_not_set"));
 }
 
 /// What a list of `set` names says of one of them, for a kind of module.
