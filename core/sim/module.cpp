@@ -191,8 +191,8 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_reply.push_back(sum8(m_reply));
     m_sent = 0;
     m_collided = false;
-    m_replyStruck = m_commandStruck || m_addressIsFaults ||
-                    (m_itemsAreFaults && answeredCode() != CommandCode::ReadStatus);
+    const bool ownItems = answeredCode() != CommandCode::ReadStatus;
+    m_replyStruck = m_commandStruck || (ownItems && m_itemsAreFaults);
     m_replyStart = now;
     m_byteTime = m_options.unpaced ? Duration{} : byteTimeAtBrd(m_brd);
 }

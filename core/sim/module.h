@@ -89,8 +89,8 @@ public:
     [[nodiscard]] TimePoint replyByteDue() const { return m_replyStart + m_byteTime * (m_sent + 1); }
     /// True when that was the last byte.
     bool replyByteSent();
-    /// It would not be what or when it is without a fault, or without another host.
-    [[nodiscard]] bool replyIsStruck() const { return m_replyStruck; }
+    /// It would not be what, when or at which address it is without a fault, or without another host.
+    [[nodiscard]] bool replyIsStruck() const { return m_replyStruck || m_addressIsFaults; }
     void replyCollided(TimePoint now);
     /// A byte of the host has come: the rest of the reply is not sent.
     void dropReply();
