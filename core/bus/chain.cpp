@@ -18,7 +18,7 @@ namespace {
         return stop != nullptr && stop->manner != servo::StopManner::Here &&
                stop->manner != servo::StopManner::AmplifierOnly;
     }
-    return std::holds_alternative<step::StopMotor>(std::get<StepCommand>(command));
+    return is<step::StopMotor>(command);
 }
 
 }  // namespace
@@ -91,15 +91,6 @@ ReplyLayout Chain::layoutOf(const Belief& module, const Payload& payload) const 
         return {identity, StatusItems(payload.data[0])};
     // What another host has defined may be anything.
     return {identity, module.items().value_or(m_readOnly ? fullItems(identity) : standingItems(identity))};
-}
-
-std::size_t Chain::longestReply() const {
-    std::size_t longest = 0;
-    for (const Module& module : m_modules) {
-        const ModuleIdentity identity = module.belief.info().identity;
-        longest = std::max(longest, replyLength(identity, allItems(identity)));
-    }
-    return longest;
 }
 
 std::size_t Chain::longestReply() const {
