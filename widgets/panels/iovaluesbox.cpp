@@ -55,6 +55,7 @@ QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& access
     edit->setPlaceholderText(hint);
     edit->setToolTip(tr("What it is on this machine. Sends nothing."));
     edit->setMaxLength(kLongestName);
+    edit->setMinimumWidth(look::gridUnit(this) * 6);
     return edit;
 }
 
@@ -87,6 +88,7 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         input.atZero->setMeaning(tr("What an A/D value of 0 stands for."));
         input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label), u"V"_s);
         input.unit->setMaxLength(kLongestUnit);
+        input.unit->setMaximumWidth(look::gridUnit(this) * 5);
         auto* name = new QLabel(label, this);
         name->setBuddy(input.name);
         const int line = row + 1 + static_cast<int>(i);

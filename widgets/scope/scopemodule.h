@@ -29,8 +29,10 @@ struct ScopeModule {
         return {scale.position(1.0), 0.0};
     }
     /// A PIC-STEP follows its steps: it has no position error, no control filter, and its A/D value is no
-    /// motor current (DS-S 5.2).
+    /// motor current (DS-S 5.2). A PIC-I/O has no motor.
     [[nodiscard]] bool reports(ScopeSignal signal) const {
+        if (identity.type == ModuleType::Io)
+            return false;
         return identity.type != ModuleType::Step || (!isCalculated(signal) && signal != ScopeSignal::Analog);
     }
     /// What is drawn across the strip of a signal, in the unit it is shown in.

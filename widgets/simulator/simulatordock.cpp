@@ -228,10 +228,15 @@ void SimulatorDock::showState(const QJsonObject& state) {
     if (state.contains("error"_L1))
         return;
     m_truth->showState(state);
-    const bool step = state["type"_L1].toString() == "step"_L1;
-    ModuleBench* bench = step ? m_step : m_servo;
-    look::setText(m_type, texts::moduleType({step ? ModuleType::Step : ModuleType::Servo,
-                                             static_cast<std::uint8_t>(state["version"_L1].toInt())}));
+    const QString kind = state["type"_L1].toString();
+    const ModuleType type = kind == "step"_L1 ? ModuleType::Step
+                            : kind == "io"_L1 ? ModuleType::Io
+                                              : ModuleType::Servo;
+    look::setText(m_type, texts::moduleType({type, static_cast<std::uint8_t>(state["version"_L1].toInt())}));
+    m_benches->setVisible(type != ModuleType::Io);  // whose pins the control line sets
+    if (type == ModuleType::Io)
+        return;
+    ModuleBench* bench = type == ModuleType::Step ? m_step : m_servo;
     m_benches->setCurrentWidget(bench);
     // What was asked before the latest change would undo it on the screen for a moment.
     if (!m_outdated)
