@@ -80,6 +80,10 @@ TEST_P(PicIo, SetOutput2_BitsOfInputsAreIgnored) {
     EXPECT_EQ(pins(), 0x001FU);
     direction(0);
     EXPECT_EQ(pins(), 0x000FU) << "the others have never been set";
+    direction(0x000F);
+    output(0);
+    direction(0);
+    EXPECT_EQ(pins(), 0x000FU) << "nor are these reset while they are inputs";
 }
 
 TEST_P(PicIo, SetOutput3_OutputPinsAreReadBackAsInputs) {

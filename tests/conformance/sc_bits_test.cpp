@@ -65,6 +65,12 @@ TEST_P(ScServo, IoControl5_AMotionIntoAClosedLimitIsRefused) {
     trapezoid(-1000, 5 * kOne, kOne);
     rig->wait(seconds(1));
     EXPECT_EQ(truth("command_position"), -1000.0) << "away from it";
+    // Refused is not switched off.
+    ioControl(kLimitOff);
+    trapezoid(1000, 5 * kOne, kOne);
+    rig->wait(milliseconds(100));
+    EXPECT_EQ(truth("command_position"), -1000.0);
+    EXPECT_EQ(truth("servo_on"), true);
 }
 
 TEST_P(ScServo, IoControl6_SoIsPwmIntoAClosedLimit) {
