@@ -9607,6 +9607,10 @@ Ohne Hardware den Simulator wählen.</translation>
         <source>Drag it to resize the strips. A double click makes them equal.</source>
         <translation>Ziehen ändert die Höhe der Streifen. Ein Doppelklick macht sie gleich hoch.</translation>
     </message>
+    <message>
+        <source>error, reported</source>
+        <translation>Fehler, gemeldet</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SequencesPage</name>

@@ -164,8 +164,10 @@ bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
+    const bool reported = signal.signal == ScopeSignal::Error && hasPathBuffer(module.identity);
     const QString words =
-        tr("%1, %2").arg(texts::signalName(signal.signal), texts::signalUnit(signal.signal, module));
+        tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal),
+                         texts::signalUnit(signal.signal, module));
     return signal.module ? tr("%1: %2").arg(module.name, words) : words;
 }
 

@@ -63,7 +63,8 @@ void CommandPosition::apply(const bus::Sample& sample) {
         switchedOff();
     else if (m_awaiting == Awaiting::HeldPosition)
         learnHeldPosition(sample);
-    else if (sample.report.aux && sample.time >= m_effective)
+    // What reports its error may be an SC, whose slew bit says "constant speed or stopped".
+    else if (sample.report.aux && !sample.report.positionError && sample.time >= m_effective)
         learnProgress(sample, status, servo::AuxByte{*sample.report.aux});
     learnStanding(sample, status);
     if (sample.report.position) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A PIC-I/O, through the window and by object name, over a pseudo-terminal that nmcsim serves; the oracle is
+// what nmcsim knows of its pins.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+
+#include "panel.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::clickOn;
+using testing_support::IntentPanel;
+using testing_support::NmcsimProcess;
+
+class IoModulePage : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().modules.size() == 1; }));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::Ready; }));
+    }
+
+    template <typename Widget>
+    Widget& find(const char* name) {
+        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
+        EXPECT_NE(widget, nullptr) << name;
+        testing_support::turnTo(*widget);
+        return *widget;
+    }
+    void makeOutput(const char* direction) {
+        auto& box = find<QComboBox>(direction);
+        ASSERT_TRUE(panel.waitFor([&] { return box.isEnabled(); }));
+        box.setFocus();
+        QTest::keyClick(&box, Qt::Key_Down);
+        ASSERT_TRUE(panel.waitFor([&] { return box.currentIndex() == 1 && box.isEnabled(); })) << direction;
+    }
+    void strike(const char* name) {
+        auto& box = find<QCheckBox>(name);
+        ASSERT_TRUE(panel.waitFor([&] { return box.isEnabled(); })) << name;
+        clickOn(box);
+    }
+    [[nodiscard]] bool reads(const char* label, const QString& words) {
+        return panel.waitFor([&] { return find<QLabel>(label).text() == words; });
+    }
+
+    NmcsimProcess sim{QStringLiteral("io")};
+    IntentPanel panel;
+};
+
+TEST_F(IoModulePage, StopAllTakesLowWhatTheMachineWantsLowAndLeavesTheRest) {
+    for (const char* direction : {"pin1Direction", "pin2Direction"})
+        ASSERT_NO_FATAL_FAILURE(makeOutput(direction));
+    ASSERT_NO_FATAL_FAILURE(strike("pin1Box"));
+    ASSERT_TRUE(reads("pin1Level", QStringLiteral("high")));
+    ASSERT_NO_FATAL_FAILURE(strike("pin2Box"));
+    ASSERT_TRUE(reads("pin2Level", QStringLiteral("high")));
+    ASSERT_NO_FATAL_FAILURE(strike("pin1OffAtStop"));
+    ASSERT_TRUE(panel.answersFor(0.2));  // the bus knows
+    EXPECT_EQ(sim.violations(), "");     // a stop overtakes what is under way
+    panel.click("stopAllButton");
+    EXPECT_TRUE(reads("pin1Level", QStringLiteral("low")));
+    EXPECT_TRUE(panel.answersFor(0.2));
+    EXPECT_TRUE(reads("pin2Level", QStringLiteral("high")));
+}
+
+TEST_F(IoModulePage, WhatItsInputsReadIsShown) {
+    EXPECT_TRUE(sim.control(QStringLiteral("set 1 in 5 1")).contains(QStringLiteral("ok")));
+    EXPECT_TRUE(reads("pin5Level", QStringLiteral("high")));
+    EXPECT_TRUE(sim.control(QStringLiteral("set 1 analog 2 255")).contains(QStringLiteral("ok")));
+    EXPECT_TRUE(reads("analog2Value", QStringLiteral("5 V (255 of 255)")));
+}
+
+}  // namespace
+}  // namespace nmc
