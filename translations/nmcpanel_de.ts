@@ -9609,7 +9609,7 @@ Ohne Hardware den Simulator wählen.</translation>
     </message>
     <message>
         <source>error, reported</source>
-        <translation>Fehler, gemeldet</translation>
+        <translation>Positionsfehler, gemeldet</translation>
     </message>
 </context>
 <context>
