@@ -142,12 +142,18 @@ void Chain::welcome(ModuleIndex index, TimePoint now) {
 std::vector<Step> Chain::stops() const {
     std::vector<Step> stops;
     for (const Module& module : m_modules) {
-        Belief belief = module.belief;
-        const bool severalCommands = belief.info().identity.type == ModuleType::Io;
-        for (auto stop = stopFor(belief); stop; stop = severalCommands ? stopFor(belief) : std::nullopt) {
-            stops.push_back({belief.info().index, *stop});
-            belief.onExecuted(*stop);
-        }
+        const ModuleInfo& info = module.belief.info();
+        auto stop = stopFor(module.belief);
+        if (!stop)
+            continue;
+        stops.push_back({info.index, *stop});
+        if (info.identity.type != ModuleType::Io)
+            continue;
+        // It takes pins and PWM outputs apart.
+        Belief then = module.belief;
+        then.onExecuted(*stop);
+        if ((stop = stopFor(then)))
+            stops.push_back({info.index, *stop});
     }
     return stops;
 }

@@ -227,14 +227,10 @@ std::optional<TimePoint> Engine::nextDeadline() const {
 
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     bool changed = std::exchange(m_burstBaud, stopBurstBaud()) != stopBurstBaud() && !m_chain.empty();
-    changed = changed || m_burstStops.size() != m_chain.size();
-    m_burstStops.resize(m_chain.size());
-    for (std::size_t i = 0; i < m_chain.size(); ++i) {
-        const Belief& belief = m_chain.modules()[i].belief;
-        std::pair stop(belief.info().address, stopFor(belief));
-        changed = changed || m_burstStops[i] != stop;
-        m_burstStops[i] = std::move(stop);
-    }
+    decltype(m_burstStops) stops;
+    for (Step& step : m_chain.stops())
+        stops.emplace_back(m_chain.belief(step.module).info().address, std::move(step.command));
+    changed = std::exchange(m_burstStops, stops) != stops || changed;
     return changed ? std::optional(stopBurst()) : std::nullopt;
 }
 

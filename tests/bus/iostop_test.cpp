@@ -76,5 +76,17 @@ TEST_F(StopsAnIoModule, TheBurstHasThePinsAndThePwm) {
     EXPECT_NE(hex.find("AA 02 24 64 00 8A"), std::string::npos) << hex;
 }
 
+/// Whoever keeps it ready hears of each change, of the second command as well.
+TEST_F(StopsAnIoModule, TheBurstIsNewWhenOnlyThePwmChanges) {
+    bus.engine.setStopOutputs({{}, {0x0005, 0x02}, {}});
+    ASSERT_EQ(bus.perform({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x000F})}), Outcome::Done);
+    ASSERT_TRUE(bus.engine.changedStopBurst().has_value());
+    EXPECT_FALSE(bus.engine.changedStopBurst().has_value());
+    ASSERT_EQ(bus.perform({told(io::SetPwm{100, 200})}), Outcome::Done);
+    const auto burst = bus.engine.changedStopBurst();
+    ASSERT_TRUE(burst.has_value());
+    EXPECT_NE(toHex(*burst).find("AA 02 24 64 00 8A"), std::string::npos) << toHex(*burst);
+}
+
 }  // namespace
 }  // namespace nmc::test
