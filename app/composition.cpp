@@ -13,6 +13,7 @@
 #include "link/connection/simulatortransport.h"
 #include "link/guardian/guardreport.h"
 #include "model/module/modulescale.h"
+#include "model/settings/pinsof.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/positiontexts.h"
@@ -166,8 +167,10 @@ void Composition::wireWindow() {
     wireSequences();
     connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
-    connect(&m_machine, &MachineController::machineChanged, this,
-            [this] { m_store.setMachine(m_machine.machine()); });
+    connect(&m_machine, &MachineController::machineChanged, this, [this] {
+        m_store.setMachine(m_machine.machine());
+        tellStopOutputs();
+    });
     connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
@@ -400,7 +403,6 @@ void Composition::showFrame() {
     for (const ModuleIndex module : m_sequences.parts())
         if (!std::ranges::count(watched, module))
             watched.push_back(module);  // whose arrival is waited for
-    tellStopOutputs();
     if (watched != m_watched) {
         m_watched = watched;
         m_worker.watch(watched);
@@ -416,7 +418,7 @@ void Composition::showFrame() {
 void Composition::tellStopOutputs() {
     std::vector<bus::StopOutputs> outputs;
     for (const AxisSettings& axis : m_machine.machine().axes) {
-        const PinSettings pins = axis.pins.value_or(PinSettings{});
+        const PinSettings& pins = pinsOf(axis);
         outputs.push_back(
             {PinSettings::offAtStop(pins.pins), static_cast<std::uint8_t>(PinSettings::offAtStop(pins.pwm))});
     }

@@ -62,6 +62,7 @@ void Composition::told(const bus::ChainFound& found) {
     noteChain(found);
     m_watched.clear();
     m_stopOutputs.clear();
+    tellStopOutputs();
     m_messages.tell(texts::connected(found, m_target->port));
     m_messages.end(texts::key::badLink());
     // Where the module is known that has restarted, that is told of it.

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "model/settings/pinsof.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
@@ -152,19 +153,13 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
 }
 
 void IoValuesBox::editAnalog(std::size_t number, const std::function<void(AnalogInput&)>& change) {
-    m_context.edit([number, change](AxisSettings& axis) {
-        if (!axis.pins)
-            axis.pins.emplace();
-        change(PinSettings::in(axis.pins->analog, number));
-    });
+    m_context.edit(
+        [number, change](AxisSettings& axis) { change(PinSettings::in(editPins(axis).analog, number)); });
 }
 
 void IoValuesBox::editPwm(std::size_t number, const std::function<void(OutputSettings&)>& change) {
-    m_context.edit([number, change](AxisSettings& axis) {
-        if (!axis.pins)
-            axis.pins.emplace();
-        change(PinSettings::in(axis.pins->pwm, number));
-    });
+    m_context.edit(
+        [number, change](AxisSettings& axis) { change(PinSettings::in(editPins(axis).pwm, number)); });
 }
 
 void IoValuesBox::sendPwm(unsigned output) {
@@ -174,7 +169,7 @@ void IoValuesBox::sendPwm(unsigned output) {
 }
 
 void IoValuesBox::showModule() {
-    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const PinSettings& settings = pinsOf(m_context.settings());
     for (std::size_t i = 0; i < m_analog.size(); ++i) {
         const AnalogInput input = PinSettings::of(settings.analog, i);
         showUnlessTyped(*m_analog.at(i).name, input.name);
@@ -192,7 +187,7 @@ void IoValuesBox::showModule() {
 
 void IoValuesBox::refresh() {
     const ModuleState& module = m_context.state();
-    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const PinSettings& settings = pinsOf(m_context.settings());
     const StatusReport report = module.latest.value_or(StatusReport{});
     for (std::size_t i = 0; i < m_analog.size(); ++i) {
         const auto& value = report.analogs.at(i);

@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QSignalBlocker>
 
+#include "model/settings/pinsof.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
@@ -112,11 +113,8 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
             [this, number](int choice) { setDirection(number, choice == Input); });
     connect(pin.high, &QCheckBox::clicked, this, [this, number](bool high) { setOutput(number, high); });
     const auto edit = [this, number](const auto& change) {
-        m_context.edit([number, change](AxisSettings& axis) {
-            if (!axis.pins)
-                axis.pins.emplace();
-            change(PinSettings::in(axis.pins->pins, number));
-        });
+        m_context.edit(
+            [number, change](AxisSettings& axis) { change(PinSettings::in(editPins(axis).pins, number)); });
     };
     connect(pin.name, &QLineEdit::textEdited, this, [edit](const QString& text) {
         edit([text = text.toStdString()](OutputSettings& output) { output.name = text; });
@@ -137,7 +135,7 @@ void PinBox::setDirection(unsigned pin, bool input) {
 }
 
 void PinBox::setOutput(unsigned pin, bool high) {
-    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const PinSettings& settings = pinsOf(m_context.settings());
     if (PinSettings::of(settings.pins, pin).asks)
         askBefore(pin, high);
     else
@@ -146,7 +144,7 @@ void PinBox::setOutput(unsigned pin, bool high) {
 }
 
 QString PinBox::nameOf(unsigned pin) const {
-    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const PinSettings& settings = pinsOf(m_context.settings());
     const QString name = QString::fromStdString(PinSettings::of(settings.pins, pin).name);
     const QString label = u"IO"_s + QString::number(pin + 1);
     return name.isEmpty() ? label : tr("%1 (%2)").arg(name, label);
@@ -180,7 +178,7 @@ void PinBox::showModule() {
 }
 
 void PinBox::showSettings() {
-    const PinSettings settings = m_context.settings().pins.value_or(PinSettings{});
+    const PinSettings& settings = pinsOf(m_context.settings());
     for (unsigned i = 0; i < io::kPins; ++i) {
         const OutputSettings output = PinSettings::of(settings.pins, i);
         const Pin& pin = m_pins.at(i);
