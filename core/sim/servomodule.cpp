@@ -244,28 +244,12 @@ void ServoModule::setHoming(std::uint8_t control) {
 
 /// DS-V 5.2: "not used", "clear to zero"; later versions use some of them (docs/family.md).
 std::uint8_t ServoModule::reservedBits(CommandCode code) const {
-    switch (code) {
-        case CommandCode::DefineStatus:
-        case CommandCode::ReadStatus:
-            return isLater() ? 0x00 : 0xC0;
-        case CommandCode::StopMotor:
-            return isLater() ? 0xC0 : 0xE0;
-        case CommandCode::IoControl:
-            return isSc() ? 0x03 : isLater() ? 0xB0 : 0xF0;
-        case CommandCode::LoadTrajectory:
-        case CommandCode::SetGain:
-        case CommandCode::SetHoming:
-        case CommandCode::ResetPosition:
-        case CommandCode::SetAddress:
-        case CommandCode::StartMotion:
-        case CommandCode::SetBaud:
-        case CommandCode::ClearStickyBits:
-        case CommandCode::SaveAsHome:
-        case CommandCode::AddPathPoints:
-        case CommandCode::Nop:
-        case CommandCode::HardReset:
-            return 0;
-    }
+    if (code == CommandCode::DefineStatus || code == CommandCode::ReadStatus)
+        return isLater() ? 0x00 : 0xC0;
+    if (code == CommandCode::StopMotor)
+        return isLater() ? 0xC0 : 0xE0;
+    if (code == CommandCode::IoControl)
+        return isSc() ? 0x03 : isLater() ? 0xB0 : 0xF0;
     return 0;
 }
 

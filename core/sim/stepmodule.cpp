@@ -131,29 +131,16 @@ void StepModule::setHoming(std::uint8_t control) {
 
 /// DS-S 5.1: "not used", "clear to zero".
 std::uint8_t StepModule::reservedBits(CommandCode code) const {
-    switch (code) {
-        case CommandCode::DefineStatus:
-        case CommandCode::ReadStatus:
-        case CommandCode::SetHoming:
-            return 0xC0;
-        case CommandCode::LoadTrajectory:
-            return 0x60;
-        case CommandCode::StopMotor:
-            return 0xF0;
-        case CommandCode::SetGain:    // Set Parameters
-        case CommandCode::IoControl:  // Set Outputs
-            return 0xE0;
-        case CommandCode::ResetPosition:
-        case CommandCode::SetAddress:
-        case CommandCode::StartMotion:
-        case CommandCode::SetBaud:
-        case CommandCode::ClearStickyBits:
-        case CommandCode::SaveAsHome:
-        case CommandCode::AddPathPoints:
-        case CommandCode::Nop:
-        case CommandCode::HardReset:
-            return 0;
-    }
+    if (code == CommandCode::DefineStatus || code == CommandCode::ReadStatus ||
+        code == CommandCode::SetHoming)
+        return 0xC0;
+    if (code == CommandCode::LoadTrajectory)
+        return 0x60;
+    if (code == CommandCode::StopMotor)
+        return 0xF0;
+    // Set Parameters, Set Outputs.
+    if (code == CommandCode::SetGain || code == CommandCode::IoControl)
+        return 0xE0;
     return 0;
 }
 
