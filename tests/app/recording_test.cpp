@@ -130,7 +130,7 @@ TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
     record(path("move.csv"));
     setGoing();
     ASSERT_TRUE(panel.answersFor(0.5));
-    emit files().recordingEndRequested();
+    panel.click("scopeRecordingEndButton");
     ASSERT_TRUE(told("\"move.csv\" is recorded"));
     files().underAction()->trigger();
     auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("layUnderDialog"));
