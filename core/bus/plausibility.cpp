@@ -259,7 +259,7 @@ bool Plausibility::nothingToTell(const StatusReport& report) const {
            (!report.position || m_known.position == 0) && (!report.aux || m_known.aux == 0);
 }
 
-/// Power is looked at once a tick (DS-V 4.6): the answer to a command that switches the servo on may say that
+/// Power is looked at once a tick (DS-V 4.5): the answer to a command that switches the servo on may say that
 /// it is on, whether there is power or not.
 bool Plausibility::onWithoutPower(const ReplyEnd& end) const {
     if (m_identity.type != ModuleType::Servo || !end.report.aux || end.report.servoStatus().powerOn())

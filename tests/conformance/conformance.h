@@ -8,7 +8,7 @@
 namespace nmc::conformance {
 
 /// A statement of a data sheet, tried in both places. A test's name begins with the statement's number in
-/// statements.md.
+/// statements-*.md, which stand beside this file.
 class Statement : public testing::TestWithParam<Place> {
 protected:
     /// A fresh chain; `rig` is then it.

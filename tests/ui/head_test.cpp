@@ -162,7 +162,7 @@ TEST_F(Head, AndTheListShowARunningProcedure) {
 
 TEST_F(Head, OfAStepperShowsItsInputs) {
     Stepper stepper = Stepper::holding();
-    stepper.module.latest->aux = std::uint8_t{0x08};  // limit 1 (DS-S 5.3)
+    stepper.module.latest->aux = std::uint8_t{0x08};  // limit 1 (DS-S 5.2)
     window->showLink(connectedTo({stepper.module}));
     EXPECT_EQ(text(u"stepHeadLimit1"_s), u"Limit 1 high"_s);
     EXPECT_EQ(text(u"stepHeadLimit2"_s), u"Limit 2 low"_s);
