@@ -173,10 +173,10 @@ OWING = (
         Edit("core/bus/engine.cpp",
              "    if (m_recovery.resyncing() && m_owed.untold())\n        interrupt(now);\n", ""),
     )),
-    Mutant("hold-without-an-end", "README: hold to move ends when the evidence stops coming", (
+    Mutant("hold-without-an-end", "link.md 2.7: hold to move ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
     )),
-    Mutant("hold-that-owes-nothing", "README: hold to move ends with a stop", (
+    Mutant("hold-that-owes-nothing", "link.md 2.6: hold to move ends with a stop", (
         Edit("core/bus/holdtask.cpp",
              "told && m_chain.has(told->module))", "told && false && m_chain.has(told->module))"),
     )),
