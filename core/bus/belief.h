@@ -125,19 +125,19 @@ private:
     StatusItems m_lastItems;
     std::uint8_t m_aux = 0;
     std::optional<TimePoint> m_before;  ///< the status before the last one
-    bool m_on = false;
-    bool m_mayEnable = false;
-    bool m_amplifierOff = false;
-    bool m_pwmMayRun = false;
-    bool m_pwmUnknown = false;
-    bool m_velocityGoal = false;  ///< velocity mode with a goal other than 0
-    bool m_homingStops = false;   ///< the chip itself stops when home is found
-    bool m_parametersSet = false;
+    bool m_on = false;                  ///< by a status; no command alone switches it on here
+    bool m_mayEnable = false;           ///< from such a command on, until a status tells
+    bool m_amplifierOff = false;        ///< low counts when answered, high when sent
+    bool m_pwmMayRun = false;           ///< from a start that was sent, to a stop that is answered
+    bool m_pwmUnknown = false;          ///< from attach(), until a stop or a start is answered
+    bool m_velocityGoal = false;        ///< velocity mode with a goal other than 0
+    bool m_homingStops = false;         ///< the chip itself stops when home is found
+    bool m_parametersSet = false;       ///< from an answer or attach(), until a restart
     std::optional<step::SetParameters> m_parameters;
-    bool m_stepReverse = false;
+    bool m_stepReverse = false;          ///< of the last start that was sent; of no meaning at rest
     std::optional<StepMode> m_stepGoal;  ///< of what may run
     std::optional<step::LoadTrajectory> m_stepLoad;
-    bool m_restarted = false;
+    bool m_restarted = false;  ///< once true, stays so: welcome() makes another Belief
     std::optional<servo::LoadTrajectory> m_loaded;
     IoOutputs m_outputs;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs

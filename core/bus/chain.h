@@ -132,7 +132,7 @@ private:
 
     std::vector<Module> m_modules;
     std::uint32_t m_rate = kPowerUpBaud;
-    bool m_readOnly = false;
+    bool m_readOnly = false;  ///< never changes; then nothing is owed or lies ready unasked
     PollSchedule m_schedule;
 };
 

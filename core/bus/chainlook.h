@@ -60,11 +60,11 @@ private:
     Stage m_stage = Stage::First;
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
-    bool m_begun = false;
+    bool m_begun = false;  ///< the first probe has been taken
     std::optional<std::uint32_t> m_hostRate;
     std::optional<std::uint32_t> m_rate;
     std::vector<BusAddress> m_found;
-    bool m_unaddressed = false;
+    bool m_unaddressed = false;   ///< once true, stays so for this look
     bool m_asksIdentity = false;  ///< of the module without an address
     std::optional<ModuleIdentity> m_unaddressedIdentity;
     bool m_again = false;       ///< the present probe has been answered with noise before

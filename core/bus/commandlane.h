@@ -79,7 +79,7 @@ private:
     std::deque<Waiting> m_waiting;
     std::size_t m_step = 0;
     std::optional<SineRun> m_sine;  ///< of the operation to carry out now
-    bool m_begun = false;
+    bool m_begun = false;           ///< the present step has its time, and is not answered yet
     TimePoint m_began;
 };
 

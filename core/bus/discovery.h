@@ -101,15 +101,15 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
-    bool m_attached = false;
+    bool m_attached = false;  ///< once true, no address, rate or reset goes out
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
     std::size_t m_at = 0;         ///< module that is being asked
     std::uint8_t m_number = 0;    ///< the address that was sent last; none is ever sent twice
     unsigned m_unheardInRow = 0;  ///< numbers that nobody seems to have heard
     std::vector<BusAddress> m_unheard;
-    bool m_heardNoise = false;
-    bool m_resumed = false;  ///< the port has to be taken to the rate of power-up first
+    bool m_heardNoise = false;  ///< while giving addresses: then nobody found is Garbled
+    bool m_resumed = false;     ///< the port has to be taken to the rate of power-up first
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;

@@ -54,8 +54,8 @@ public:
 private:
     PacketBytes m_command;
     std::size_t m_matched = 0;
-    bool m_none = false;  ///< what came first was something else
-    bool m_expected = false;
+    bool m_none = false;      ///< what came first was something else
+    bool m_expected = false;  ///< from a command that came back whole, to cease()
 };
 
 }  // namespace nmc::bus

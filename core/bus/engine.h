@@ -153,9 +153,9 @@ private:
     void begin(Discovery::Start start, TimePoint now);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
-    /// What changes a module may be asked for now.
     /// Something is under way that may not be interrupted by a change of the chain.
     [[nodiscard]] bool busy() const;
+    /// What changes a module may be asked for now.
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
     /// How it ends otherwise.
     [[nodiscard]] Outcome refusal() const {
@@ -208,8 +208,8 @@ private:
     /// The chain that was found is asked and told. Not before a search, while it lasts, when it has failed;
     /// nor once the link has been given up: then only stops go out.
     bool m_connected = false;
-    bool m_stopAsked = false;  ///< by stopAll(), and some module has not confirmed yet
-    bool m_echoTold = false;
+    bool m_stopAsked = false;  ///< from stopAll() until no module owes a confirmation
+    bool m_echoTold = false;   ///< once true, stays so: EchoNoticed comes once
     std::vector<ModuleIndex> m_watched;
     std::vector<StopOutputs> m_stopOutputs;
     std::deque<Work> m_works;  ///< on the wire, oldest first: at most one, and one that only settles

@@ -28,7 +28,7 @@ private:
     void add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how, std::optional<Rejection> rejection);
 
     Line& m_line;
-    bool m_on = false;
+    bool m_on = false;  ///< as of set(); off, nothing is kept
     std::uint64_t m_recorded = 0;
     std::vector<ExchangeRecord> m_records;
 };

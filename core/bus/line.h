@@ -164,7 +164,7 @@ private:
     StrayFrames m_strays;
     Duration m_lastTimeout{};
     std::vector<Output> m_output;
-    bool m_recording = false;
+    bool m_recording = false;  ///< only then m_unanswered grows
     std::vector<Unanswered> m_unanswered;
     LinkStatistics m_statistics;
 };

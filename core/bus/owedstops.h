@@ -43,7 +43,7 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::vector<ModuleIndex> m_together;
-    bool m_blind = false;
+    bool m_blind = false;  ///< while a search runs: stops go out, questions do not
 };
 
 }  // namespace nmc::bus

@@ -36,8 +36,8 @@ private:
     [[nodiscard]] bool underPower(const StatusReport& report) const;
 
     ModuleType m_type;
-    bool m_commanded = false;
-    bool m_rested = false;  ///< was seen at rest, and nobody has been told of a motion since
+    bool m_commanded = false;  ///< from a command that may move it, until it is seen at rest
+    bool m_rested = false;     ///< was seen at rest, and nobody has been told of a motion since
     std::int32_t m_place = 0;
     Standstill m_still;
     unsigned m_looks = 0;  ///< in a row that show a motion

@@ -91,7 +91,7 @@ private:
     Known m_known;
     std::optional<Known> m_candidate;  ///< what a reply that contradicted said
     Rejection m_contradiction{};       ///< why it was rejected
-    bool m_jumped = false;
+    bool m_jumped = false;             ///< true until takeJump()
     Allowance m_position;
     Allowance m_home;
     Allowance m_homing;

@@ -97,7 +97,7 @@ private:
     std::vector<Module> m_modules;
     std::optional<TimePoint> m_lastProbe;
     std::optional<Focus> m_focus;
-    bool m_backgroundLast = false;
+    bool m_backgroundLast = false;  ///< the last turn was theirs, so the next one is not
     std::uint64_t m_turns = 0;
 };
 

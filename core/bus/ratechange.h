@@ -75,7 +75,7 @@ private:
     Phase m_phase = Phase::Change;
     std::size_t m_at = 0;                ///< module that is being asked
     std::vector<std::size_t> m_unheard;  ///< in this phase
-    bool m_lookedBack = false;
+    bool m_lookedBack = false;           ///< nobody heard it: Change is tried once more, not twice
     unsigned m_returns = 0;
     Ended m_ended;
 };

@@ -65,7 +65,7 @@ private:
     StopTask& m_stop;
     Recovery& m_recovery;
     const Line& m_line;
-    bool m_underWay = false;
+    bool m_underWay = false;  ///< its script is on the line; so something is abandoned
 };
 
 }  // namespace nmc::bus

@@ -71,7 +71,7 @@ private:
     std::optional<BusAddress> m_to;  ///< another address
     unsigned m_moves = 0;            ///< so often it was told
     Stage m_stage = Stage::Over;
-    bool m_done = false;
+    bool m_done = false;  ///< what the stages so far have shown; Over tells it
 };
 
 }  // namespace nmc::bus

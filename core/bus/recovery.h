@@ -112,9 +112,9 @@ private:
     Duration m_quarantine = kMinQuarantine;
     std::optional<Doubt> m_doubt;
     Silence m_silence;
-    bool m_lost = false;
-    bool m_givenUp = false;
-    Health m_health;  ///< of the whole link
+    bool m_lost = false;     ///< all are silent, since loseAll(); until one passes its challenge
+    bool m_givenUp = false;  ///< until reset(): LinkLost is not told any more
+    Health m_health;         ///< of the whole link
     Findings m_findings;
 };
 

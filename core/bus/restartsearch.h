@@ -55,7 +55,7 @@ private:
     std::vector<ModuleIndex> m_others;
     bool m_again = false;  ///< the module in front of them has been asked once
     unsigned m_probes = 0;
-    bool m_quiet = false;
+    bool m_quiet = false;  ///< until takeQuiet(); never at the rate of power-up
 };
 
 }  // namespace nmc::bus

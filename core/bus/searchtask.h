@@ -48,7 +48,7 @@ private:
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;
-    bool m_givesAddresses = false;
+    bool m_givesAddresses = false;  ///< until taken: the first has been given; once a search
     std::optional<Ended> m_ended;
 };
 

@@ -80,12 +80,12 @@ private:
     ModuleIndex m_module;
     ModuleType m_type;
     StopManner m_manner;
-    bool m_stopOwed;
-    bool m_unknown;
+    bool m_stopOwed;          ///< it is told before it is looked at
+    bool m_unknown;           ///< no status of it was ever believed
     bool m_asksStop = false;  ///< the question under way
     bool m_second = false;    ///< layouts take turns
     unsigned m_inVain = 0;    ///< stops in a row that were not answered
-    bool m_heard = false;
+    bool m_heard = false;     ///< once true, stays so
     unsigned m_silences = 0;
     unsigned m_confirmed = 0;
     std::optional<std::int32_t> m_position;

@@ -49,9 +49,9 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<StopRun> m_run;
-    TimePoint m_pressed;     ///< the first of those that this stop answers
-    bool m_waiting = false;  ///< for the search
-    bool m_blindDue = false;
+    TimePoint m_pressed;        ///< the first of those that this stop answers
+    bool m_waiting = false;     ///< for the search
+    bool m_blindDue = false;    ///< what next() does first, once a begin()
     std::vector<Step> m_blind;  ///< under way
     bool m_blindHeard = false;  ///< the link was not in doubt when they went out
     StopTarget* m_asked = nullptr;

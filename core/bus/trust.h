@@ -37,7 +37,7 @@ private:
     [[nodiscard]] Permits permitsOf(const StatusReport& report) const;
 
     ModuleIdentity m_module;
-    bool m_first = true;
+    bool m_first = true;  ///< no report yet; the first alone permits nothing
     Permits m_granted;
     std::optional<Last> m_last;
 };
