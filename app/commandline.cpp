@@ -44,13 +44,12 @@ void declareOptions(QCommandLineParser& parser) {
          CommandLine::tr("N")},
         {kSimulator,
          CommandLine::tr(
-             "Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from "
-             "the host first; the default is %1.")
+             "Connect to the built-in simulator at once. CHAIN lists its modules, the one farthest from the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
          CommandLine::tr("CHAIN")},
         {kReadOnly,
-         CommandLine::tr("With --port or --simulator: only look. Nothing is sent but questions, and "
-                         "closing leaves motors as they are; STOP ALL acts.")},
+         CommandLine::tr(
+             "With --port or --simulator: only look. Nothing is sent but questions, and closing leaves motors as they are; STOP ALL acts.")},
         {kEnableFaults, CommandLine::tr("Let control lines inject faults into the built-in simulator.")},
         {kListPorts, CommandLine::tr("List the serial ports of this machine.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},

@@ -172,9 +172,9 @@ void AxesPage::refresh() {
                                           row->context().reasonFor(Request::Enable));
     }
     m_enableAll->setPossible(reason, tr("Enables each motor that can be, where it stands."));
-    m_homeAll->setPossible(none.isEmpty() ? whyNotHomed() : none,
-                           tr("Finds the home of one axis after the other, in the order that stands in the "
-                              "table, by their recipes. Any stop ends it."));
+    m_homeAll->setPossible(
+        none.isEmpty() ? whyNotHomed() : none,
+        tr("Finds the home of one axis after the other, in the order that stands in the table, by their recipes. Any stop ends it."));
 }
 
 void AxesPage::enableAll() {

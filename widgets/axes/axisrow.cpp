@@ -186,13 +186,13 @@ void AxisRow::refresh() {
     m_stepReverse->setPossible(whyNotStepped(true),
                                tr("Moves in reverse by the step above, and holds there."));
     const auto locked = whyNotEdited(module.rights);
-    m_earlier->setPossible(locked         ? texts::refusal(*locked)
-                           : m_place == 0 ? tr("This axis has no recipe for its home. See its page Homing.")
-                           : m_place == 1 ? tr("Home all begins with this axis.")
-                                          : QString(),
-                           tr("Home all finds the home of this axis as number %1; a click makes it one "
-                              "earlier. Nothing moves.")
-                               .arg(m_place));
+    m_earlier->setPossible(
+        locked         ? texts::refusal(*locked)
+        : m_place == 0 ? tr("This axis has no recipe for its home. See its page Homing.")
+        : m_place == 1 ? tr("Home all begins with this axis.")
+                       : QString(),
+        tr("Home all finds the home of this axis as number %1; a click makes it one earlier. Nothing moves.")
+            .arg(m_place));
     m_earlier->setText(m_place > 0 ? tr("Home: %1.").arg(m_place) : tr("Home: –"));
 }
 

@@ -36,13 +36,9 @@ enum Column { Name, Address, Group, Leader, Load };
 GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"groupsPage"_s, tr("Groups"));
     const int unit = look::gridUnit(this);
-    auto* remark =
-        look::newMutedLabel(tr("A module listens to one group besides its own address. A command to "
-                               "a group is carried out by all its members in the same tick; its "
-                               "leader, if it has one, answers for them; then each member is looked at "
-                               "by itself. Questions go to single modules: from a group only the leader "
-                               "would answer."),
-                            this);
+    auto* remark = look::newMutedLabel(
+        tr("A module listens to one group besides its own address. A command to a group is carried out by all its members in the same tick; its leader, if it has one, answers for them; then each member is looked at by itself. Questions go to single modules: from a group only the leader would answer."),
+        this);
     remark->setWordWrap(true);
     m_none = look::newMutedLabel(tr("No modules yet: connect first."), this);
     m_none->setObjectName(u"noGroupsLabel"_s);
@@ -174,9 +170,9 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
                       : place && place->group != kNoGroup ? QString()
                                                           : tr("Choose a group first."),
                       tr("This module answers for its group; a group has one leader at most."));
-    look::setPossible(row.address, !reason.isEmpty() ? reason : whyNotAddress(module),
-                      tr("The address this module answers to, 1 to 127. Sent with Enter; it keeps its "
-                         "position, gains and group."));
+    look::setPossible(
+        row.address, !reason.isEmpty() ? reason : whyNotAddress(module),
+        tr("The address this module answers to, 1 to 127. Sent with Enter; it keeps its position, gains and group."));
     if (!row.address->hasFocus()) {
         const QSignalBlocker addressBlocker(row.address);
         row.address->setValue(module.info.address.value());
@@ -277,8 +273,7 @@ void GroupsPage::refreshCommands() {
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
         m_start, any ? whyNotAll(Request::StartLoaded) : none,
-        tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every "
-           "member has confirmed its load."));
+        tr("Starts the moves that all members have loaded, in the same tick. Withheld unless every member has confirmed its load."));
     look::setPossible(
         m_saveHome, any ? notTold : none,
         tr("Each member captures its present position as home, in the same tick. Nothing moves."));
@@ -294,9 +289,9 @@ void GroupsPage::refreshCommands() {
     look::setPossible(
         m_stopAbruptly, notStopped,
         tr("Each member that is on stops at once, and holds. Repeated until each is seen at rest."));
-    look::setPossible(m_motorOff, notStopped,
-                      tr("Switches each member off: it coasts, and a load may drop. Repeated until each is "
-                         "seen at rest."));
+    look::setPossible(
+        m_motorOff, notStopped,
+        tr("Switches each member off: it coasts, and a load may drop. Repeated until each is seen at rest."));
     AskDialog::reviewAll(*this);
     m_group->setEnabled(any);
     look::setPossible(m_name,
@@ -315,9 +310,7 @@ QString GroupsPage::questionBeforeReset() const {
     for (const ModuleState& module : m_link.modules)
         if (module.info.group && module.info.group->group == group())
             members.push_back(module.info.index);
-    return tr("The place where each motor of %1 stands becomes position 0: module %2. Home, limits and "
-              "taught "
-              "points mean other places after that.")
+    return tr("The place where each motor of %1 stands becomes position 0: module %2. Home, limits and taught points mean other places after that.")
         .arg(titleOf(group()), texts::listOfModules(members));
 }
 
@@ -348,8 +341,7 @@ void GroupsPage::changed(std::size_t row) {
 QString GroupsPage::whyNotAddress(const ModuleState& module) const {
     if (!module.info.group)
         return tr(
-            "Its group is not known here and would be changed with the address. Choose a group first, "
-            "or none.");
+            "Its group is not known here and would be changed with the address. Choose a group first, or none.");
     const bool moves = std::any_of(m_link.modules.begin(), m_link.modules.end(),
                                    [](const ModuleState& other) { return other.moving(); });
     return moves ? tr("A motor is moving. Addresses change at standstill only.") : QString();

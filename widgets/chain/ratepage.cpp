@@ -40,14 +40,12 @@ RatePage::RatePage(QWidget* parent)
     m_rate->addItem(tr("Other…"), kOther);
     look::name(m_divisor, u"chainDivisorBox"_s, tr("Divisor of Set Baud Rate"));
     m_divisor->setRange(0, 255);
-    m_divisor->setToolTip(
-        tr("The rate is 1 250 000 Bd / (divisor + 1). Whether the port of this computer makes "
-           "it to within 2 % is tried before any module is told."));
+    m_divisor->setToolTip(tr(
+        "The rate is 1 250 000 Bd / (divisor + 1). Whether the port of this computer makes it to within 2 % is tried before any module is told."));
     m_other->setObjectName(u"chainDivisorRate"_s);
-    auto* remark =
-        look::newMutedLabel(tr("Positions, gains and groups stay. Every module is asked at the new "
-                               "rate; when one does not answer there, all go back to the old one."),
-                            this);
+    auto* remark = look::newMutedLabel(
+        tr("Positions, gains and groups stay. Every module is asked at the new rate; when one does not answer there, all go back to the old one."),
+        this);
     remark->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
@@ -103,14 +101,11 @@ QString RatePage::whyNot() const {
     if (!those([](const ModuleState& m) { return m.moving(); }).isEmpty())
         return tr("A motor is moving. The rate changes at standstill only.");
     if (const QString unknown = those([](const ModuleState& m) { return !m.info.group; }); !unknown.isEmpty())
-        return tr("The groups of some modules are not known, so they might not hear it: %1. Choose a group "
-                  "for "
-                  "them on the page Groups, or none.")
+        return tr("The groups of some modules are not known, so they might not hear it: %1. Choose a group for them on the page Groups, or none.")
             .arg(unknown);
     if (const QString leaders = those([](const ModuleState& m) { return m.info.group->leader; });
         !leaders.isEmpty())
-        return tr("A leader of a group would answer while the rate changes. Take that from these on the page "
-                  "Groups: %1.")
+        return tr("A leader of a group would answer while the rate changes. Take that from these on the page Groups: %1.")
             .arg(leaders);
     if (wanted() == m_link.baud)
         return tr("The chain runs at this rate already.");

@@ -47,10 +47,10 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
         : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
             ? Texts::tr("No module of group %1 started. Nothing moves because of it.").arg(nameOf(group))
             : Texts::tr("Whether all modules of group %1 started is unknown.").arg(nameOf(group));
-    m.body = membersSentence(finished) + u' ' +
-             Texts::tr(
-                 "Usually noise on the cable. The start was sent once and is not repeated; look at the "
-                 "motors, load again, then start again.");
+    m.body =
+        membersSentence(finished) + u' ' +
+        Texts::tr(
+            "Usually noise on the cable. The start was sent once and is not repeated; look at the motors, load again, then start again.");
     return m;
 }
 
@@ -62,8 +62,7 @@ QString notByAll(bus::GroupCommand::Action action) {
             return Texts::tr("Not every module of group %1 has certainly set its position to 0.");
         case ClearStickyBits:
             return Texts::tr(
-                "Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit "
-                "again at once.");
+                "Not every module of group %1 has certainly cleared its sticky bits: what lasts sets its bit again at once.");
         case SaveAsHome:
             return Texts::tr("Not every module of group %1 has certainly saved its position as home.");
         case StartMotion:
@@ -87,14 +86,11 @@ Message withheld(const bus::GroupFinished& finished, quint8 group) {
                      .arg(nameOf(group), listOfModules(modules));
     if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
         m.body = Texts::tr(
-            "A group is told something only when every member answers and may be told that now, and when the "
-            "group of every module is known. Ask the modules one by one, or give this module its group "
-            "again.");
+            "A group is told something only when every member answers and may be told that now, and when the group of every module is known. Ask the modules one by one, or give this module its group again.");
         return m;
     }
     m.body = Texts::tr(
-        "A group starts only when every member has confirmed its load, answers, and may start; and only "
-        "when the group of every module is known. Load this module again, or give it its group again.");
+        "A group starts only when every member has confirmed its load, answers, and may start; and only when the group of every module is known. Load this module again, or give it its group again.");
     return m;
 }
 
@@ -107,15 +103,13 @@ Message groupFailed(const bus::GroupFinished& finished) {
         Message m{.key = ofModule(u"group"_s, change->module),
                   .module = change->module,
                   .severity = Severity::Attention};
-        m.headline = finished.outcome == Outcome::NoAnswer
-                         ? Texts::tr(
-                               "Module %1 did not answer the change of its group, so its group is "
-                               "unknown.")
-                               .arg(number)
-                         : Texts::tr("The group of module %1 was not changed.").arg(number);
+        m.headline =
+            finished.outcome == Outcome::NoAnswer
+                ? Texts::tr("Module %1 did not answer the change of its group, so its group is unknown.")
+                      .arg(number)
+                : Texts::tr("The group of module %1 was not changed.").arg(number);
         m.body = Texts::tr(
-            "No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all "
-            "modules must be known for that. Try again.");
+            "No motor moves by it. Group FF cannot have a leader, and a group only one; the groups of all modules must be known for that. Try again.");
         return m;
     }
     const auto& command = std::get<bus::GroupCommand>(finished.what);
@@ -169,28 +163,28 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
             m.body = Texts::tr("Something moves, or is about to. Stop all motors, then try again.");
             break;
         case Reason::Missing:
-            m.body = Texts::tr(
-                         "There is no answer from module %1, which would be left behind. Connect again "
-                         "first.")
-                         .arg(modules);
+            m.body =
+                Texts::tr(
+                    "There is no answer from module %1, which would be left behind. Connect again first.")
+                    .arg(modules);
             break;
         case Reason::GroupsUnknown:
-            m.body = Texts::tr(
-                         "Another program may have changed the group of module %1, which would not "
-                         "hear the new rate. Set its group again, or restart the network.")
-                         .arg(modules);
+            m.body =
+                Texts::tr(
+                    "Another program may have changed the group of module %1, which would not hear the new rate. Set its group again, or restart the network.")
+                    .arg(modules);
             break;
         case Reason::Leader:
-            m.body = Texts::tr(
-                         "There is a group leader, module %1, whose answer would come at the new rate. "
-                         "Make it an ordinary member first.")
-                         .arg(modules);
+            m.body =
+                Texts::tr(
+                    "There is a group leader, module %1, whose answer would come at the new rate. Make it an ordinary member first.")
+                    .arg(modules);
             break;
         case Reason::NotHeard:
-            m.body = Texts::tr(
-                         "There was no answer at %1 Bd from module %2, so all went back. Try another "
-                         "rate, a shorter cable, or termination at both ends.")
-                         .arg(rate(failed.wanted), modules);
+            m.body =
+                Texts::tr(
+                    "There was no answer at %1 Bd from module %2, so all went back. Try another rate, a shorter cable, or termination at both ends.")
+                    .arg(rate(failed.wanted), modules);
             break;
         case Reason::Interrupted:
             m.body = Texts::tr("A stop came first.");
@@ -200,10 +194,10 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
         m.severity = Severity::Fault;
         m.headline = Texts::tr("No answer from module %1 since the change of rate. Nothing was moving.")
                          .arg(listOfModules(failed.lost));
-        m.body = Texts::tr(
-                     "It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not "
-                     "found, restart the network: positions and gains are lost.")
-                     .arg(rate(failed.wanted), rate(failed.baud));
+        m.body =
+            Texts::tr(
+                "It may still be at %1 Bd; the others are at %2 Bd. Scan again; if it is not found, restart the network: positions and gains are lost.")
+                .arg(rate(failed.wanted), rate(failed.baud));
         m.actions = {scanAgain(), restartNetwork()};
     }
     return m;

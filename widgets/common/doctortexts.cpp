@@ -60,40 +60,30 @@ QString chainAdvice(const ChainDiagnosis& chain) {
             return {};
         case Finding::NothingExpected:
             return Chain::tr(
-                "Compare them with the labels on the modules, the one farthest from the PC first. If all are "
-                "there, take them as expected: whatever is missing or another one is noticed from then on.");
+                "Compare them with the labels on the modules, the one farthest from the PC first. If all are there, take them as expected: whatever is missing or another one is noticed from then on.");
         case Finding::NobodyAnswers:
             return Chain::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all "
-                "modules; "
-                "the ADDR_IN jumper of the module farthest from the PC.");
+                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.");
         case Finding::BreakBehind:
-            return Chain::tr(
-                       "Numbering starts at the far end, so look at the next module towards the PC after "
-                       "%1: its power first, then the plug between the two. Then scan again.")
-                .arg(placeOf(chain));
+            return Chain::
+                tr("Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.")
+                    .arg(placeOf(chain));
         case Finding::FarEndMissing:
             return Chain::tr(
-                "What answers are the modules nearest the PC, with new numbers. Look at the cable to "
-                "the module at the far end, and whether another ADDR_IN is grounded now. Their "
-                "settings belong to other places until this is mended.");
+                "What answers are the modules nearest the PC, with new numbers. Look at the cable to the module at the far end, and whether another ADDR_IN is grounded now. Their settings belong to other places until this is mended.");
         case Finding::OtherHardware:
             return Chain::tr(
-                "Settings that belong to the expected one are not applied here. If it was exchanged "
-                "on purpose, take what is there as expected.");
+                "Settings that belong to the expected one are not applied here. If it was exchanged on purpose, take what is there as expected.");
         case Finding::MoreThanBefore:
-            return Chain::tr(
-                       "From %1 on they are new. If they are meant to be there, take what is there as "
-                       "expected.")
-                .arg(placeOf(chain));
+            return Chain::
+                tr("From %1 on they are new. If they are meant to be there, take what is there as expected.")
+                    .arg(placeOf(chain));
         case Finding::Silent:
             return Chain::tr(
-                "Check its power and the cable towards it; use the hardware stop if its motor moves. "
-                "It is asked again by itself, rarely.");
+                "Check its power and the cable towards it; use the hardware stop if its motor moves. It is asked again by itself, rarely.");
         case Finding::Restarted:
             return Chain::tr(
-                "Modules from it towards the PC may be deaf until it has its address again. When all "
-                "motors may stand still and lose their positions, restart the network.");
+                "Modules from it towards the PC may be deaf until it has its address again. When all motors may stand still and lose their positions, restart the network.");
     }
     return {};
 }

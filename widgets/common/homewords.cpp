@@ -31,8 +31,7 @@ QString home(const Place& place, const AxisScale& scale) {
 QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
     if (!place)
         return Texts::tr(
-            "Where home is, is not known in this connection. A search finds it, Save as home sets it; a "
-            "restart, and whatever else sets the position unseen, loses it.");
+            "Where home is, is not known in this connection. A search finds it, Save as home sets it; a restart, and whatever else sets the position unseen, loses it.");
     const QString where = position(scale, place->counts);
     // As of the last status: how old that is, stands beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
@@ -46,19 +45,17 @@ QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) 
                 .arg(where)
                 .arg(minutes);
         case HomeFact::Source::Remembered:
-            return Texts::tr(
-                       "Home is at %1, not verified: it was taken from where the axis was seen last, %2 min "
-                       "ago. A search verifies it.")
-                .arg(where)
-                .arg(minutes);
+            return Texts::
+                tr("Home is at %1, not verified: it was taken from where the axis was seen last, %2 min ago. A search verifies it.")
+                    .arg(where)
+                    .arg(minutes);
     }
     return {};
 }
 
 QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {
     const QString act = Texts::tr(
-        "Makes the present position 0. The motor does not move. Where 0 has been is lost: all positions are "
-        "counted from here then.");
+        "Makes the present position 0. The motor does not move. Where 0 has been is lost: all positions are counted from here then.");
     if (!module.home.place() || !module.latest || !module.latest->position)
         return act;
     const std::int32_t now = module.home.place()->counts;
@@ -69,8 +66,7 @@ QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {
 
 QString homeRegisterMeaning() {
     return Texts::tr(
-        "What the chip captured or saved last, as it counted then: a limit stop writes it as well, and "
-        "Zero here leaves it as it is. Go home does not go by it.");
+        "What the chip captured or saved last, as it counted then: a limit stop writes it as well, and Zero here leaves it as it is. Go home does not go by it.");
 }
 
 }  // namespace nmc::texts

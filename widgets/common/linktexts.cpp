@@ -17,10 +17,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.headline = Texts::tr(
                 "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
             m.body = Texts::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all "
-                "modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a "
-                "full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can "
-                "be restarted.");
+                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. A chain that another program left at a rate of its own can be restarted.");
             break;
         case bus::ConnectFailure::RateChange:
             m.headline =
@@ -31,45 +28,38 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
                           .arg(listOfModules(failed.modules), rate(failed.baud));
             m.body =
                 Texts::tr(
-                    "Usually the cable is too long for this rate, or termination is missing. Choose a lower "
-                    "rate for %1 and scan again.")
+                    "Usually the cable is too long for this rate, or termination is missing. Choose a lower rate for %1 and scan again.")
                     .arg(portName(port));
             break;
         case bus::ConnectFailure::Garbled:
             m.headline =
                 Texts::tr("Modules answered at %1, but their answers could not be read.").arg(portName(port));
             m.body = Texts::tr(
-                "Usually noise on the cable, or two modules answer at once. Check the cable, its "
-                "termination and the ADDR_IN jumpers.");
+                "Usually noise on the cable, or two modules answer at once. Check the cable, its termination and the ADDR_IN jumpers.");
             break;
         case bus::ConnectFailure::Collision:
             m.headline =
                 Texts::tr("Two modules answer at the same address on %1, so the modules cannot be used.")
                     .arg(portName(port));
             m.body = Texts::tr(
-                "Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module "
-                "farthest from the PC may be.");
+                "Nothing was moved. Usually two ADDR_IN inputs are grounded: only that of the module farthest from the PC may be.");
             break;
         case bus::ConnectFailure::HeldLow:
             m.headline =
                 Texts::tr("The line at %1 is held low: nothing but zero bytes comes in.").arg(portName(port));
             m.body = Texts::tr(
-                "Usually a short circuit, swapped wires of a pair, or a module without power. Motor state "
-                "unknown; commands may not arrive either.");
+                "Usually a short circuit, swapped wires of a pair, or a module without power. Motor state unknown; commands may not arrive either.");
             break;
         case bus::ConnectFailure::Echo:
             m.headline = Texts::tr("Only the echo of the adapter at %1 came back: no module answered.")
                              .arg(portName(port));
             m.body = Texts::tr(
-                "The echo itself does no harm. Check, in this order: module power; every cable in the chain, "
-                "one loose cable hides all modules; that the transmit pair of the modules is wired to the "
-                "adapter, too.");
+                "The echo itself does no harm. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; that the transmit pair of the modules is wired to the adapter, too.");
             break;
         case bus::ConnectFailure::Unaddressed:
             m.headline = Texts::tr("No module at %1 has an address yet.").arg(portName(port));
             m.body = Texts::tr(
-                "A read-only connection changes nothing, so it gives no addresses. Connect without "
-                "read-only.");
+                "A read-only connection changes nothing, so it gives no addresses. Connect without read-only.");
             m.actions = {connectFully(), scanAgain()};
             break;
     }
@@ -84,23 +74,22 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
                                             : Texts::tr("module %1 \"%2\"").arg(found).arg(lastName);
     m.body =
         Texts::tr(
-            "Numbering starts at the far end, so look at the next module towards the PC after %1: its power "
-            "first, then the plug between the two.")
+            "Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two.")
             .arg(last);
     m.actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(found)}};
     return m;
 }
 
 Message moduleMissing(ModuleIndex module, int answering) {
-    return {.key = key::silent(module),
-            .module = module,
-            .severity = Severity::Fault,
-            .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
-                            .arg(moduleNumber(module)),
-            .body = Texts::tr(
-                "Its place is kept for it. Usually its power or the plug next to it; it is asked again all "
-                "the time. If it was taken out on purpose, work with the others: then it is forgotten."),
-            .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
+    return {
+        .key = key::silent(module),
+        .module = module,
+        .severity = Severity::Fault,
+        .headline = Texts::tr("Module %1 of the chain known here does not answer. Motor state unknown.")
+                        .arg(moduleNumber(module)),
+        .body = Texts::tr(
+            "Its place is kept for it. Usually its power or the plug next to it; it is asked again all the time. If it was taken out on purpose, work with the others: then it is forgotten."),
+        .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
 }
 
 Message chainNotAccepted() {
@@ -118,16 +107,14 @@ Message connected(const bus::ChainFound& found, const QString& port) {
         m.headline = Texts::tr("Looking at %1 read-only: %2 at %3 Bd, left as they were.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr(
-            "What they are doing goes on, also when this connection ends. Nothing is sent but questions; "
-            "STOP ALL acts.");
+            "What they are doing goes on, also when this connection ends. Nothing is sent but questions; STOP ALL acts.");
         return m;
     }
     if (found.attached) {
         m.headline = Texts::tr("Attached to %1: %2 at %3 Bd, left as they were.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr(
-            "What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you "
-            "move it: what it was told last cannot be asked.");
+            "What they were doing goes on. Gains are unknown until you apply them. Stop a motor before you move it: what it was told last cannot be asked.");
         return m;
     }
     m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
@@ -144,13 +131,13 @@ Message echoNoticed(const QString& port) {
 }
 
 Message unaddressed() {
-    return {.key = key::unaddressed(),
-            .severity = Severity::Attention,
-            .headline = Texts::tr("A module without an address answers, too, and cannot be used yet."),
-            .body = Texts::tr(
-                "Either one of the chain has restarted, or a new one was added. Its motor is off. A restart "
-                "of the network gives it an address."),
-            .actions = {restartNetwork()}};
+    return {
+        .key = key::unaddressed(),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("A module without an address answers, too, and cannot be used yet."),
+        .body = Texts::tr(
+            "Either one of the chain has restarted, or a new one was added. Its motor is off. A restart of the network gives it an address."),
+        .actions = {restartNetwork()}};
 }
 
 Message disconnected(const QString& port) {
@@ -165,30 +152,29 @@ Message openAlready() {
 }
 
 Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
-    return {.key = key::link(),
-            .severity = Severity::Fault,
-            .headline =
-                Texts::tr("No module answers on %1 any more. %2").arg(portName(port), movingSentence(moving)),
-            .body = Texts::tr(
-                "Use the hardware stop if needed. Then check the power of the modules and the cable at "
-                "the PC."),
-            .actions = {scanAgain()}};
+    return {
+        .key = key::link(),
+        .severity = Severity::Fault,
+        .headline =
+            Texts::tr("No module answers on %1 any more. %2").arg(portName(port), movingSentence(moving)),
+        .body = Texts::tr(
+            "Use the hardware stop if needed. Then check the power of the modules and the cable at the PC."),
+        .actions = {scanAgain()}};
 }
 
 Message badLink(const bus::HealthChanged& health) {
     Message m{.key = key::badLink(), .module = health.module, .stands = true};
     if (health.health == bus::LinkHealth::Lost) {
         m.severity = Severity::Fault;
-        m.headline = health.module
-                         ? Texts::tr(
-                               "The link to module %1 is unreliable: %2 of its last %3 "
-                               "exchanges went wrong.")
-                               .arg(moduleNumber(*health.module))
-                               .arg(health.wrong)
-                               .arg(health.of)
-                         : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
-                               .arg(health.wrong)
-                               .arg(health.of);
+        m.headline =
+            health.module
+                ? Texts::tr("The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.")
+                      .arg(moduleNumber(*health.module))
+                      .arg(health.wrong)
+                      .arg(health.of)
+                : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
+                      .arg(health.wrong)
+                      .arg(health.of);
         m.body = Texts::tr(
             "Motors were told to stop. Try a lower rate, a shorter cable, or termination at both ends.");
         m.actions = {{MessageAction::Reconnect, Texts::tr("Reconnect")}};
@@ -204,28 +190,27 @@ Message badLink(const bus::HealthChanged& health) {
                            .arg(health.wrong)
                            .arg(health.of);
     m.body = Texts::tr(
-        "Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it "
-        "gets worse. Usually noise on the cable.");
+        "Nothing was lost: wrong answers are recognised and asked for again. Motors are told to stop if it gets worse. Usually noise on the cable.");
     return m;
 }
 
 Message moduleSilent(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
     const QString since = readout(std::round(secondsSinceAnswer * 10) / 10, 2);
-    return {.key = key::silent(module),
-            .module = module,
-            .severity = Severity::Fault,
-            .headline =
-                wasMoving
-                    ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
-                          .arg(moduleNumber(module))
-                          .arg(since)
-                    : Texts::tr("Module %1 has not answered for %2 s. Motor state unknown; it was stopped "
-                                "at the last word.")
-                          .arg(moduleNumber(module))
-                          .arg(since),
-            .body = Texts::tr(
-                "Use the hardware stop if needed. Usually its power or the plug next to it; it is asked "
-                "again all the time.")};
+    return {
+        .key = key::silent(module),
+        .module = module,
+        .severity = Severity::Fault,
+        .headline =
+            wasMoving
+                ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
+                      .arg(moduleNumber(module))
+                      .arg(since)
+                : Texts::tr(
+                      "Module %1 has not answered for %2 s. Motor state unknown; it was stopped at the last word.")
+                      .arg(moduleNumber(module))
+                      .arg(since),
+        .body = Texts::tr(
+            "Use the hardware stop if needed. Usually its power or the plug next to it; it is asked again all the time.")};
 }
 
 Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
@@ -238,9 +223,7 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
                     .arg(number);
     if (restarted.quiet)
         body << Texts::tr(
-            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were told to "
-            "stop, "
-            "and nothing is sent any more.");
+            "It listens at 19 200 Bd, where the others' traffic is noise to it: all motors were told to stop, and nothing is sent any more.");
     QList<Message::Action> actions{restartNetwork()};
     if (!restarted.quiet) {
         body << Texts::tr("The others keep their positions and gains when it is only given its address.");
@@ -291,14 +274,12 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
             break;
         case Reason::Taken:
             m.body = Texts::tr(
-                "Another module answers there, or no module may have that address. Choose one of "
-                "1 to 127 that is free.");
+                "Another module answers there, or no module may have that address. Choose one of 1 to 127 that is free.");
             m.actions.clear();
             break;
         case Reason::GroupUnknown:
             m.body = Texts::tr(
-                "Its group is not known here and would be changed with the address. Give it a "
-                "group first, or none.");
+                "Its group is not known here and would be changed with the address. Give it a group first, or none.");
             m.actions.clear();
             break;
     }

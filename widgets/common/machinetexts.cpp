@@ -145,10 +145,9 @@ QString fileTrouble(const FileError& error) {
         case FileTrouble::NotAFile:
             return Texts::tr("This is a folder or a device. Choose a file.");
         case FileTrouble::NoPermission:
-            return Texts::tr(
-                       "Your user account may not do that in %1. Choose another folder, or change the "
-                       "permissions.")
-                .arg(folder);
+            return Texts::
+                tr("Your user account may not do that in %1. Choose another folder, or change the permissions.")
+                    .arg(folder);
         case FileTrouble::ReadOnly:
             return Texts::tr("The disk of %1 can only be read. Choose another folder.").arg(folder);
         case FileTrouble::NoSpace:
@@ -182,10 +181,9 @@ QString fileProblem(const QString& file, const FileProblem& problem) {
     if (problem.kind == Kind::OtherFormat)
         return Texts::tr("\"%1\" is not a machine file of NMC Panel.").arg(file);
     if (problem.kind == Kind::NewerVersion)
-        return Texts::tr(
-                   "\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows "
-                   "formats up to %3.")
-            .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+        return Texts::
+            tr("\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.")
+                .arg(file, QString::fromStdString(problem.found), plain(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file).arg(problem.line).arg(wrongInLine(problem));
 }
 

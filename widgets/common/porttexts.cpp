@@ -51,16 +51,15 @@ Message inUse(const PortError& error) {
     if (error.program == "ModemManager") {
         m.command =
             intoUdev(uR"(ACTION=="add", SUBSYSTEM=="tty", KERNEL=="ttyUSB*", ENV{ID_MM_PORT_IGNORE}="1")"_s);
-        m.body = Texts::tr(
-                     "It looks for a modem for some seconds after an adapter was plugged in; wait, and try "
-                     "again. To keep it away from USB adapters: %1, then plug the adapter in again.")
-                     .arg(m.command);
+        m.body =
+            Texts::tr(
+                "It looks for a modem for some seconds after an adapter was plugged in; wait, and try again. To keep it away from USB adapters: %1, then plug the adapter in again.")
+                .arg(m.command);
     } else if (error.program.rfind("brltty", 0) == 0) {
         m.command = u"sudo ln -s /dev/null /etc/udev/rules.d/90-brltty-usb-generic.rules"_s;
         m.body =
             Texts::tr(
-                "It takes many serial adapters for a Braille display. If you use none: %1, then plug the "
-                "adapter in again.")
+                "It takes many serial adapters for a Braille display. If you use none: %1, then plug the adapter in again.")
                 .arg(m.command);
     }
     if (!m.command.isEmpty())
@@ -72,10 +71,10 @@ Message staleLock(const PortError& error) {
     Message m;
     m.command = u"sudo rm "_s + shown(error.lockFile);
     m.headline = Texts::tr("%1 is free, but a lock file says that it is in use.").arg(shown(error.port));
-    m.body = Texts::tr(
-                 "The lock file %1 was left by %2, whose program has ended without removing it. Remove it "
-                 "with: %3, then try again.")
-                 .arg(shown(error.lockFile), shown(error.user), m.command);
+    m.body =
+        Texts::tr(
+            "The lock file %1 was left by %2, whose program has ended without removing it. Remove it with: %3, then try again.")
+            .arg(shown(error.lockFile), shown(error.user), m.command);
     m.actions = {copyCommand(), retry(), choosePort()};
     return m;
 }
@@ -84,10 +83,10 @@ Message noLockFolder(const PortError& error) {
     Message m;
     m.headline =
         Texts::tr("%1 cannot be opened because no lock file can be made for it.").arg(shown(error.port));
-    m.body = Texts::tr(
-                 "Your user account may not write to %1, nor to any other folder for such files. Ask whoever "
-                 "looks after this computer for access to it.")
-                 .arg(shown(error.lockFile));
+    m.body =
+        Texts::tr(
+            "Your user account may not write to %1, nor to any other folder for such files. Ask whoever looks after this computer for access to it.")
+            .arg(shown(error.lockFile));
     m.actions = {retry(), useSimulator()};
     return m;
 }
@@ -157,8 +156,8 @@ Message slowAdapter(int updatesPerSecond, int latencyMs) {
         .key = u"slowAdapter"_s,
         .severity = Severity::Attention,
         .headline =
-            Texts::tr("Updates are slow (%1 per second) because the USB adapter waits %2 ms before passing "
-                      "data on.")
+            Texts::tr(
+                "Updates are slow (%1 per second) because the USB adapter waits %2 ms before passing data on.")
                 .arg(updatesPerSecond)
                 .arg(latencyMs),
         .body = Texts::tr("Set its latency timer to 1 ms."),
@@ -179,13 +178,13 @@ Message latencyCure(const QString& file) {
 Message adapterBack(const QString& port, bool sameSerial) {
     const QString text = sameSerial ? Texts::tr("The adapter is back as %1 (same serial number). Reconnect?")
                                     : Texts::tr("An adapter of the same kind is there as %1. Reconnect?");
-    return {.key = key::port(),
-            .severity = Severity::Fault,
-            .headline = text.arg(port),
-            .body = Texts::tr(
-                "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for "
-                "before is sent again."),
-            .actions = {{MessageAction::ConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
+    return {
+        .key = key::port(),
+        .severity = Severity::Fault,
+        .headline = text.arg(port),
+        .body = Texts::tr(
+            "Motors may still be moving. Reconnecting moves nothing, and nothing that was asked for before is sent again."),
+        .actions = {{MessageAction::ConnectOffered, Texts::tr("Reconnect")}, choosePort()}};
 }
 
 Message differentAdapter(const QString& port) {

@@ -21,10 +21,10 @@ Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& 
                         .arg(moduleNumber(offer.module), position(scale, last.fromHome)),
         .body =
             (last.source == HomeFact::Source::Search
-                 ? Texts::tr("That was on %1; a search had found that home. If nothing has moved the axis "
-                             "since, home can be taken from that: not verified, until a search finds it.")
-                 : Texts::tr("That was on %1; that home had been saved. If nothing has moved the axis "
-                             "since, home can be taken from that: not verified, until a search finds it."))
+                 ? Texts::tr(
+                       "That was on %1; a search had found that home. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it.")
+                 : Texts::tr(
+                       "That was on %1; that home had been saved. If nothing has moved the axis since, home can be taken from that: not verified, until a search finds it."))
                 .arg(when),
         .actions = {{MessageAction::TakePosition, Texts::tr("Take home from that")},
                     {MessageAction::ForgetPosition, Texts::tr("Forget it")}},

@@ -28,45 +28,49 @@ bool freeOrUnknown(ProcedureFailure failure) {
 Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
     switch (*report.failure) {
         case ProcedureFailure::SwitchActive:
-            return {Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
-                    Texts::tr("The switch may be stuck, or the search goes the wrong way. Move the motor off "
-                              "the switch, or change the direction, then try again.")};
+            return {
+                Texts::tr("%1 was stopped: its switch stayed active while it backed off.").arg(who),
+                Texts::tr(
+                    "The switch may be stuck, or the search goes the wrong way. Move the motor off the switch, or change the direction, then try again.")};
         case ProcedureFailure::NotFound:
-            return {Texts::tr("%1 stopped before it found home.").arg(who),
-                    Texts::tr("A limit or the E-stop input ended its motion. Check the direction of the "
-                              "search and the switches, then try again.")};
+            return {
+                Texts::tr("%1 stopped before it found home.").arg(who),
+                Texts::tr(
+                    "A limit or the E-stop input ended its motion. Check the direction of the search and the switches, then try again.")};
         case ProcedureFailure::TravelLimit:
             return {Texts::tr("%1 was stopped: no home within the travel limit.").arg(who),
                     Texts::tr("Check the switch and its cable, the direction of the search, and the limit.")};
         case ProcedureFailure::SoftLimit:
-            return {Texts::tr("%1 was stopped: no home within its limits of travel, nor where home was.")
-                        .arg(who),
-                    Texts::tr(
-                        "Check the switch and its cable, and the direction of the search. If the position "
-                        "is wrong, say so on the page Axis (Position in doubt): the search then goes by its "
-                        "own travel limit.")};
+            return {
+                Texts::tr("%1 was stopped: no home within its limits of travel, nor where home was.")
+                    .arg(who),
+                Texts::tr(
+                    "Check the switch and its cable, and the direction of the search. If the position is wrong, say so on the page Axis (Position in doubt): the search then goes by its own travel limit.")};
         case ProcedureFailure::TimeLimit:
-            return {Texts::tr("%1 was stopped: no home within the time limit.").arg(who),
-                    Texts::tr("Check the switch and its cable, the direction and the speed of the search, "
-                              "and the limit.")};
+            return {
+                Texts::tr("%1 was stopped: no home within the time limit.").arg(who),
+                Texts::tr(
+                    "Check the switch and its cable, the direction and the speed of the search, and the limit.")};
         case ProcedureFailure::LinkSuspect:
             return {
                 Texts::tr("%1 is not homed and was told to stop: the link was in doubt meanwhile.").arg(who),
-                Texts::tr("What was said of home then may be wrong. See to the link, then repeat the "
-                          "search.")};
+                Texts::tr(
+                    "What was said of home then may be wrong. See to the link, then repeat the search.")};
         case ProcedureFailure::ModuleSilent:
             return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
                     Texts::tr("It was told to stop. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 is not homed: its motor went off by itself, and is free to turn.").arg(who),
-                    Texts::tr("The motor was too far from where it should be, or lost its power. Check for a "
-                              "jam, enable it, then repeat the search."),
-                    Severity::Fault};
+            return {
+                Texts::tr("%1 is not homed: its motor went off by itself, and is free to turn.").arg(who),
+                Texts::tr(
+                    "The motor was too far from where it should be, or lost its power. Check for a jam, enable it, then repeat the search."),
+                Severity::Fault};
         case ProcedureFailure::Refused:
-            return {Texts::tr("%1 is not homed and was told to stop: a command was not carried out, or its "
-                              "answer was lost.")
-                        .arg(who),
-                    Texts::tr("Usually noise on the cable. Repeat the search.")};
+            return {
+                Texts::tr(
+                    "%1 is not homed and was told to stop: a command was not carried out, or its answer was lost.")
+                    .arg(who),
+                Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::ReadingsDiffer:
             return {Texts::tr("%1 stands still and is not homed: two readings of its home differ.").arg(who),
                     Texts::tr("Usually noise on the cable. Repeat the search.")};
@@ -78,9 +82,8 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::NotAtHome:
             return {
                 Texts::tr("%1 has found its home and holds close to it, but nothing was made zero.").arg(who),
-                Texts::tr("It rests %1 off its home, and zero would be off by as much: friction keeps it "
-                          "there. Raise Ki and IL on the page Gains, or clear \"Make it zero\" on the page "
-                          "Homing. What is close enough follows from the unit on the page Axis.")
+                Texts::tr(
+                    "It rests %1 off its home, and zero would be off by as much: friction keeps it there. Raise Ki and IL on the page Gains, or clear \"Make it zero\" on the page Homing. What is close enough follows from the unit on the page Axis.")
                     .arg(position(scale, std::abs(report.offHome)))};
     }
     return {};
@@ -91,37 +94,40 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::TravelLimit:
             return {
                 Texts::tr("%1 holds again: it went the wrong way, or farther than twice its step.").arg(who),
-                Texts::tr("The servo swings, or something else turns the motor. Lower Kp and Ki, or raise "
-                          "Kd, then step again.")};
+                Texts::tr(
+                    "The servo swings, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.")};
         case ProcedureFailure::Unstable:
-            return {Texts::tr("%1 was switched off and is free to turn: it did not calm down after its step.")
-                        .arg(who),
-                    Texts::tr("The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply "
-                              "them, then enable it."),
-                    Severity::Fault};
+            return {
+                Texts::tr("%1 was switched off and is free to turn: it did not calm down after its step.")
+                    .arg(who),
+                Texts::tr(
+                    "The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it."),
+                Severity::Fault};
         case ProcedureFailure::NotStill:
-            return {Texts::tr("%1 does not stand still; its servo stays on.").arg(who),
-                    Texts::tr("It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off "
-                              "ends it at once.")};
+            return {
+                Texts::tr("%1 does not stand still; its servo stays on.").arg(who),
+                Texts::tr(
+                    "It swings, or is turned from outside. Lower Kp and Ki, or raise Kd; Motor off ends it at once.")};
         case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 made no whole step: its motor went off by itself, and is free to turn.")
-                        .arg(who),
-                    Texts::tr("The motor was too far from where it should be, or lost its power. Check for a "
-                              "jam, raise EL or make the step shorter, then enable it."),
-                    Severity::Fault};
+            return {
+                Texts::tr("%1 made no whole step: its motor went off by itself, and is free to turn.")
+                    .arg(who),
+                Texts::tr(
+                    "The motor was too far from where it should be, or lost its power. Check for a jam, raise EL or make the step shorter, then enable it."),
+                Severity::Fault};
         case ProcedureFailure::ModuleSilent:
             return {
                 Texts::tr("%1 does not answer, so its step is not recorded. Motor state unknown.").arg(who),
                 Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("%1 was told to hold, and its step is not recorded: the link was in doubt "
-                              "meanwhile.")
+            return {Texts::tr(
+                        "%1 was told to hold, and its step is not recorded: the link was in doubt meanwhile.")
                         .arg(who),
                     Texts::tr("See to the link, then step again.")};
         case ProcedureFailure::Refused:
             return {
-                Texts::tr("%1 has no step recorded and was told to hold: a command was not carried out, or "
-                          "its answer was lost.")
+                Texts::tr(
+                    "%1 has no step recorded and was told to hold: a command was not carried out, or its answer was lost.")
                     .arg(who),
                 Texts::tr("Usually noise on the cable. Step again.")};
         case ProcedureFailure::SwitchActive:
@@ -158,10 +164,11 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
             return {Texts::tr("%1 was sent the gains from before: the link was in doubt meanwhile.").arg(who),
                     Texts::tr("See to the link, then try again.")};
         case ProcedureFailure::Refused:
-            return {Texts::tr("%1 was sent the gains from before: a command was not carried out, or its "
-                              "answer was lost.")
-                        .arg(who),
-                    Texts::tr("Usually noise on the cable. Try again.")};
+            return {
+                Texts::tr(
+                    "%1 was sent the gains from before: a command was not carried out, or its answer was lost.")
+                    .arg(who),
+                Texts::tr("Usually noise on the cable. Try again.")};
         case ProcedureFailure::SwitchActive:
         case ProcedureFailure::NotFound:
         case ProcedureFailure::TimeLimit:
@@ -182,13 +189,15 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         Texts::tr("%1 has no verdict on its direction, and its motor was told to switch off.").arg(who);
     switch (failure) {
         case ProcedureFailure::TravelLimit:
-            return {off,
-                    Texts::tr("It was turned farther than the check allows: something else turns it, or it "
-                              "runs on for long. See that it stands still, then check again.")};
+            return {
+                off,
+                Texts::tr(
+                    "It was turned farther than the check allows: something else turns it, or it runs on for long. See that it stands still, then check again.")};
         case ProcedureFailure::NotStill:
-            return {off,
-                    Texts::tr("It does not stand still although nothing drives it. See what turns it, then "
-                              "check again.")};
+            return {
+                off,
+                Texts::tr(
+                    "It does not stand still although nothing drives it. See what turns it, then check again.")};
         case ProcedureFailure::LinkSuspect:
             return {told, Texts::tr("The link was in doubt meanwhile. See to the link, then check again.")};
         case ProcedureFailure::ModuleSilent:
@@ -320,9 +329,7 @@ QString loopTestFailure(ProcedureFailure failure) {
     if (failure != ProcedureFailure::TravelLimit)
         return procedureFailure(failure);
     return Texts::tr(
-        "The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, "
-        "or "
-        "choose gentler gains.");
+        "The motor went farther than the test allows, and was told to hold. Look for a load that pulls it, or choose gentler gains.");
 }
 
 QString procedureStage(const ProcedureReport& report) {
@@ -356,12 +363,10 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("Two readings of home differ. The motor stands still.");
         case ProcedureFailure::NotStill:
             return Texts::tr(
-                "The motor does not stand still; its servo stays on. Lower the gains, or switch "
-                "it off.");
+                "The motor does not stand still; its servo stays on. Lower the gains, or switch it off.");
         case ProcedureFailure::Unstable:
             return Texts::tr(
-                "The motor swung by more than the whole step and did not calm down, so it was "
-                "switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
+                "The motor swung by more than the whole step and did not calm down, so it was switched off and is free to turn. Lower Kp and Ki, or raise Kd.");
         case ProcedureFailure::StoppedShort:
             return Texts::tr(
                 "A limit switch, heat or the E-stop input ended the move. The motor stands still.");
@@ -381,16 +386,15 @@ QString directionFound(const DirectionFound& found) {
             return Texts::tr("All right: driven forward it counts up, in reverse down. It can be enabled.");
         case DirectionVerdict::Reversed:
             return Texts::tr(
-                "Reversed: driven forward it counts down. Enabled like this it would run away. Swap "
-                "the motor's two leads, or the encoder's A and B, then check again.");
+                "Reversed: driven forward it counts down. Enabled like this it would run away. Swap the motor's two leads, or the encoder's A and B, then check again.");
         case DirectionVerdict::NoMovement:
             return Texts::tr(
-                       "No movement with %1 % of the supply, and motor power is there: look for a jam or a "
-                       "brake, at the cables of motor and encoder, or for a load that is too heavy.")
+                       "No movement with %1 % of the supply, and motor power is there: look for a jam or a brake, at the cables of motor and encoder, or for a load that is too heavy.")
                        .arg(percent) +
                    (found.limit1 || found.limit2
-                        ? u' ' + Texts::tr("A limit input is active: it may stand in a "
-                                           "switch that takes its power away.")
+                        ? u' ' +
+                              Texts::tr(
+                                  "A limit input is active: it may stand in a switch that takes its power away.")
                         : QString());
         case DirectionVerdict::LimitClosed:
             return (found.limit1 ? Texts::tr("Limit 1 closed on the way.")
@@ -400,8 +404,7 @@ QString directionFound(const DirectionFound& found) {
             return Texts::tr("Motor power went away. Switch it on, then check again.");
         case DirectionVerdict::Unclear:
             return Texts::tr(
-                "Not clear: it moved one way only, or the same way twice. Something blocks or turns "
-                "it. Turn it away from its end by hand, take the load off, then check again.");
+                "Not clear: it moved one way only, or the same way twice. Something blocks or turns it. Turn it away from its end by hand, take the load off, then check again.");
     }
     return {};
 }

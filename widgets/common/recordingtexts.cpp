@@ -133,10 +133,9 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
     if (problem.kind == Kind::OtherFormat)
         return Texts::tr("\"%1\" is not a recording of NMC Panel.").arg(file);
     if (problem.kind == Kind::NewerVersion)
-        return Texts::tr(
-                   "\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows "
-                   "formats up to %3.")
-            .arg(file, QString::fromStdString(problem.found), plain(problem.max));
+        return Texts::
+            tr("\"%1\" was written by a newer NMC Panel: its format is %2, and this program knows formats up to %3.")
+                .arg(file, QString::fromStdString(problem.found), plain(problem.max));
     return Texts::tr("\"%1\" line %2: %3").arg(file, QString::number(problem.line), wrongInLine(problem));
 }
 

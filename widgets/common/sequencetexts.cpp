@@ -44,10 +44,9 @@ QString wrong(const SequenceProblem& problem) {
             return problem.module ? Texts::tr("%1: %2").arg(module, refusal(*problem.refusal))
                                   : refusal(*problem.refusal);
         case Kind::TaughtElsewhere:
-            return Texts::tr(
-                       "%1 was taught in point \"%2\" before its home was known, so the place may be "
-                       "another one now. Teach it again.")
-                .arg(module, name);
+            return Texts::
+                tr("%1 was taught in point \"%2\" before its home was known, so the place may be another one now. Teach it again.")
+                    .arg(module, name);
         case Kind::NoRecipe:
             return Texts::tr("%1 has not been told how to find its home. See its page Homing.").arg(module);
         case Kind::NoSuchPin:
@@ -66,13 +65,11 @@ QString wrong(const SequenceProblem& problem) {
                        ? Texts::tr("A run from the top would have %1 at its home here. Move it there first.")
                              .arg(module)
                        : Texts::tr(
-                             "A run from the top would have %1 at point \"%2\" here. Move it there "
-                             "first.")
+                             "A run from the top would have %1 at point \"%2\" here. Move it there first.")
                              .arg(module, name);
         case Kind::NotSet:
             return Texts::tr(
-                       "A run from the top would have set output %1 of %2 otherwise here. Set it "
-                       "first.")
+                       "A run from the top would have set output %1 of %2 otherwise here. Set it first.")
                 .arg(problem.output)
                 .arg(module);
     }
@@ -225,10 +222,11 @@ std::optional<Message> sequenceOver(const SequenceReport& report) {
                            .arg(nameOf(report));
     message.body = why(report);
     if (hasRows(report))
-        message.body += u' ' + Texts::tr(
-                                   "It was at: %1. Nothing moves again by itself; choose the row to go "
-                                   "on from, and run from there.")
-                                   .arg(placeOf(report));
+        message.body +=
+            u' ' +
+            Texts::tr(
+                "It was at: %1. Nothing moves again by itself; choose the row to go on from, and run from there.")
+                .arg(placeOf(report));
     return message;
 }
 

@@ -38,12 +38,12 @@ Message machineSlept(double seconds, bool stopped) {
     const QString text =
         stopped ? Texts::tr("Resumed after %1: motors were told to stop, and all values are read again.")
                 : Texts::tr("Resumed after %1: all values are read again.");
-    return {.key = u"slept"_s,
-            .severity = Severity::Attention,
-            .headline = text.arg(span(seconds)),
-            .body = Texts::tr(
-                "The computer was suspended. Motors that moved went on moving meanwhile; look at them before "
-                "the next move.")};
+    return {
+        .key = u"slept"_s,
+        .severity = Severity::Attention,
+        .headline = text.arg(span(seconds)),
+        .body = Texts::tr(
+            "The computer was suspended. Motors that moved went on moving meanwhile; look at them before the next move.")};
 }
 
 namespace {
@@ -58,8 +58,7 @@ QString guardianTold(const std::vector<ModuleIndex>& modules) {
 
 QString guardianCannotSee() {
     return Texts::tr(
-        "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it "
-        "before you connect; use the hardware stop if it moves.");
+        "The program was killed, or it hung. The guardian cannot see whether a motor obeyed: look at it before you connect; use the hardware stop if it moves.");
 }
 
 }  // namespace
@@ -83,11 +82,10 @@ Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString&
                               ? Texts::tr("The last session ended while motor %1 was moving.")
                               : Texts::tr("The last session ended while motors %1 were moving.");
     m.headline = ended.arg(moving);
-    m.body = Texts::tr(
-                 "It was connected to %1, and was killed, or the computer failed. Motor state unknown: "
-                 "look at it before you connect; use the hardware stop if it moves. This is said until "
-                 "the motor was seen at rest.")
-                 .arg(portName(port));
+    m.body =
+        Texts::tr(
+            "It was connected to %1, and was killed, or the computer failed. Motor state unknown: look at it before you connect; use the hardware stop if it moves. This is said until the motor was seen at rest.")
+            .arg(portName(port));
     return m;
 }
 
@@ -100,13 +98,12 @@ Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
 }
 
 Message guardianStopped() {
-    return {
-        .key = u"guardianStopped"_s,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("The panel stood still while a motor was moving; its guardian told the motors "
-                              "to stop."),
-        .body = Texts::tr("The program was halted, or the computer was too busy. Every value is being read "
-                          "again.")};
+    return {.key = u"guardianStopped"_s,
+            .severity = Severity::Attention,
+            .headline = Texts::tr(
+                "The panel stood still while a motor was moving; its guardian told the motors to stop."),
+            .body = Texts::tr(
+                "The program was halted, or the computer was too busy. Every value is being read again.")};
 }
 
 Message guardianMissing(GuardianProblem problem) {
@@ -117,28 +114,23 @@ Message guardianMissing(GuardianProblem problem) {
     switch (problem) {
         case GuardianProblem::Missing:
             m.body = Texts::tr(
-                "nmcguard belongs beside this program, and is not there. Install it again. "
-                "Everything else works.");
+                "nmcguard belongs beside this program, and is not there. Install it again. Everything else works.");
             break;
         case GuardianProblem::NotPermitted:
             m.body = Texts::tr(
-                "This user may not start nmcguard, which lies beside this program. Everything "
-                "else works.");
+                "This user may not start nmcguard, which lies beside this program. Everything else works.");
             break;
         case GuardianProblem::WrongVersion:
             m.body = Texts::tr(
-                "The nmcguard beside this program is of another version. Install both again. "
-                "Everything else works.");
+                "The nmcguard beside this program is of another version. Install both again. Everything else works.");
             break;
         case GuardianProblem::Failed:
             m.body = Texts::tr(
-                "The computer has no memory or no file left for it. Close other programs, then "
-                "connect again. Everything else works.");
+                "The computer has no memory or no file left for it. Close other programs, then connect again. Everything else works.");
             break;
         case GuardianProblem::Ended:
             m.body = Texts::tr(
-                "It has ended by itself. Connect again to start another one. Everything else "
-                "works.");
+                "It has ended by itself. Connect again to start another one. Everything else works.");
             break;
     }
     return m;
@@ -149,9 +141,10 @@ Message settingsNotSaved(const QString& file) {
         .key = u"settings"_s,
         .severity = Severity::Attention,
         .headline = Texts::tr("Settings are not saved."),
-        .body = Texts::tr("%1 cannot be written. Everything else works; only the layout of the window and "
-                          "the last port will not be remembered.")
-                    .arg(file),
+        .body =
+            Texts::tr(
+                "%1 cannot be written. Everything else works; only the layout of the window and the last port will not be remembered.")
+                .arg(file),
         .stands = true};
 }
 

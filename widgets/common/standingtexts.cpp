@@ -20,17 +20,14 @@ Message limitClosed(const ModuleState& module, int limit) {
                                .arg(limit)
                                .arg(number);
         m.body = Texts::tr(
-            "The module lets its motor go no farther that way while the switch is closed. Move it the other "
-            "way.");
+            "The module lets its motor go no farther that way while the switch is closed. Move it the other way.");
     } else {
         m.headline =
             Texts::tr("Limit %1 of module %2 closed while its motor was moving, and does not stop it.")
                 .arg(limit)
                 .arg(number);
         m.body = Texts::tr(
-            "A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. "
-            "Stop "
-            "it, then move it the other way; the page Homing arms a limit stop.");
+            "A PIC-SERVO stops at a limit by itself only where a limit stop is armed, and none was there. Stop it, then move it the other way; the page Homing arms a limit stop.");
         m.actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}};
     }
     return m;
@@ -56,21 +53,19 @@ Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
                         ? Texts::tr("The limit stop of module %1 switched its motor off.").arg(number)
                         : Texts::tr("The limit stop of module %1 stopped its motor.").arg(number),
         .body = Texts::tr(
-            "It acts once, and is not armed any more. Move the motor off the switch, then arm it again on "
-            "the page Homing, or disarm it there.")};
+            "It acts once, and is not armed any more. Move the motor off the switch, then arm it again on the page Homing, or disarm it there.")};
 }
 
 Message swings(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
-    Message m{
-        .key = ofModule(u"swings"_s, index),
-        .module = index,
-        .severity = Severity::Attention,
-        .headline =
-            Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
-        .body = Texts::tr("Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply "
-                          "them."),
-        .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
+    Message m{.key = ofModule(u"swings"_s, index),
+              .module = index,
+              .severity = Severity::Attention,
+              .headline =
+                  Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
+              .body = Texts::tr(
+                  "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
+              .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
     if (module.gainsBefore)
         m.actions.append({MessageAction::GainsBefore, Texts::tr("Back to the gains before")});
     return m;

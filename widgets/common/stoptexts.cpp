@@ -66,8 +66,8 @@ Message holdExpired(ModuleIndex module) {
             .module = module,
             .severity = Severity::Attention,
             .headline =
-                Texts::tr("Module %1 was told to stop: the button was held, but the panel was too slow to "
-                          "say so.")
+                Texts::tr(
+                    "Module %1 was told to stop: the button was held, but the panel was too slow to say so.")
                     .arg(moduleNumber(module)),
             .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
 }
@@ -82,21 +82,19 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
             m.headline = Texts::tr("Module %1 was told to switch off: it moved the wrong way, to %2 counts.")
                              .arg(number, position);
             m.body = Texts::tr(
-                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before "
-                "the next move.");
+                "Usually encoder or motor wires are swapped, or the gains make it swing. Check both before the next move.");
             break;
         case bus::MotionSuspect::Reason::Overshot:
             m.headline = Texts::tr("Module %1 was told to stop: it went past its goal, to %2 counts.")
                              .arg(number, position);
             m.body = Texts::tr(
-                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the "
-                "position before the next move.");
+                "Either the command was damaged on its way, or the gains let it overshoot by far. Read the position before the next move.");
             break;
         case bus::MotionSuspect::Reason::Frozen:
-            m.headline = Texts::tr(
-                             "Module %1 was told to stop: it says that it moves, but reports %2 counts again "
-                             "and again.")
-                             .arg(number, position);
+            m.headline =
+                Texts::tr(
+                    "Module %1 was told to stop: it says that it moves, but reports %2 counts again and again.")
+                    .arg(number, position);
             m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
             break;
     }
@@ -109,24 +107,24 @@ Message foreignTraffic(const bus::ForeignTraffic& traffic) {
         headline += u' ' + (traffic.toldToStop.size() == 1 ? Texts::tr("Module %1 was told to stop.")
                                                            : Texts::tr("Modules %1 were told to stop."))
                                .arg(listOfModules(traffic.toldToStop));
-    return {.key = u"foreign"_s,
-            .severity = Severity::Fault,
-            .headline = headline,
-            .body = Texts::tr(
-                "Modules answer commands that did not come from here; what was under way here was cancelled. "
-                "End the other program, or take its computer off the line, before you go on.")};
+    return {
+        .key = u"foreign"_s,
+        .severity = Severity::Fault,
+        .headline = headline,
+        .body = Texts::tr(
+            "Modules answer commands that did not come from here; what was under way here was cancelled. End the other program, or take its computer off the line, before you go on.")};
 }
 
 Message foreignMotion(const bus::ForeignMotion& motion) {
-    return {.key = ofModule(u"foreign"_s, motion.module),
-            .module = motion.module,
-            .severity = Severity::Fault,
-            .headline =
-                Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
-            .body = Texts::tr(
-                "Another host on this line has started it, or a load drives it. The panel leaves it alone "
-                "unless you stop it; that host may start it again."),
-            .actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}}};
+    return {
+        .key = ofModule(u"foreign"_s, motion.module),
+        .module = motion.module,
+        .severity = Severity::Fault,
+        .headline =
+            Texts::tr("Module %1 moves, and not because of this panel.").arg(moduleNumber(motion.module)),
+        .body = Texts::tr(
+            "Another host on this line has started it, or a load drives it. The panel leaves it alone unless you stop it; that host may start it again."),
+        .actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}}};
 }
 
 }  // namespace nmc::texts

@@ -68,8 +68,7 @@ Message operationFailed(const bus::OperationFinished& finished) {
             m.severity = Severity::Fault;
             m.headline = Texts::tr("Module %1 did not answer the command. Motor state unknown.").arg(number);
             m.body = Texts::tr(
-                "The command may or may not have been carried out. Look at the motor; stop all if in "
-                "doubt. Nothing after it was sent.");
+                "The command may or may not have been carried out. Look at the motor; stop all if in doubt. Nothing after it was sent.");
             break;
         case bus::Outcome::Forbidden:
             m.headline = Texts::tr("Module %1 does not allow this in its present state. Nothing was sent.")
@@ -94,24 +93,19 @@ QString tripAdvice(TripCause cause) {
             return Texts::tr("Check for a jam, or raise EL on the page Gains.");
         case TripCause::Reversed:
             return Texts::tr(
-                "It ran away from where it was told to be: motor or encoder is probably reversed. "
-                "Make the direction check on the page Axis before you enable it again.");
+                "It ran away from where it was told to be: motor or encoder is probably reversed. Make the direction check on the page Axis before you enable it again.");
         case TripCause::Jam:
             return Texts::tr(
-                "It was driven and did not move: look for a jam, a brake or an end stop, and at the "
-                "motor's cable. If it is only hard to turn, raise OL on the page Gains.");
+                "It was driven and did not move: look for a jam, a brake or an end stop, and at the motor's cable. If it is only hard to turn, raise OL on the page Gains.");
         case TripCause::Limit1:
             return Texts::tr(
-                "Limit 1 closed on the way: it is probably at the end of its travel. Drive it the "
-                "other way; a limit stop on the page Homing ends a motion in time.");
+                "Limit 1 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.");
         case TripCause::Limit2:
             return Texts::tr(
-                "Limit 2 closed on the way: it is probably at the end of its travel. Drive it the "
-                "other way; a limit stop on the page Homing ends a motion in time.");
+                "Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.");
         case TripCause::Behind:
             return Texts::tr(
-                "It moved as it was told, and could not keep up: lower its velocity or "
-                "acceleration, or raise OL and EL on the page Gains.");
+                "It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.");
     }
     return {};
 }
@@ -120,19 +114,21 @@ QString tripAdvice(TripCause cause) {
 
 Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
-    return {.key = key::tripped(module),
-            .module = module,
-            .severity = Severity::Fault,
-            .headline = limit.has_value()
-                            ? Texts::tr("Module %1 switched its servo off because the motor was more than "
-                                        "%2 counts from where it should be.")
-                                  .arg(number)
-                                  .arg(*limit)
-                            : Texts::tr("Module %1 switched its servo off because the motor was too far "
-                                        "from where it should be.")
-                                  .arg(number),
-            .body = tripAdvice(cause),
-            .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
+    return {
+        .key = key::tripped(module),
+        .module = module,
+        .severity = Severity::Fault,
+        .headline =
+            limit.has_value()
+                ? Texts::tr(
+                      "Module %1 switched its servo off because the motor was more than %2 counts from where it should be.")
+                      .arg(number)
+                      .arg(*limit)
+                : Texts::tr(
+                      "Module %1 switched its servo off because the motor was too far from where it should be.")
+                      .arg(number),
+        .body = tripAdvice(cause),
+        .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
 }
 
 Message powerLost(ModuleIndex module) {
@@ -152,8 +148,7 @@ Message currentLimited(ModuleIndex module) {
         .headline =
             Texts::tr("Module %1 limits the current of its motor: overcurrent.").arg(moduleNumber(module)),
         .body = Texts::tr(
-            "The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, "
-            "or raise the limit. It says so until the sticky bits are cleared.")};
+            "The motor may not reach its goal, or not hold its load. Check for a jam or too heavy a load, or raise the limit. It says so until the sticky bits are cleared.")};
 }
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
@@ -171,9 +166,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
             message.headline =
                 Texts::tr("Module %1 switched its motor off because it is too hot.").arg(number);
             message.body = Texts::tr(
-                "The A/D value fell below the thermal limit. Let the motor cool down; then look at the "
-                "currents "
-                "and the limit on the Parameters page.");
+                "The A/D value fell below the thermal limit. Let the motor cool down; then look at the currents and the limit on the Parameters page.");
             break;
         case Activity::EstopActive:
             message.key = ofModule(u"estop"_s, module);
@@ -214,14 +207,14 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
 }
 
 Message stoppedBeforeLimit(ModuleIndex module) {
-    return {.key = ofModule(u"travel"_s, module),
-            .module = module,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Module %1 was told to stop: it was about to leave its limits of travel.")
-                            .arg(moduleNumber(module)),
-            .body = Texts::tr(
-                "The chip does not end this kind of motion by itself, so the panel did. See where it "
-                "stands before you go on.")};
+    return {
+        .key = ofModule(u"travel"_s, module),
+        .module = module,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Module %1 was told to stop: it was about to leave its limits of travel.")
+                        .arg(moduleNumber(module)),
+        .body = Texts::tr(
+            "The chip does not end this kind of motion by itself, so the panel did. See where it stands before you go on.")};
 }
 
 Message notPossible(ModuleIndex module, const QString& reason) {
@@ -257,14 +250,12 @@ QString stoppingBeforeClose() {
 }
 
 Message safety() {
-    return {.key = key::safety(),
-            .headline = Texts::tr("Fit a hardware emergency stop that removes motor power."),
-            .body = Texts::tr(
-                "These modules have no link watchdog: when the cable is cut, the adapter hangs or this "
-                "computer loses its power, a motor that runs keeps running, and no program can stop it. Stop "
-                "all, and Esc, work only while the link works. A guardian stops the motors when this "
-                "program is killed, crashes or hangs."),
-            .actions = {{MessageAction::Understood, Texts::tr("Understood")}}};
+    return {
+        .key = key::safety(),
+        .headline = Texts::tr("Fit a hardware emergency stop that removes motor power."),
+        .body = Texts::tr(
+            "These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses its power, a motor that runs keeps running, and no program can stop it. Stop all, and Esc, work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs."),
+        .actions = {{MessageAction::Understood, Texts::tr("Understood")}}};
 }
 
 QString simulatorDid(const QString& line) {

@@ -52,8 +52,7 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
         case TravelForce::HomeUnknown:
             return u"▲ "_s +
                    Texts::tr(
-                       "Not in force: home is not known. Search for it, save it, or declare the position "
-                       "right.");
+                       "Not in force: home is not known. Search for it, save it, or declare the position right.");
         case TravelForce::InForce:
             break;
     }
@@ -88,9 +87,7 @@ QString declareQuestion(const ModuleState& module, const AxisScale& scale) {
     if (!module.latest || !module.latest->position)
         return {};
     return Texts::
-        tr("Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in "
-           "force from there. If it is not, they protect the wrong places. Look at the axis itself "
-           "first.")
+        tr("Is %1 really at %2 now? Then home is where the position is 0, and the limits of travel are in force from there. If it is not, they protect the wrong places. Look at the axis itself first.")
             .arg(moduleName(module.info.index), position(scale, *module.latest->position));
 }
 

@@ -112,14 +112,12 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The module does not answer: moving or stopped is unknown.");
         case Activity::Restarted:
             return Texts::tr(
-                "The module restarted by itself: its motor is off, and its position, gains and address are "
-                "lost until the network is restarted.");
+                "The module restarted by itself: its motor is off, and its position, gains and address are lost until the network is restarted.");
         case Activity::NoPower:
             return Texts::tr("The module has no motor power, so its motor is off.");
         case Activity::ServoOff:
             return Texts::tr(
-                "The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was "
-                "switched off.");
+                "The motor is free to turn. Nothing is wrong: the servo has not been switched on, or was switched off.");
         case Activity::Tripped:
             return Texts::tr(
                 "The servo switched itself off because the motor was too far from where it should be.");
@@ -129,14 +127,12 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
         case Activity::Turned:
             return Texts::tr(
-                "The shaft moves although the motor is off: a load turns it, or it is still running down. No "
-                "stop holds it; use a brake, or enable the servo.");
+                "The shaft moves although the motor is off: a load turns it, or it is still running down. No stop holds it; use a brake, or enable the servo.");
         case Activity::Holding:
             return Texts::tr("The motor is held where it is.");
         case Activity::Limited:
             return Texts::tr(
-                "The motor stands, but its current was limited: it may not hold its load. This stays until "
-                "the sticky bits are cleared.");
+                "The motor stands, but its current was limited: it may not hold its load. This stays until the sticky bits are cleared.");
         case Activity::Accelerating:
             return Texts::tr("The motor is changing its speed.");
         case Activity::AtSpeed:
@@ -147,16 +143,14 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("Inputs and outputs answer. No motor is connected here.");
         case Activity::AmplifierOff:
             return Texts::tr(
-                "The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was "
-                "switched off.");
+                "The motor is free to turn. Nothing is wrong: the amplifier has not been switched on, or was switched off.");
         case Activity::StoppedByLimit:
             return Texts::tr("A limit switch stopped the motor. It can move in the other direction.");
         case Activity::EstopActive:
             return Texts::tr("The module's E-stop input stopped the motor, or keeps it from moving.");
         case Activity::Overheated:
             return Texts::tr(
-                "The module switched its motor off because the A/D value fell below the thermal limit. It "
-                "stays off.");
+                "The module switched its motor off because the A/D value fell below the thermal limit. It stays off.");
         case Activity::WentOff:
             return Texts::tr("The module switched its motor off by itself, and does not say why.");
     }
@@ -215,17 +209,14 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The limit's pin is an output, so it tells nothing.");
         case Refusal::StartApart:
             return Texts::tr(
-                "A trapezoidal move is loaded first and then started by Start, so that a garbled "
-                "load never moves anything.");
+                "A trapezoidal move is loaded first and then started by Start, so that a garbled load never moves anything.");
         case Refusal::StepTooShort:
             return Texts::tr("A move by 0 is none.");
         case Refusal::StepTooLong:
             return Texts::tr("A step response is for a small move: at most 2000 counts.");
         case Refusal::StepWouldTrip:
             return Texts::tr(
-                "The step would switch the servo off: right after it the position error is the "
-                "whole step, which is above the position error limit, or too close to it. Make "
-                "the step shorter or raise EL.");
+                "The step would switch the servo off: right after it the position error is the whole step, which is above the position error limit, or too close to it. Make the step shorter or raise EL.");
         case Refusal::GoalOutOfRange:
             return Texts::tr("The goal is beyond the positions the chip can count.");
         case Refusal::BeyondTravel:
@@ -236,9 +227,7 @@ QString refusal(Refusal refusal) {
             return Texts::tr("That is faster than this axis may go (page Axis).");
         case Refusal::RunNeedsStop:
             return Texts::tr(
-                "Towards a limit of travel a run starts from standstill, so that the chip ends it there: "
-                "stop "
-                "first.");
+                "Towards a limit of travel a run starts from standstill, so that the chip ends it there: stop first.");
         case Refusal::LimitStopDue:
             return Texts::tr("The limit stop of this axis is not armed yet; it is about to be.");
         case Refusal::NoCurrentLimit:

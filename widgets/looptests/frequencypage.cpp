@@ -21,25 +21,23 @@ using namespace Qt::StringLiterals;
 
 FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"frequencyPage"_s, tr("Frequency response"));
-    m_form = new TestForm(ProcedureKind::FrequencyResponse,
-                          {u"frequency"_s, tr("Measure"),
-                           tr("The motor swings about where it is held, slowly at first, then faster. "
-                              "Everything that turns with it must be free to.")},
-                          this);
+    m_form = new TestForm(
+        ProcedureKind::FrequencyResponse,
+        {u"frequency"_s, tr("Measure"),
+         tr("The motor swings about where it is held, slowly at first, then faster. Everything that turns with it must be free to.")},
+        this);
     m_amplitude = m_form->addDistance(u"frequencyAmplitudeField"_s, tr("Amplitude"), tr("The amplitude"));
     m_amplitude->setNativeRange(1, kWidestSine);
-    m_amplitude->setMeaning(
-        tr("How far the command swings to either side. The motor may swing four times as "
-           "far before it is stopped."));
+    m_amplitude->setMeaning(tr(
+        "How far the command swings to either side. The motor may swing four times as far before it is stopped."));
     m_amplitude->showNative(kFirstSine);
     m_from = m_form->addNumber(u"frequencyFromField"_s, tr("From"), tr("The lowest frequency"), tr("Hz"), 2);
     m_from->setRange(kSlowestSine, kFastestSine);
     m_from->showValue(1.0);
     m_to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
     m_to->setRange(kSlowestSine, kFastestSine);
-    m_to->setMeaning(
-        tr("It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and "
-           "at about 8 Hz at 19200 Bd."));
+    m_to->setMeaning(tr(
+        "It ends before it where the baud rate is too low: at about 40 Hz at 115200 Bd, and at about 8 Hz at 19200 Bd."));
     m_to->showValue(kFastestSine);
     m_form->setWanted([this]() -> Intent {
         return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),

@@ -74,8 +74,7 @@ void LoopTestsDock::showNothing() {
 void LoopTestsDock::showReportPossible(bool servo) {
     look::setPossible(
         m_report, servo ? QString() : tr("Select a PIC-SERVO first."),
-        tr("One page, as PDF or HTML: gains, the last step response, the motor that was found and "
-           "the frequency response."));
+        tr("One page, as PDF or HTML: gains, the last step response, the motor that was found and the frequency response."));
 }
 
 }  // namespace nmc

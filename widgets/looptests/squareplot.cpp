@@ -23,9 +23,8 @@ constexpr float kPale = 0.35F;
 SquarePlot::SquarePlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"squarePlot"_s, tr("Square wave, one period"));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setToolTip(
-        tr("All edges with the present gains laid over one another: their median, and shaded where "
-           "eight of ten samples are. Pale: with the gains before."));
+    setToolTip(tr(
+        "All edges with the present gains laid over one another: their median, and shaded where eight of ten samples are. Pale: with the gains before."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
@@ -107,9 +106,9 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_command.empty()) {
         painter.setPen(look::mutedText(palette()));
-        painter.drawText(m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No edge is recorded yet. A square wave lays many steps over one another, while "
-                            "gains are changed."));
+        painter.drawText(
+            m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
+            tr("No edge is recorded yet. A square wave lays many steps over one another, while gains are changed."));
         return;
     }
     painter.setClipRect(m_geometry.area);

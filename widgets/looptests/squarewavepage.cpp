@@ -44,12 +44,11 @@ constexpr std::int32_t kFirstExcursion = 200;
 
 SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"squareWavePage"_s, tr("Square wave"));
-    m_form =
-        new TestForm(ProcedureKind::SquareWave,
-                     {u"squareWave"_s, tr("Begin"),
-                      tr("The motor jumps to and fro about where it is held. Everything that turns with it "
-                         "must be free to.")},
-                     this);
+    m_form = new TestForm(
+        ProcedureKind::SquareWave,
+        {u"squareWave"_s, tr("Begin"),
+         tr("The motor jumps to and fro about where it is held. Everything that turns with it must be free to.")},
+        this);
     m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));
     m_counts->setNativeRange(1, kLongestStep);
     m_counts->setMeaning(tr("From side to side, half of it to either side of where the motor is held."));
@@ -142,9 +141,9 @@ void SquareWavePage::refresh() {
               << tr("Steady-state error %1").arg(texts::stepError(metrics.steadyError, m_labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
-    look::setPossible(m_keep, m_folded ? QString() : tr("No edge is recorded yet."),
-                      tr("Puts the median of the edges towards higher counts into the list of step "
-                         "responses."));
+    look::setPossible(
+        m_keep, m_folded ? QString() : tr("No edge is recorded yet."),
+        tr("Puts the median of the edges towards higher counts into the list of step responses."));
 }
 
 void SquareWavePage::keep() {

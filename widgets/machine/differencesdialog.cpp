@@ -148,8 +148,7 @@ void DifferencesDialog::build() {
 
 void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
     m_text->setText(
-        tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you "
-           "apply it; no motor is moved by it. What was typed and not sent gives way to the file.")
+        tr("\"%1\" differs from what is here. Nothing changes, and nothing is sent, before you apply it; no motor is moved by it. What was typed and not sent gives way to the file.")
             .arg(file));
     {
         const QSignalBlocker blocker(m_table);

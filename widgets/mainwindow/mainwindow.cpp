@@ -210,12 +210,11 @@ void MainWindow::showPendant() {
     m_pendantRibbon->setVisible(m_pendant->isOn());
     if (module == nullptr)
         return;
-    const QString what = !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
-                         : m_pendant->hasGamepad()
-                             ? tr("Shift with ◂ or ▸ moves it while both are held; so does a shoulder button "
-                                  "of the gamepad with "
-                                  "its left stick or cross. B (○) is STOP ALL. Esc ends this.")
-                             : tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.");
+    const QString what =
+        !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
+        : m_pendant->hasGamepad()
+            ? tr("Shift with ◂ or ▸ moves it while both are held; so does a shoulder button of the gamepad with its left stick or cross. B (○) is STOP ALL. Esc ends this.")
+            : tr("Shift with ◂ or ▸ moves it while both are held. Esc ends this.");
     m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
 }
 

@@ -40,12 +40,13 @@ void openBox(MainWindow& window, const QString& objectName, const QString& title
 }
 
 void openAbout(MainWindow& window) {
-    openBox(window, u"aboutDialog"_s, Menus::tr("About NMC Panel"),
-            Menus::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
-            Menus::tr("A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.\n\n"
-                      "Free software under the GNU General Public License, version 3 or later. "
-                      "Icons: Tabler, MIT licence. Built with Qt %1.")
-                .arg(QLatin1StringView(qVersion())));
+    openBox(
+        window, u"aboutDialog"_s, Menus::tr("About NMC Panel"),
+        Menus::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
+        Menus::tr(
+            "A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.\n\n"
+            "Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.")
+            .arg(QLatin1StringView(qVersion())));
 }
 
 void openSafety(MainWindow& window) {

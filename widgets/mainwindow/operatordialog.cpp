@@ -34,11 +34,9 @@ OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
 }
 
 OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : OperatorDialog(window) {
-    auto* text =
-        new QLabel(tr("Choose what is left to the operator. STOP ALL, Esc, each motor's stops and "
-                      "disconnecting always work. This keeps hands off by mistake; it is no security: "
-                      "who gets at the files of this computer gets around it."),
-                   this);
+    auto* text = new QLabel(
+        tr("Choose what is left to the operator. STOP ALL, Esc, each motor's stops and disconnecting always work. This keeps hands off by mistake; it is no security: who gets at the files of this computer gets around it."),
+        this);
     text->setWordWrap(true);
     layout()->addWidget(text);
     const struct {

@@ -54,12 +54,13 @@ void OperatorLock::showRights(const OperatorRights& rights) {
 
 void OperatorLock::open() {
     if (!m_dialog) {
-        m_dialog = m_locked ? new OperatorDialog([this](const QString& pin) { return isPin(pin); },
-                                                 tr("If it is forgotten, close the panel and remove the part "
-                                                    "\"operator\" from %1.")
-                                                     .arg(m_settings.fileName()),
-                                                 m_window)
-                            : new OperatorDialog(m_rights, m_window);
+        m_dialog =
+            m_locked ? new OperatorDialog(
+                           [this](const QString& pin) { return isPin(pin); },
+                           tr("If it is forgotten, close the panel and remove the part \"operator\" from %1.")
+                               .arg(m_settings.fileName()),
+                           m_window)
+                     : new OperatorDialog(m_rights, m_window);
         connect(m_dialog, &OperatorDialog::locked, this, &OperatorLock::begin);
         connect(m_dialog, &OperatorDialog::unlocked, this, &OperatorLock::leave);
         connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); });

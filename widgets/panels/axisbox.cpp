@@ -102,8 +102,7 @@ void AxisBox::build() {
     auto* workOut = new QPushButton(tr("Work it out…"), this);
     look::name(workOut, named(u"workOutUnitButton"_s), tr("Work it out from encoder, gear and screw"));
     workOut->setToolTip(
-        tr("Works the unit out from what stands on the labels of encoder, gear and screw. "
-           "Sends nothing."));
+        tr("Works the unit out from what stands on the labels of encoder, gear and screw. Sends nothing."));
     connect(workOut, &QPushButton::clicked, this, &AxisBox::workOutUnit);
     form->addRow(QString(), workOut);
     m_symbol = new QLineEdit(this);
@@ -136,10 +135,9 @@ void AxisBox::build() {
 }
 
 void AxisBox::buildAnalog(QFormLayout* form) {
-    m_analogPerCount =
-        addNumber(form, tr("A/D, each step"), u"analogPerCountField"_s,
-                  tr("What one of the 255 steps of the A/D value stands for, for example 5 V / "
-                     "255, or amperes by the amplifier's current sense."));
+    m_analogPerCount = addNumber(
+        form, tr("A/D, each step"), u"analogPerCountField"_s,
+        tr("What one of the 255 steps of the A/D value stands for, for example 5 V / 255, or amperes by the amplifier's current sense."));
     m_analogPerCount->setRange(-1e6, 1e6);
     m_analogAtZero =
         addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("What an A/D value of 0 stands for."));

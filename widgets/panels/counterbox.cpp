@@ -181,8 +181,8 @@ void CounterBox::refresh() {
     for (const NumberField* field : {m_outputs, m_pwm[0], m_pwm[1]})
         if (problem.isEmpty())
             problem = field->problemText();
-    m_store->setPossible(problem, tr("Sends these values to the module, which keeps them until they are put "
-                                     "out."));
+    m_store->setPossible(problem,
+                         tr("Sends these values to the module, which keeps them until they are put out."));
     const auto& stored = module.pins.stored();
     m_synchOutput->setPossible(!outputs.isEmpty() ? outputs
                                : stored           ? QString()

@@ -21,8 +21,8 @@ QString statusMeaning(std::size_t bit) {
         DetailsBox::tr("The module could not read the last command; it was not carried out."),
         DetailsBox::tr("The current limit was reached. Stays until sticky bits are cleared."),
         DetailsBox::tr("Motor power is present."),
-        DetailsBox::tr("The position error was beyond its limit, or the servo is off. Stays until sticky "
-                       "bits are cleared."),
+        DetailsBox::tr(
+            "The position error was beyond its limit, or the servo is off. Stays until sticky bits are cleared."),
         DetailsBox::tr("Limit input 1."),
         DetailsBox::tr("Limit input 2."),
         DetailsBox::tr("Waiting for the home position.")};

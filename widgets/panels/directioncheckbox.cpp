@@ -72,10 +72,7 @@ QString DirectionCheckBox::whyNotNow() const {
 QString DirectionCheckBox::question() const {
     constexpr double kWhole = 255.0;
     const AxisScale scale = m_context.scale();
-    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than a "
-              "tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it "
-              "has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the "
-              "check. Keep clear of it.")
+    return tr("The motor of %1 will move a little, forward and in reverse. It is pushed for less than a tenth of a second at a time, a little stronger each time up to %2 % of its supply, until it has moved %3; a motor that runs freely may run on for some more. Farther than %4 ends the check. Keep clear of it.")
         .arg(texts::moduleName(m_context.state().info.index))
         .arg(qRound(kStrongestPush * 100.0 / kWhole))
         .arg(texts::position(scale, kMovedCounts),
@@ -112,14 +109,13 @@ QString DirectionCheckBox::found() const {
     if (check && check->failure)
         return u"▲ "_s + tr("No verdict: see the message.");
     return u"○ "_s +
-           tr("Not checked in this connection. Do it before you enable the servo for the first time: "
-              "with motor or encoder reversed it runs away.");
+           tr("Not checked in this connection. Do it before you enable the servo for the first time: with motor or encoder reversed it runs away.");
 }
 
 void DirectionCheckBox::refresh() {
-    m_check->setPossible(whyNotNow(),
-                         tr("Moves the motor a little, without the servo, to see that it turns the way its "
-                            "encoder counts. Asks first."));
+    m_check->setPossible(
+        whyNotNow(),
+        tr("Moves the motor a little, without the servo, to see that it turns the way its encoder counts. Asks first."));
     m_cancel->setPossible(running() ? QString() : tr("No direction check is under way."),
                           tr("Ends the check; the motor is off then."));
     look::setText(m_state, found());

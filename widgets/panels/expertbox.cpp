@@ -58,12 +58,11 @@ QString homingMeaning(const SetHoming& homing, bool watches) {
     if (!watches)
         return ExpertBox::tr("The chip no longer watches for home.");
     const bool stops = homing.stopAbruptly || homing.stopSmoothly || homing.motorOff;
-    return stops ? ExpertBox::tr(
-                       "At the first of these events the chip stores its position in the home "
-                       "register and stops by itself. Start the motion with your own command.")
-                 : ExpertBox::tr(
-                       "At the first of these events the chip stores its position in the home "
-                       "register. The motion goes on.");
+    return stops
+               ? ExpertBox::tr(
+                     "At the first of these events the chip stores its position in the home register and stops by itself. Start the motion with your own command.")
+               : ExpertBox::tr(
+                     "At the first of these events the chip stores its position in the home register. The motion goes on.");
 }
 
 QString startMeaning(bool startNow, const QString& meaning) {
@@ -112,13 +111,14 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
         [](const bus::ModuleCommand& command) {
             const auto& load = std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
             if (!load.servo)
-                return startMeaning(load.startNow,
-                                    ExpertBox::tr("The servo is off and the PWM value drives the motor. No "
-                                                  "limit applies."));
+                return startMeaning(
+                    load.startNow,
+                    ExpertBox::tr("The servo is off and the PWM value drives the motor. No limit applies."));
             if (load.profile == servo::ProfileMode::Velocity)
                 return startMeaning(load.startNow, ExpertBox::tr("The motor runs until it is stopped."));
-            return startMeaning(load.startNow, ExpertBox::tr("A trapezoidal move to the position. Start it "
-                                                             "from standstill only."));
+            return startMeaning(
+                load.startNow,
+                ExpertBox::tr("A trapezoidal move to the position. Start it from standstill only."));
         });
     return box;
 }
@@ -155,8 +155,7 @@ DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
                     return ExpertBox::tr("The motor slows down with the loaded acceleration and holds.");
                 case servo::StopManner::Here:
                     return ExpertBox::tr(
-                        "The motor goes to this position without a profile, as fast as the "
-                        "gains drive it, and holds there.");
+                        "The motor goes to this position without a profile, as fast as the gains drive it, and holds there.");
             }
             return QString();
         });
@@ -209,8 +208,7 @@ QString stepGoalMeaning(const step::LoadTrajectory& load, bus::StepMode mode) {
             if (load.position)
                 return ExpertBox::tr("One speed from the first step to the position.");
             return ExpertBox::tr(
-                "The move goes on to its position at this speed. Had it ended meanwhile, "
-                "the motor would run until it is stopped.");
+                "The move goes on to its position at this speed. Had it ended meanwhile, the motor would run until it is stopped.");
         case bus::StepMode::Unprofiled:
             return ExpertBox::tr("One speed from the first step. The motor runs until it is stopped.");
         case bus::StepMode::Stopped:
@@ -340,8 +338,7 @@ void ExpertBox::refresh() {
     AskDialog::reviewAll(*this);
     m_reset->setPossible(
         m_context.reasonNow(Request::ResetModule),
-        tr("Takes this module back to its power-up state, and gives it its address again. The "
-           "others stay as they are."));
+        tr("Takes this module back to its power-up state, and gives it its address again. The others stay as they are."));
 }
 
 void ExpertBox::askBeforeReset() {
@@ -353,8 +350,7 @@ void ExpertBox::askBeforeReset() {
              [this, module] {
                  return m_context.whyNot(Request::ResetModule)
                             ? QString()
-                            : tr("Reset %1? Its motor goes off, and it forgets its position, its "
-                                 "settings and its group. The other modules stay as they are.")
+                            : tr("Reset %1? Its motor goes off, and it forgets its position, its settings and its group. The other modules stay as they are.")
                                   .arg(module);
              },
          .stay = tr("Cancel"),

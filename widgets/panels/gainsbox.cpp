@@ -124,9 +124,8 @@ void GainsBox::addSense(int line, QGridLayout* grid) {
     look::name(m_sense, u"clSenseBox"_s, tr("Sense of the current limit"));
     for (const CurrentSense sense : {CurrentSense::Off, CurrentSense::Above, CurrentSense::Below})
         m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
-    m_sense->setToolTip(
-        tr("Whether a large or a small A/D value means too much current. The chip tells them "
-           "apart by odd and even numbers."));
+    m_sense->setToolTip(tr(
+        "Whether a large or a small A/D value means too much current. The chip tells them apart by odd and even numbers."));
     grid->addWidget(m_sense, line, 1, 1, 2);
     connect(m_sense, &QComboBox::activated, this, [this] { chooseSense(m_sense->currentData().toInt()); });
 }
@@ -156,8 +155,9 @@ void GainsBox::addButtons(int line, QGridLayout* grid) {
                               .accessible = tr("Fill in zero for all gains"),
                               .key = Qt::CTRL | Qt::Key_0},
                              this, [this] { fill(zeroValue); });
-    zero->setPossible({}, tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the "
-                             "motor does not hold any more."));
+    zero->setPossible(
+        {},
+        tr("Fills the fields with 0, where tuning begins. Sends nothing; once applied, the motor does not hold any more."));
     auto* start = new Command({.name = u"fillGainsButton"_s,
                                .icon = u"wand"_s,
                                .text = tr("Start&ing values"),
@@ -411,9 +411,7 @@ QString GainsBox::hint() const {
     const auto rate = rowOf(Gain::Sr).field->value();
     if (!m_sent || !rate || static_cast<int>(*rate) == m_sent->sr)
         return {};
-    return tr("SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per "
-              "tick "
-              "means another speed then.")
+    return tr("SR %1 instead of %2 changes the servo tick: every velocity and acceleration in counts per tick means another speed then.")
         .arg(static_cast<int>(*rate))
         .arg(m_sent->sr);
 }
@@ -448,10 +446,10 @@ void GainsBox::refreshTry(const QString& problem) {
                  : refused          ? texts::refusal(*refused)
                  : gains == m_sent  ? tr("The module has these gains already.")
                                     : QString();
-    m_try->setPossible(reason,
-                       tr("Sends these gains and takes them back after %1 s, unless you keep them; at "
-                          "once when the motor begins to swing.")
-                           .arg(kTrySeconds));
+    m_try->setPossible(
+        reason,
+        tr("Sends these gains and takes them back after %1 s, unless you keep them; at once when the motor begins to swing.")
+            .arg(kTrySeconds));
     m_keep->setPossible(tries() ? QString() : tr("No gains are being tried."),
                         tr("The gains that are being tried stay."));
 }

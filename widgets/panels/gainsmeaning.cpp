@@ -132,23 +132,19 @@ QString gainMeaning(Gain gain) {
     switch (gain) {
         case Gain::Kp:
             text = Gains::tr(
-                "Kp, position gain: output for each count of position error. After Kd, raise it with small, "
-                "fast test moves until the motor starts to overshoot, then back off a little.");
+                "Kp, position gain: output for each count of position error. After Kd, raise it with small, fast test moves until the motor starts to overshoot, then back off a little.");
             break;
         case Gain::Kd:
             text = Gains::tr(
-                "Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts "
-                "to hum, then back off a little bit.");
+                "Kd, derivative gain: damping. Start here, with Kp and Ki 0: raise it until the motor starts to hum, then back off a little bit.");
             break;
         case Gain::Ki:
             text = Gains::tr(
-                "Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, "
-                "then raise Ki until the error is small enough soon enough. It adds some overshoot.");
+                "Ki, integral gain: removes the steady error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error is small enough soon enough. It adds some overshoot.");
             break;
         case Gain::Il:
             text = Gains::tr(
-                "IL, integration limit: bounds the running sum of the error. In the end lower it to the "
-                "least value that still cancels the steady error. 0 clears the sum.");
+                "IL, integration limit: bounds the running sum of the error. In the end lower it to the least value that still cancels the steady error. 0 clears the sum.");
             break;
         case Gain::Ol:
             text = Gains::tr(
@@ -156,23 +152,19 @@ QString gainMeaning(Gain gain) {
             break;
         case Gain::Cl:
             text = Gains::tr(
-                "CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is "
-                "above CL. Even: limits when it is below CL.");
+                "CL, current limit, compared with the A/D value. 0: off. Odd: limits when the A/D value is above CL. Even: limits when it is below CL.");
             break;
         case Gain::El:
             text = Gains::tr(
-                "EL, position error limit in counts: beyond it the servo switches itself off, for example "
-                "after a collision or a stall.");
+                "EL, position error limit in counts: beyond it the servo switches itself off, for example after a collision or a stall.");
             break;
         case Gain::Sr:
             text = Gains::tr(
-                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads "
-                "with less Kd. Changing SR changes what every velocity and acceleration means.");
+                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes what every velocity and acceleration means.");
             break;
         case Gain::Db:
             text = Gains::tr(
-                "DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing "
-                "near zero. Version 4 and later.");
+                "DB, deadband compensation: added to every PWM value but 0, for amplifiers that do nothing near zero. Version 4 and later.");
             break;
     }
     return text + u"\n"_s + Gains::tr("Range: %1 to %2.").arg(range.min).arg(range.max);

@@ -44,11 +44,9 @@ void GenericPanel::showModule(const PanelView& view) {
     m_module = module.info.index;
     look::setText(m_name, tr("%1: %2").arg(texts::moduleName(module.info.index),
                                            texts::moduleType(module.info.identity)));
-    look::setText(m_text, tr("Its type and version are not among those whose data sheets this panel follows "
-                             "(PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would "
-                             "do to it is not known. It is only looked "
-                             "at; Stop all reaches "
-                             "it."));
+    look::setText(
+        m_text,
+        tr("Its type and version are not among those whose data sheets this panel follows (PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so what a command would do to it is not known. It is only looked at; Stop all reaches it."));
     QString status = tr("No status yet.");
     if (module.latest.has_value()) {
         status = tr("Status byte %1").arg(module.latest->status, 2, 16, QChar(u'0'));

@@ -86,8 +86,7 @@ QAbstractButton* HomingForm::addChoice(const QString& name, const QString& text,
 void HomingForm::buildConditions(QGridLayout* grid) {
     QList<QWidget*> conditions;
     const QString change = tr(
-        "Home is where this switch changes. When it is active at the start, the motor first backs off from "
-        "it in the other direction.");
+        "Home is where this switch changes. When it is active at the start, the motor first backs off from it in the other direction.");
     if (m_type == ModuleType::Step) {
         conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
                    << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
@@ -100,20 +99,19 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         << addBox(u"onLimit2Box"_s, tr("Limit 2"), &HomingRecipe::onLimit2, change)
         << addBox(u"onIndexBox"_s, tr("Index"), &HomingRecipe::onIndex,
                   tr("Home is at the encoder's index, which comes once in a turn."))
-        << addBox(u"onPositionErrorBox"_s, tr("Position error"), &HomingRecipe::onPositionError,
-                  tr("Home is at a hard stop: the motor runs against it until the position error limit "
-                     "switches the servo off. Sticky bits are cleared before. The servo is switched on again "
-                     "only if it is to go on, to the index or to home."))
-        << addBox(u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
-                  tr("Home is at a hard stop: the motor runs against it until the current limit is reached. "
-                     "Alone it is looked for at full speed only; together with others from the start, whose "
-                     "current must stay below it then. Sticky bits are cleared before."));
+        << addBox(
+               u"onPositionErrorBox"_s, tr("Position error"), &HomingRecipe::onPositionError,
+               tr("Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared before. The servo is switched on again only if it is to go on, to the index or to home."))
+        << addBox(
+               u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
+               tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone it is looked for at full speed only; together with others from the start, whose current must stay below it then. Sticky bits are cleared before."));
     addTitle(grid, tr("Home is at"), row(conditions.mid(0, 3)));
     addTitle(grid, QString(), row(conditions.mid(3)));
-    addTitle(grid, QString(),
-             addBox(u"thenIndexBox"_s, tr("then at the index, going back"), &HomingRecipe::thenIndex,
-                    tr("What is chosen above finds the neighbourhood; a second, slower search finds the "
-                       "index, which is more exact.")));
+    addTitle(
+        grid, QString(),
+        addBox(
+            u"thenIndexBox"_s, tr("then at the index, going back"), &HomingRecipe::thenIndex,
+            tr("What is chosen above finds the neighbourhood; a second, slower search finds the index, which is more exact.")));
 }
 
 void HomingForm::buildMotion(QGridLayout* grid) {
@@ -197,9 +195,9 @@ void HomingForm::buildEnd(QGridLayout* grid) {
     addTitle(grid, tr("Stop there"), row(stops));
     addTitle(
         grid, tr("And then"),
-        row({addBox(u"goToHomeBox"_s, tr("Go to home"), &HomingRecipe::goToHome,
-                    tr("The motor stops behind home; this moves it back to it. A servo or amplifier that "
-                       "the search has switched off is switched on again for it.")),
+        row({addBox(
+                 u"goToHomeBox"_s, tr("Go to home"), &HomingRecipe::goToHome,
+                 tr("The motor stops behind home; this moves it back to it. A servo or amplifier that the search has switched off is switched on again for it.")),
              addBox(u"makeZeroBox"_s, tr("Make it zero"), &HomingRecipe::makeZero,
                     tr("Once the motor stands at home, its position becomes 0."))}));
 }
@@ -290,10 +288,10 @@ void HomingForm::refreshStops() {
         reason = tr("A position error switches the servo off by itself.");
     const bool hostStops =
         m_type == ModuleType::Servo && m_version > 0 && m_version < servo::kAutoStopVersion;
-    const QString who = hostStops
-                            ? tr(" This version of the chip does not stop by itself: the panel stops it, "
-                                 "some hundredths of a second later.")
-                            : tr(" The chip stops it by itself.");
+    const QString who =
+        hostStops
+            ? tr(" This version of the chip does not stop by itself: the panel stops it, some hundredths of a second later.")
+            : tr(" The chip stops it by itself.");
     const std::array meanings{tr("At home the motor stops at once, and holds."),
                               tr("At home the motor slows down, stops behind it, and holds."),
                               tr("At home the motor is switched off, and is free to turn.")};

@@ -43,16 +43,15 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     m_analog->setObjectName(u"analogValue"_s);
     m_analog->setFont(look::tabular(font()));
     m_analog->setToolTip(
-        tr("The A/D input, by most amplifiers the motor current. Its scale is set on the page "
-           "Axis."));
+        tr("The A/D input, by most amplifiers the motor current. Its scale is set on the page Axis."));
     grid->addWidget(new QLabel(tr("A/D"), this), line, 0);
     grid->addWidget(m_analog, line++, 2, 1, 2);
     m_amplifier = new QCheckBox(tr("Amplifier enabled (&AMP_EN)"), this);
     look::name(m_amplifier, u"amplifierBox"_s, tr("Amplifier enabled"));
     grid->addWidget(m_amplifier, line++, 0, 1, 4);
-    m_remark = look::newMutedLabel(tr("A limit input does not stop the motor by itself on this chip: arm a "
-                                      "limit stop on the page Homing."),
-                                   this);
+    m_remark = look::newMutedLabel(
+        tr("A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing."),
+        this);
     m_remark->setObjectName(u"limitRemark"_s);
     m_remark->setWordWrap(true);
     grid->addWidget(m_remark, line++, 0, 1, 4);
@@ -151,9 +150,9 @@ void IoBox::refresh() {
                   report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
     const QSignalBlocker blocker(m_amplifier);
     m_amplifier->setChecked(module.amplifierEnabled);
-    look::setPossible(m_amplifier, m_context.reasonNow(Request::SetAmplifier),
-                      tr("Sets the amplifier's enable line alone; the servo stays as it is. Without it the "
-                         "motor gets no current, whatever the servo does."));
+    look::setPossible(
+        m_amplifier, m_context.reasonNow(Request::SetAmplifier),
+        tr("Sets the amplifier's enable line alone; the servo stays as it is. Without it the motor gets no current, whatever the servo does."));
 }
 
 }  // namespace nmc

@@ -42,9 +42,8 @@ void JogBox::build() {
     m_velocity->setName(u"holdVelocityField"_s, tr("Velocity while held"));
     m_velocity->setQuantity(tr("The velocity while held"));
     m_velocity->setNativeStep(0.05);
-    m_velocity->setMeaning(
-        tr("How fast the motor turns while a button, or Space on it, is held. Low again "
-           "after every connect; the cap is set on the page Axis."));
+    m_velocity->setMeaning(tr(
+        "How fast the motor turns while a button, or Space on it, is held. Low again after every connect; the cap is set on the page Axis."));
     quantitygrid::addFirstRow(grid, line, tr("Jog at velocit&y"), m_velocity);
     m_reverse = new HoldButton(this);
     m_reverse->setIcon(icons::tinted(u"hand-stop"_s));

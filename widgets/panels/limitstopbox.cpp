@@ -177,13 +177,11 @@ void LimitStopBox::refresh() {
     look::setPossible(m_limit2, never, tr("The motor stops when limit 2 changes."));
     look::setPossible(
         m_positionError, never,
-        tr("The motor stops when it is farther from where it should be than EL allows; the servo "
-           "goes off then in any case."));
+        tr("The motor stops when it is farther from where it should be than EL allows; the servo goes off then in any case."));
     look::setPossible(m_currentLimit, never, tr("The motor stops when its current exceeds CL."));
     look::setPossible(
         m_each, never,
-        tr("Whenever the motor stands with its servo on, the panel arms the limit stop, also after "
-           "it has tripped; no motion begins before. Kept with the machine."));
+        tr("Whenever the motor stands with its servo on, the panel arms the limit stop, also after it has tripped; no motion begins before. Kept with the machine."));
     const std::array meanings{tr("At the limit the motor stops at once, and holds."),
                               tr("At the limit the motor slows down, stops behind it, and holds."),
                               tr("At the limit the motor is switched off, and is free to turn.")};
@@ -191,8 +189,7 @@ void LimitStopBox::refresh() {
         look::setPossible(m_manners[i], never, meanings[i]);
     m_arm->setPossible(
         whyNotArmed(),
-        tr("The chip itself then stops the motor when a chosen limit changes, once; sooner than "
-           "the panel could. A search for home replaces it."));
+        tr("The chip itself then stops the motor when a chosen limit changes, once; sooner than the panel could. A search for home replaces it."));
     const bool armed = module.homing.state() != Watch::Idle ||
                        (module.latest && module.latest->servoStatus().homeInProgress());
     QString reason = never;

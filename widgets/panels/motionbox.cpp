@@ -55,10 +55,10 @@ QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString
     field->setQuantity(accessibleName);
     field->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
     field->setNativeStep(acceleration ? 0.0005 : 0.05);
-    field->setMeaning(acceleration
-                          ? tr("How fast the velocity changes. Used by every kind of motion here, and by a "
-                               "smooth stop.")
-                          : tr("How fast the motor turns."));
+    field->setMeaning(
+        acceleration
+            ? tr("How fast the velocity changes. Used by every kind of motion here, and by a smooth stop.")
+            : tr("How fast the motor turns."));
     if (part == &MotionSettings::runVelocity)
         quantitygrid::addFirstRow(grid, line, label, field);
     else
@@ -157,8 +157,7 @@ void MotionBox::buildRun(QGridLayout* grid, int& line) {
     m_runVelocity = addQuantity(grid, line, tr("Run at vel&ocity"), u"runVelocityField"_s,
                                 tr("Velocity of running"), &MotionSettings::runVelocity);
     m_runVelocity->setMeaning(
-        tr("How fast the motor turns until it is stopped. Enter runs, and changes the "
-           "velocity on the way."));
+        tr("How fast the motor turns until it is stopped. Enter runs, and changes the velocity on the way."));
     m_runReverse = new Command({.name = u"runReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),

@@ -335,13 +335,13 @@ void PanelHead::refreshSigns() {
 void PanelHead::refreshCommands() {
     const ModuleState& module = m_context.state();
     const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
-    m_enable->setPossible(!on         ? m_context.reasonNow(Request::Enable)
-                          : isServo() ? tr("The servo is on already.")
-                                      : tr("The amplifier is on already."),
-                          isServo()
-                              ? tr("Switches the amplifier on, holds the motor where it is, and clears the "
-                                   "sticky bits: that of the position error is set while the servo is off.")
-                              : tr("Switches the amplifier on and holds the motor where it is."));
+    m_enable->setPossible(
+        !on         ? m_context.reasonNow(Request::Enable)
+        : isServo() ? tr("The servo is on already.")
+                    : tr("The amplifier is on already."),
+        isServo()
+            ? tr("Switches the amplifier on, holds the motor where it is, and clears the sticky bits: that of the position error is set while the servo is off.")
+            : tr("Switches the amplifier on and holds the motor where it is."));
     const QString stop = m_context.reasonFor(Request::StopMotion);
     m_stopSmoothly->setPossible(stop, tr("Slows down at the acceleration in force, then holds."));
     m_stopAbruptly->setPossible(stop, tr("Stops at once, then holds."));
@@ -353,8 +353,7 @@ void PanelHead::refreshCommands() {
         m_context.reasonFor(Request::MotorOff),
         isServo()
             ? tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall.")
-            : tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may "
-                 "fall."));
+            : tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall."));
 }
 
 }  // namespace nmc

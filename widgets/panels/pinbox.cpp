@@ -197,9 +197,11 @@ void PinBox::refresh() {
     m_allInputs->setVisible(!known);
     m_allInputs->setPossible(m_context.reasonNow(Request::ControlIo),
                              tr("Makes all twelve pins inputs: outputs let go of what they drive."));
-    look::setText(m_hint, known ? QString()
-                                : tr("Another program has left this module, and it does not tell which pins "
-                                     "are outputs. Make all pins inputs to begin anew."));
+    look::setText(
+        m_hint,
+        known
+            ? QString()
+            : tr("Another program has left this module, and it does not tell which pins are outputs. Make all pins inputs to begin anew."));
 }
 
 void PinBox::refreshPin(unsigned number) {

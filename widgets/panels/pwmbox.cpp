@@ -43,10 +43,9 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
 
     auto* sign = new GlyphLabel(this);
     sign->showSeverity(Severity::Attention);
-    auto* warning = new QLabel(tr("The motor is driven directly, without the servo: no position limit, no "
-                                  "position error limit and no "
-                                  "output limit protects it, and it runs until it is switched off."),
-                               this);
+    auto* warning = new QLabel(
+        tr("The motor is driven directly, without the servo: no position limit, no position error limit and no output limit protects it, and it runs until it is switched off."),
+        this);
     warning->setObjectName(u"pwmWarning"_s);
     warning->setWordWrap(true);
     auto* label = new QLabel(tr("PWM value"), this);

@@ -100,8 +100,7 @@ void StepHoldBox::showModule() {
     m_speed->setScale(scale);
     m_speed->setNativeRange(slowest, cap);
     m_speed->setMeaning(
-        tr("How fast the motor turns while a button is held: %1 to %2. The most is set on the "
-           "Parameters page.")
+        tr("How fast the motor turns while a button is held: %1 to %2. The most is set on the Parameters page.")
             .arg(texts::stepsPerSecond(slowest, scale), texts::stepsPerSecond(cap, scale)));
     if (otherRange)
         showSpeed();

@@ -228,10 +228,10 @@ void StepIoBox::refresh() {
                         : staged()        ? QString()
                                           : tr("Choose all five outputs first."),
                         tr("Sends all five outputs as chosen above."));
-    look::setText(m_hint,
-                  known ? QString()
-                        : tr("The outputs are unknown: the module cannot be asked. Choose all five, then "
-                             "set them."));
+    look::setText(
+        m_hint,
+        known ? QString()
+              : tr("The outputs are unknown: the module cannot be asked. Choose all five, then set them."));
     const StatusReport report = module.latest.value_or(StatusReport{});
     const std::optional<std::uint8_t>& inputs = report.aux;
     for (std::size_t i = 0; i < kInputs; ++i) {

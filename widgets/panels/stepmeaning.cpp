@@ -91,43 +91,28 @@ QString stepParameterMeaning(StepParameter parameter) {
     switch (parameter) {
         case StepParameter::SpeedMode:
             return StepMeaning::tr(
-                "The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the "
-                "slowest that is fast enough. The same speeds and ramps mean something else in another "
-                "mode.");
+                "The clock of the step timer. A faster one reaches higher speeds in coarser steps: take the slowest that is fast enough. The same speeds and ramps mean something else in another mode.");
         case StepParameter::MinimumSpeed:
             return StepMeaning::tr(
-                "Where ramps begin and end. The motor must start and stop at this speed at once without "
-                "losing "
-                "steps; runs and moves with a ramp go no slower.");
+                "Where ramps begin and end. The motor must start and stop at this speed at once without losing steps; runs and moves with a ramp go no slower.");
         case StepParameter::RunCurrent:
             return StepMeaning::tr(
-                "The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is "
-                "no "
-                "current: the motor does not follow. Not more than motor and driver stand.");
+                "The current limit while the motor moves, as a part of 255 of what the driver can give. 0 is no current: the motor does not follow. Not more than motor and driver stand.");
         case StepParameter::HoldCurrent:
             return StepMeaning::tr(
-                "The current limit at rest, from about 0.25 s after a motion. Usually lower than the run "
-                "current, so that the motor stays cool. 0 is no current: nothing is held.");
+                "The current limit at rest, from about 0.25 s after a motion. Usually lower than the run current, so that the motor stays cool. 0 is no current: nothing is held.");
         case StepParameter::ThermalLimit:
             return StepMeaning::tr(
-                "The module switches the motor off when the A/D value falls below this: the voltage of a "
-                "thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of "
-                "a "
-                "warm motor to find the right limit.");
+                "The module switches the motor off when the A/D value falls below this: the voltage of a thermistor bridge falls as the motor gets warmer. 0 turns this off. Watch the A/D value of a warm motor to find the right limit.");
         case StepParameter::IgnoreLimits:
             return StepMeaning::tr(
-                "As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. "
-                "With "
-                "this on the switches stop nothing, and the motor can run into its end.");
+                "As a rule the chip stops at limit switch 1 going forward and at limit switch 2 in reverse. With this on the switches stop nothing, and the motor can run into its end.");
         case StepParameter::IgnoreEstop:
             return StepMeaning::tr(
-                "As a rule the chip stops the motor when its E-stop input goes high. With this on the input "
-                "stops nothing.");
+                "As a rule the chip stops the motor when its E-stop input goes high. With this on the input stops nothing.");
         case StepParameter::MotorOff:
             return StepMeaning::tr(
-                "A limit switch or the E-stop input switches the motor off too, not only stops it: it is "
-                "then "
-                "free to turn, and a load may fall.");
+                "A limit switch or the E-stop input switches the motor off too, not only stops it: it is then free to turn, and a load may fall.");
     }
     return {};
 }

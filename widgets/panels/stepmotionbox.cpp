@@ -193,10 +193,10 @@ void StepMotionBox::showSpeed() {
     const double fastest = std::max(slowest, stepdefaults::atMost(chip, m_context.settings()));
     m_shownFastest = m_context.settings().travel.fastest;
     m_speed->setNativeRange(slowest, fastest);
-    m_speed->setMeaning(tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the "
-                           "nearest that it can do.")
-                            .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
-                                 texts::stepsPerSecond(fastest, m_speed->scale())));
+    m_speed->setMeaning(
+        tr("How fast the motor turns: %1 to %2 in this speed mode. The chip takes the nearest that it can do.")
+            .arg(texts::stepsPerSecond(slowest, m_speed->scale()),
+                 texts::stepsPerSecond(fastest, m_speed->scale())));
     m_speed->showNative(set > 0 ? set : std::clamp(fallback, slowest, fastest));
 }
 
@@ -407,8 +407,7 @@ void StepMotionBox::refresh() {
     look::setPossible(m_relative, unused,
                       tr("The position counts from where the motor stands at the start."));
     m_loadOnly->setToolTip(
-        tr("The buttons send the motion without starting it; Start loaded does, or its "
-           "group."));
+        tr("The buttons send the motion without starting it; Start loaded does, or its group."));
     look::setText(m_outcome, outcome());
     look::setText(m_ramp,
                   m_mode->profiled()

@@ -360,8 +360,7 @@ void StepParametersBox::refresh() {
         : !problem.isEmpty() ? problem
                              : m_context.whyBusy(),
         m_context.state().driveOn()
-            ? tr("Sends all parameters at once. The amplifier is on: currents and limits act "
-                 "immediately.")
+            ? tr("Sends all parameters at once. The amplifier is on: currents and limits act immediately.")
             : tr("Sends all parameters at once. The motor does not move."));
     m_revert->setPossible(m_typed ? QString() : tr("Nothing was edited."),
                           m_sent

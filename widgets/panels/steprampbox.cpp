@@ -25,9 +25,8 @@ StepRampBox::StepRampBox(ModuleContext& context, QWidget* parent)
                      static_cast<double>(step::kAccelerationTimeRange.max));
     m_time->setWords(tr("The acceleration time"), {});
     m_time->setDigits(8);
-    m_time->setMeaning(
-        tr("How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next "
-           "motion that has a ramp, and used by a smooth stop after it."));
+    m_time->setMeaning(tr(
+        "How long a ramp stays at each speed, in 0.25 ms: the smaller, the steeper. Sent with the next motion that has a ramp, and used by a smooth stop after it."));
     m_acceleration->setObjectName(u"stepAccelerationRemark"_s);
     m_state->setObjectName(u"stepAccelerationTimeState"_s);
     m_cap->setName(u"stepHoldCapField"_s, tr("Fastest speed of hold to move"));

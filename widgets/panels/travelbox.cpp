@@ -85,9 +85,8 @@ void TravelBox::buildFastest(QGridLayout* grid, int line) {
     m_fastest = new QuantityField(QuantityField::Kind::Velocity, this);
     m_fastest->setName(named(u"fastestField"_s), tr("Highest velocity"));
     m_fastest->setQuantity(tr("The highest velocity"));
-    m_fastest->setMeaning(
-        tr("Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as "
-           "fast as the module can."));
+    m_fastest->setMeaning(tr(
+        "Nothing moves this axis faster: no move, run, step, jog or search for home. Empty: as fast as the module can."));
     auto* label = new QLabel(tr("Highest velocity"), this);
     label->setBuddy(m_fastest);
     grid->addWidget(label, line, 0);
@@ -103,9 +102,8 @@ void TravelBox::buildBacklash(QGridLayout* grid, int line) {
     m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
     m_backlash->setQuantity(tr("The backlash"));
     m_backlash->setNativeRange(1, layout::kPlace.max);
-    m_backlash->setMeaning(
-        tr("Somewhat more than the play between motor and load. A move from the wrong side then "
-           "goes beyond its goal by as much first, and comes back. Empty: none."));
+    m_backlash->setMeaning(tr(
+        "Somewhat more than the play between motor and load. A move from the wrong side then goes beyond its goal by as much first, and comes back. Empty: none."));
     m_side = new QComboBox(this);
     look::name(m_side, named(u"backlashSideBox"_s), tr("Side from which every goal is come to"));
     m_side->addItem(tr("from below"), false);
@@ -271,9 +269,8 @@ void TravelBox::refresh() {
     QString certain = m_context.reasonNow(Request::DeclarePosition);
     if (certain.isEmpty() && !module.home.place())
         certain = texts::refusal(Refusal::HomeUnknown);
-    m_doubt->setPossible(certain,
-                         tr("Home is not known any more, and the limits of travel are not in force until "
-                            "it is."));
+    m_doubt->setPossible(
+        certain, tr("Home is not known any more, and the limits of travel are not in force until it is."));
 }
 
 }  // namespace nmc

@@ -46,10 +46,9 @@ UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
                             tr("For a gear of 50 : 1 enter 50 here; without a gear 1."));
     m_outputTurns = addField(u"unitDialogOutputTurns"_s, tr("Gear: make turns of the output"), 1,
                              tr("For a gear of 50 : 1 enter 1 here."));
-    m_travel =
-        addField(u"unitDialogTravel"_s, tr("Travel for one turn of the output (mm)"), 5,
-                 tr("Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch "
-                    "of the belt. Rack: teeth of the pinion times the pitch of the rack."));
+    m_travel = addField(
+        u"unitDialogTravel"_s, tr("Travel for one turn of the output (mm)"), 5,
+        tr("Lead screw: its pitch times its starts. Belt: teeth of the pulley times the pitch of the belt. Rack: teeth of the pinion times the pitch of the rack."));
     m_result = new QLabel(this);
     look::nameText(m_result, u"unitDialogResult"_s, tr("The unit that follows"));
     m_result->setWordWrap(true);

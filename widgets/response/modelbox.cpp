@@ -48,10 +48,10 @@ ModelBox::ModelBox(const std::vector<KeptRun>& runs, QWidget* parent) : QWidget(
     grid->setVerticalSpacing(unit / 3);
     grid->addWidget(m_identify, 0, 0, 1, 2, Qt::AlignLeft);
     grid->addWidget(m_motor, 1, 0, 1, 2);
-    m_stiffness = newSlider(u"stiffnessSlider"_s, tr("Stiff"),
-                            tr("How fast it follows: at the right as fast as noise, output limit and "
-                               "stability permit."),
-                            LoopWish{}.stiffness);
+    m_stiffness = newSlider(
+        u"stiffnessSlider"_s, tr("Stiff"),
+        tr("How fast it follows: at the right as fast as noise, output limit and stability permit."),
+        LoopWish{}.stiffness);
     m_damping = newSlider(u"dampingSlider"_s, tr("Damped"), tr("At the right it does not overshoot."),
                           LoopWish{}.damping);
     m_noise =
@@ -193,13 +193,13 @@ const std::vector<StepPoint>& ModelBox::predictedPoints() const {
 }
 
 void ModelBox::refresh() {
-    look::setPossible(m_identify,
-                      m_looking                ? tr("It is being looked for.")
-                      : ofThisModule().empty() ? tr("Make a step with this module first.")
-                                               : QString(),
-                      tr("Finds the motor that explains the last steps of this module, up to %1 of them. "
-                         "Sends nothing.")
-                          .arg(kMostRuns));
+    look::setPossible(
+        m_identify,
+        m_looking                ? tr("It is being looked for.")
+        : ofThisModule().empty() ? tr("Make a step with this module first.")
+                                 : QString(),
+        tr("Finds the motor that explains the last steps of this module, up to %1 of them. Sends nothing.")
+            .arg(kMostRuns));
     look::setPossible(m_fill, m_suggestion.gains ? QString() : tr("No gains are suggested."),
                       tr("Puts the suggested gains into the fields of the Gains page. Sends nothing."));
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})

@@ -48,12 +48,10 @@ QString motorNotFound(IdentifyFailure failure) {
                 "The motor swings and does not calm down. Lower Kp or raise Kd, then step again.");
         case IdentifyFailure::NotExplained:
             return ModelTexts::tr(
-                "This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a "
-                "current limit.");
+                "This model does not explain the step. Look for backlash, a belt, a stop that was hit, or a current limit.");
         case IdentifyFailure::GainUnclear:
             return ModelTexts::tr(
-                "These steps leave the motor's gain open. Add a longer one, so that it comes near a steady "
-                "speed.");
+                "These steps leave the motor's gain open. Add a longer one, so that it comes near a steady speed.");
         case IdentifyFailure::TimeConstantUnclear:
             return ModelTexts::tr(
                 "These steps leave the time constant open. Repeat the step, or raise the baud rate.");

@@ -54,9 +54,8 @@ void StepForm::buildFields(QGridLayout* grid) {
     m_distance->setName(u"stepResponseDistanceField"_s, tr("Distance of the step response"));
     m_distance->setQuantity(tr("The distance of the step"));
     m_distance->setNativeRange(-kLongestStep, kLongestStep);
-    m_distance->setMeaning(
-        tr("How far the command jumps; below 0 in reverse. Small steps show how the servo "
-           "is tuned, large ones what the amplifier can do."));
+    m_distance->setMeaning(tr(
+        "How far the command jumps; below 0 in reverse. Small steps show how the servo is tuned, large ones what the amplifier can do."));
     m_distance->setDigits(6);
     m_distance->showNative(kFirstStep);
     m_way = new QComboBox(this);
@@ -75,9 +74,8 @@ void StepForm::buildFields(QGridLayout* grid) {
     m_record->showValue(kFirstRecord);
     m_band = newField(1, u"stepResponseBandField"_s, tr("The settling band"), tr("% of the step"));
     m_band->setRange(kNarrowestBand, kWidestBand);
-    m_band->setMeaning(
-        tr("The motor has settled when it stays this close to its goal, and is never judged "
-           "by less than a count. All runs are judged by it."));
+    m_band->setMeaning(tr(
+        "The motor has settled when it stays this close to its goal, and is never judged by less than a count. All runs are judged by it."));
     m_band->showValue(kFirstBand);
     int line = 0;
     const auto addRow = [&](const QString& text, QWidget* field, QWidget* unit, QWidget* other) {
@@ -166,9 +164,9 @@ QString StepForm::whyNotNow() const {
 
 void StepForm::refresh() {
     const QString reason = whyNotNow();
-    look::setPossible(m_step, reason,
-                      tr("The motor jumps by this distance, and holds there. Everything that turns with it "
-                         "must be free to (Shift+F9)."));
+    look::setPossible(
+        m_step, reason,
+        tr("The motor jumps by this distance, and holds there. Everything that turns with it must be free to (Shift+F9)."));
     m_hold->showFor(m_module, refusal());
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;

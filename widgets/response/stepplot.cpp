@@ -61,10 +61,8 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent) {
     look::name(this, u"stepPlot"_s, tr("Step responses over time"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
-    setToolTip(
-        tr("Positions since the step, counted from where it began. The shaded band is the settling "
-           "band around the goal. A double click shows the whole record, or only as long as it moves. The "
-           "wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time."));
+    setToolTip(tr(
+        "Positions since the step, counted from where it began. The shaded band is the settling band around the goal. A double click shows the whole record, or only as long as it moves. The wheel zooms (with Ctrl the positions), a drag moves, a drag with Shift chooses a time."));
     connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();

@@ -299,9 +299,9 @@ QString StepResponsePage::whyNotUsable(const KeptRun* run) const {
 
 void StepResponsePage::refreshButtons() {
     const KeptRun* chosen = find(m_table->chosen());
-    look::setPossible(m_use, whyNotUsable(chosen),
-                      tr("Puts the gains of this run into the fields of the Gains page. Sends nothing "
-                         "(Ctrl+Shift+U)."));
+    look::setPossible(
+        m_use, whyNotUsable(chosen),
+        tr("Puts the gains of this run into the fields of the Gains page. Sends nothing (Ctrl+Shift+U)."));
     look::setPossible(m_remove, chosen == nullptr ? tr("Choose a run in the list first.") : QString(),
                       tr("Takes this run off the list (Ctrl+Del)."));
     look::setPossible(m_putBack, m_removed.empty() ? tr("No run was removed.") : QString(),

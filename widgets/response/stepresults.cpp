@@ -23,20 +23,16 @@ StepResults::StepResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
                              tr("Sample interval")});
     verticalHeaderItem(Rise)->setToolTip(tr("Time from 10 % to 90 % of the step."));
     verticalHeaderItem(Overshoot)->setToolTip(tr("How far it went beyond its goal, in % of the step."));
-    verticalHeaderItem(Settling)->setToolTip(
-        tr("Time until it stays within the settling band around the goal. Nothing if that is not before the "
-           "last fifth of the record."));
-    verticalHeaderItem(AtRest)->setToolTip(
-        tr("The same around the mean position of the last fifth of the record. Friction holds a motor beside "
-           "its goal unless there is an integral (Ki, IL)."));
+    verticalHeaderItem(Settling)->setToolTip(tr(
+        "Time until it stays within the settling band around the goal. Nothing if that is not before the last fifth of the record."));
+    verticalHeaderItem(AtRest)->setToolTip(tr(
+        "The same around the mean position of the last fifth of the record. Friction holds a motor beside its goal unless there is an integral (Ki, IL)."));
     verticalHeaderItem(SteadyError)
         ->setToolTip(tr("Goal less the mean position of the last fifth of the record."));
     verticalHeaderItem(PeakPwm)->setToolTip(tr(
-        "What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask "
-        "for more, so below the output limit OL it is only a lower bound."));
+        "What the servo asks of the amplifier when the command jumps, from the gains. A later tick may ask for more, so below the output limit OL it is only a lower bound."));
     verticalHeaderItem(Interval)->setToolTip(
-        tr("The mean time between two positions of the record. The doubts "
-           "come from it."));
+        tr("The mean time between two positions of the record. The doubts come from it."));
     setFont(look::tabular(look::scaled(font(), 0.9)));
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

@@ -20,8 +20,7 @@ using namespace Qt::StringLiterals;
 StepRunTable::StepRunTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     look::name(this, u"stepRunTable"_s, tr("Step responses so far"));
     setToolTip(
-        tr("The step responses so far, newest first. Tick two of them to compare their curves. The last "
-           "%1 are kept with the machine, those with a name or a note longest.")
+        tr("The step responses so far, newest first. Tick two of them to compare their curves. The last %1 are kept with the machine, those with a name or a note longest.")
             .arg(kMostKeptRuns));
     setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Name"), tr("Module"), tr("Time"), u"Kp"_s,
                                u"Kd"_s, u"Ki"_s, tr("Overshoot"), tr("Settling"), tr("Note")});

@@ -476,8 +476,7 @@ QString SequencesPage::whyNotTaught() const {
 void SequencesPage::refreshPoints() {
     m_teach->setPossible(
         whyNotTaught(),
-        tr("Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name "
-           "already gets the new places."));
+        tr("Keeps where the ticked axes stand now under this name; nothing moves. A point that has the name already gets the new places."));
     const Point* point = chosenPoint();
     const QString none = tr("Choose a point in the table.");
     QString reason = none;
@@ -573,8 +572,7 @@ void SequencesPage::refreshRun() {
         m_link.phase != LinkPhase::Connected ? texts::refusal(Refusal::NotConnected)
         : name.isEmpty()                     ? tr("There is no sequence yet.")
                                              : QString(),
-        tr("Shows how long the sequence takes, where each axis goes and what would be refused, "
-           "on a simulated copy. Nothing moves."));
+        tr("Shows how long the sequence takes, where each axis goes and what would be refused, on a simulated copy. Nothing moves."));
     look::setText(m_state, m_run ? texts::sequenceState(*m_run) : QString());
 }
 

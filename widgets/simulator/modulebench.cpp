@@ -164,24 +164,28 @@ void ModuleBench::buildMechanics() {
                       .step = 0.001,
                       .sliderMax = 0.1});
     }
-    addRow(grid, {.name = u"travel_min"_s,
-                  .label = tr("Stop, reverse"),
-                  .unit = unit,
-                  .meaning = tr("A hard stop at the reverse end of the travel. It cannot be put beyond the "
-                                "place where the shaft is."),
-                  .min = -kMaxCounts,
-                  .max = kMaxCounts,
-                  .step = 1'000,
-                  .none = u"none"_s});
-    addRow(grid, {.name = u"travel_max"_s,
-                  .label = tr("Stop, forward"),
-                  .unit = unit,
-                  .meaning = tr("A hard stop at the forward end of the travel. It cannot be put beyond the "
-                                "place where the shaft is."),
-                  .min = -kMaxCounts,
-                  .max = kMaxCounts,
-                  .step = 1'000,
-                  .none = u"none"_s});
+    addRow(
+        grid,
+        {.name = u"travel_min"_s,
+         .label = tr("Stop, reverse"),
+         .unit = unit,
+         .meaning = tr(
+             "A hard stop at the reverse end of the travel. It cannot be put beyond the place where the shaft is."),
+         .min = -kMaxCounts,
+         .max = kMaxCounts,
+         .step = 1'000,
+         .none = u"none"_s});
+    addRow(
+        grid,
+        {.name = u"travel_max"_s,
+         .label = tr("Stop, forward"),
+         .unit = unit,
+         .meaning = tr(
+             "A hard stop at the forward end of the travel. It cannot be put beyond the place where the shaft is."),
+         .min = -kMaxCounts,
+         .max = kMaxCounts,
+         .step = 1'000,
+         .none = u"none"_s});
     m_limitsAutomatic = new QCheckBox(tr("Limit switches at the stops"), grid.parentWidget());
     look::name(m_limitsAutomatic, m_prefix + u"limitsBox"_s, tr("Limit switches at the travel's ends"));
     m_limitsAutomatic->setToolTip(
