@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the manual says of the window, held against the window.
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QRegularExpression>
+#include <QShortcut>
+
+#include "windowtest.h"
+
+namespace nmc {
+namespace {
+
+QString page(const QString& name) {
+    QFile file(QStringLiteral(MANUAL_DIR "/") + name);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return QString::fromUtf8(file.readAll());
+}
+
+/// The keys that stand in the first column of its tables.
+QSet<QString> keysOfThePage() {
+    static const QRegularExpression row(u"^\\| ([^|]*`[^|]*) \\|"_s, QRegularExpression::MultilineOption);
+    static const QRegularExpression key(u"`([^`]+)`"_s);
+    QSet<QString> keys;
+    const QString text = page(u"keys.md"_s);
+    for (const auto& cell : row.globalMatch(text))
+        for (const auto& one : key.globalMatch(cell.captured(1)))
+            keys << one.captured(1);
+    return keys;
+}
+
+class Manual : public WindowTest {
+protected:
+    /// Of all that is in the window now: what has a key by itself, not by its underlined letter.
+    void collectKeys() {
+        const auto take = [this](const QKeySequence& key, const QObject* owner) {
+            if (!key.isEmpty() && !key.toString().startsWith(u"Alt+"_s))
+                keys.insert(key.toString(), owner->objectName());
+        };
+        for (const QAction* action : window->findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts())
+                take(key, action);
+        for (const QShortcut* shortcut : window->findChildren<QShortcut*>())
+            take(shortcut->key(), shortcut->parent());
+        for (const QAbstractButton* button : window->findChildren<QAbstractButton*>())
+            take(button->shortcut(), button);
+    }
+    QHash<QString, QString> keys;  ///< who has it
+};
+
+TEST_F(Manual, NamesEveryKey) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Step}) {
+        ModuleState module = Servo{}.state();
+        module.info.identity = {type, std::uint8_t{1}};
+        LinkState link = connectedTo({module});
+        link.simulated = true;
+        window->showLink(link);
+        for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            QCoreApplication::processEvents();  // some are made when they are seen
+        }
+        collectKeys();
+    }
+    // Of the window, of a dock that is made when it is shown, of a page of each module.
+    for (const QString& key : {u"F5"_s, u"Ctrl+Alt+Z"_s, u"Ctrl+0"_s, u"Ctrl+L"_s})
+        ASSERT_TRUE(keys.contains(key)) << key.toStdString();
+    const QSet<QString> told = keysOfThePage();
+    for (auto key = keys.cbegin(); key != keys.cend(); ++key)
+        EXPECT_TRUE(told.contains(key.key()))
+            << key.key().toStdString() << " of " << key.value().toStdString() << " is not in keys.md";
+}
+
+TEST_F(Manual, SaysWhichDockHasWhichNumber) {
+    for (const auto& [key, dock] :
+         {std::pair{u"Ctrl+4"_s, u"Modules"_s}, std::pair{u"Ctrl+5"_s, u"Scope"_s},
+          std::pair{u"Ctrl+6"_s, u"Messages"_s}, std::pair{u"Ctrl+7"_s, u"Simulator"_s},
+          std::pair{u"Ctrl+8"_s, u"Packet monitor"_s}}) {
+        const auto docks = window->findChildren<QDockWidget*>();
+        const auto found = std::find_if(docks.begin(), docks.end(), [&key = key](QDockWidget* each) {
+            return each->toggleViewAction()->shortcut().toString() == key;
+        });
+        ASSERT_NE(found, docks.end()) << key.toStdString();
+        EXPECT_EQ((*found)->windowTitle(), dock);
+    }
+    EXPECT_TRUE(
+        page(u"keys.md"_s).contains(u"| docks Modules, Scope, Messages, Simulator, Packet monitor |"_s));
+}
+
+}  // namespace
+}  // namespace nmc
