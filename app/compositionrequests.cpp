@@ -67,6 +67,8 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
     }
     if (std::holds_alternative<intent::ResetModule>(intent))
         return m_worker.resetModule(index);
+    if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent))
+        return m_worker.resetModule(index, save->configuration);
     if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
         return m_store.declarePosition(index, declare->right);
     const bus::OperationId id = submit(std::move(*steps));

@@ -98,7 +98,11 @@ struct Belief::Executed {
     void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, servo::IoControl,
                                 step::SetOutputs, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
-    void operator()(const servo::LaterCommand auto&) const {}
+    void operator()(const servo::ScIoControl& control) const {
+        b.m_limitStops = control.limitStop != servo::LimitStop::None;
+    }
+    void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition, servo::AddPathPoints,
+                                servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onExecuted(command); }
 };
 
@@ -151,15 +155,18 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         if (!m_on)
             m_velocityGoal = false;
     }
-    if (m_homingStops && !report.servoStatus().homeInProgress())
+    const servo::StatusByte status = report.servoStatus();
+    if (m_homingStops && !status.homeInProgress())
         m_velocityGoal = m_homingStops = false;
+    if (m_limitStops && status.moveDone() && (m_velocityReverse ? status.limit2() : status.limit1()))
+        m_velocityGoal = false;
 }
 
 void Belief::setRestarted() {
     m_restarted = true;
     m_info.group = GroupPlace{};
-    m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_parametersSet =
-        false;
+    m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_limitStops =
+        m_parametersSet = false;
     m_parameters.reset();
     m_stepLoad.reset();
     m_loaded.reset();
@@ -238,6 +245,7 @@ void Belief::mayStart(const servo::LoadTrajectory& load) {
         return;
     }
     m_mayEnable = true;
+    m_velocityReverse = load.reverse;
     // Without a velocity the chip goes on with the one loaded before, which is not known here.
     if (load.profile == servo::ProfileMode::Velocity)
         m_velocityGoal = m_velocityGoal || load.velocity.value_or(CountsPerTick(1)).value() != 0;

@@ -131,6 +131,8 @@ private:
     bool m_pwmMayRun = false;           ///< from a start that was sent, to a stop that is answered
     bool m_pwmUnknown = false;          ///< from attach(), until a stop or a start is answered
     bool m_velocityGoal = false;        ///< velocity mode with a goal other than 0
+    bool m_velocityReverse = false;     ///< of the last start that was sent; of no meaning without the goal
+    bool m_limitStops = false;          ///< SC, told so: the chip ends what goes towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
     bool m_parametersSet = false;       ///< from an answer or attach(), until a restart
     std::optional<step::SetParameters> m_parameters;

@@ -6,6 +6,7 @@
 
 #include "bus/rejoin.h"
 #include "protocol/baud.h"
+#include "protocol/unsupported.h"
 
 namespace nmc::bus {
 
@@ -108,12 +109,19 @@ void Engine::changeRate(std::uint32_t baud, TimePoint now) {
 }
 
 void Engine::readdress(ModuleIndex module, TimePoint now) {
-    m_readdress.begin(module, ReaddressTask::Of::Restarted, busy());
+    m_readdress.begin(module, busy());
     proceed(now);
 }
 
-void Engine::resetModule(ModuleIndex module, TimePoint now) {
-    m_readdress.begin(module, ReaddressTask::Of::Answering, busy());
+void Engine::resetModule(ModuleIndex module, TimePoint now,
+                         const std::optional<servo::HardReset>& configuration) {
+    if (!configuration)
+        m_readdress.beginReset(module, HardReset{}.encode(), busy());
+    else if (m_chain.has(module) &&
+             takes(m_chain.belief(module).info().identity, ServoCommand(*configuration)))
+        m_readdress.beginReset(module, configuration->encode(), busy());
+    else
+        m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
     proceed(now);
 }
 

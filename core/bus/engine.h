@@ -74,8 +74,9 @@ public:
     /// ReaddressFailed.
     void moveTo(ModuleIndex module, BusAddress address, TimePoint now);
     /// Resets one module, and does the same; the others keep what they have. ModuleRestarted comes before the
-    /// end.
-    void resetModule(ModuleIndex module, TimePoint now);
+    /// end. `configuration`: what an SC is to save or to erase by it.
+    void resetModule(ModuleIndex module, TimePoint now,
+                     const std::optional<servo::HardReset>& configuration = {});
 
     /// Starts or re-arms held motion: velocity mode, changed on the fly. The engine stops the motor smoothly
     /// (abruptly when the acceleration is 0) at release() or config.holdTimeout after the last hold(). Ended

@@ -23,7 +23,7 @@ struct MotionWatch::Sent {
 
     void operator()(const servo::LoadTrajectory& load) const {
         w.m_loaded = load;
-        if (load.position)
+        if (load.position && !load.relative)
             w.m_goal = load.position->value();
         // Changed on its way, the load of a trapezoidal move may start by itself; but what moves already is
         // watched as what it is.
@@ -41,7 +41,8 @@ struct MotionWatch::Sent {
                                 step::SetParameters, step::StopMotor, servo::IoControl, step::SetOutputs,
                                 servo::SetHoming, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
-    void operator()(const servo::LaterCommand auto&) const {}
+    void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const { w.forget(); }
+    void operator()(const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) const {}
 };
 
 void MotionWatch::onSent(const ModuleCommand& command) {
@@ -57,7 +58,10 @@ void MotionWatch::started() {
         return;
     if (m_loaded.profile == servo::ProfileMode::Trapezoidal) {
         const auto shown = static_cast<std::int32_t>(*m_position);
-        if (m_goal)
+        // From the command position, which is not far from the position of a servo at rest.
+        if (m_loaded.relative && m_loaded.position && m_velocity == 0)
+            m_corridor = Corridor{*m_position, *m_position + m_loaded.position->value()};
+        else if (m_goal && !m_loaded.relative)
             m_corridor = Corridor{*m_position, *m_position + (std::int64_t{*m_goal} - shown)};
         return;
     }

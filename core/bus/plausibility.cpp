@@ -64,7 +64,7 @@ struct Plausibility::Sent {
     }
     void operator()(const servo::LoadTrajectory& load) const {
         p.m_loaded = load;
-        if (load.position)
+        if (load.position && !load.relative)
             p.m_goal = load.position->value();
         if (!load.startNow)
             return;
@@ -123,6 +123,8 @@ double Plausibility::reachOf(const servo::LoadTrajectory& load) const {
         return most;
     if (load.profile == servo::ProfileMode::Velocity)
         return load.velocity ? 1.5 * load.velocity->value() / 65'536.0 * ticks(kJerkTime) + kSwing : most;
+    if (load.relative && load.position)
+        return 1.5 * std::abs(static_cast<double>(load.position->value())) + kSwing;
     if (!m_goal || !m_known.position)
         return most;
     return 1.5 * std::abs(distance(*m_known.position, *m_goal)) + kSwing;

@@ -23,17 +23,23 @@ bool ReaddressTask::anythingMoves() const {
     });
 }
 
-void ReaddressTask::begin(ModuleIndex module, Of of, bool busy) {
-    const bool resets = of == Of::Answering;
-    const bool fits =
-        m_chain.has(module) && (resets ? m_chain.answers(module) : m_chain.belief(module).restarted());
+void ReaddressTask::begin(ModuleIndex module, bool busy) {
+    begin(module, Stage::Address, m_chain.has(module) && m_chain.belief(module).restarted(), busy);
+}
+
+void ReaddressTask::beginReset(ModuleIndex module, const Payload& reset, bool busy) {
+    m_reset = reset;
+    begin(module, Stage::Reset, m_chain.has(module) && m_chain.answers(module), busy);
+}
+
+void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy) {
     if (!fits || busy || active() || anythingMoves()) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }
     m_module = module;
     m_to.reset();
-    m_stage = resets ? Stage::Reset : Stage::Address;
+    m_stage = stage;
     m_done = false;
 }
 
@@ -81,7 +87,7 @@ Next ReaddressTask::next(TimePoint now) {
     switch (m_stage) {
         case Stage::Reset:
             m_stage = Stage::Forget;
-            return Line::Script{Line::Gap{}, Line::Packet{toPacket({info.address, HardReset{}.encode()})},
+            return Line::Script{Line::Gap{}, Line::Packet{toPacket({info.address, m_reset})},
                                 Line::Lag{m_config.resetWait}, DiscardInput{}};
         case Stage::Forget:
             m_stage = Stage::Address;

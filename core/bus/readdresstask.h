@@ -22,13 +22,11 @@ public:
                   std::vector<Event>& events)
         : m_config(config), m_chain(chain), m_restarts(restarts), m_line(line), m_events(events) {}
 
-    enum class Of : std::uint8_t {
-        Restarted,  ///< it has restarted by itself
-        Answering,  ///< it is to be reset
-    };
-    /// `busy`: something else is going on. Refused with an event when it cannot be done: only while nothing
-    /// moves, since the chain is left alone for as long as it takes.
-    void begin(ModuleIndex module, Of of, bool busy);
+    /// Of one that has restarted by itself. `busy`: something else is going on. Refused with an event when it
+    /// cannot be done: only while nothing moves, since the chain is left alone for as long as it takes.
+    void begin(ModuleIndex module, bool busy);
+    /// Of one that answers, and is told this Hard Reset first; likewise.
+    void beginReset(ModuleIndex module, const Payload& reset, bool busy);
     /// Another address, likewise.
     void beginMove(ModuleIndex module, BusAddress address, bool busy);
     /// A stop comes first. Where a module is that may have moved is found out after it.
@@ -57,6 +55,7 @@ private:
         Over
     };
     [[nodiscard]] bool anythingMoves() const;
+    void begin(ModuleIndex module, Stage stage, bool fits, bool busy);
     void fail(ReaddressFailed::Reason reason);
     [[nodiscard]] Ask question(BusAddress address, const Payload& payload, StatusItems items) const;
     void end(bool done);
@@ -68,6 +67,7 @@ private:
     const Line& m_line;
     std::vector<Event>& m_events;
     std::optional<ModuleIndex> m_module;
+    Payload m_reset;                 ///< of Stage::Reset
     std::optional<BusAddress> m_to;  ///< another address
     unsigned m_moves = 0;            ///< so often it was told
     Stage m_stage = Stage::Over;

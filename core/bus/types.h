@@ -30,6 +30,12 @@ template <typename Command>
         command);
 }
 
+/// It sets the module's counter: a position from before does not count.
+[[nodiscard]] inline bool setsCounter(const ModuleCommand& command) {
+    return is<ResetPosition>(command) || is<servo::ResetRelativeToHome>(command) ||
+           is<servo::SetPosition>(command);
+}
+
 using OperationId = Strong<struct OperationIdTag, std::uint32_t>;
 
 /// One command to one module.

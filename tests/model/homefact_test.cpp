@@ -54,6 +54,18 @@ TEST(HomeFact, IsNotKnownWhateverTheRegisterSays) {
     EXPECT_EQ(planned.error(), Refusal::HomeUnknown);
 }
 
+TEST(HomeFact, GoesAlongWhereAnScSetsItsCounter) {
+    Holding servo;
+    servo.inRegister = -304;
+    servo.stands(1'000);
+    servo.foundAt(-200);  // 1200 behind where it stands
+    servo.does(servo::SetPosition{Counts(5'000)}, 5'000);
+    servo.stands(5'000);
+    EXPECT_EQ(servo.home(), 3'800);
+    servo.does(servo::ResetRelativeToHome{}, 5'304);  // position less the register
+    EXPECT_EQ(servo.home(), 4'104);
+}
+
 TEST(HomeFact, AZeroMadeAtHomeIsHome) {
     Holding servo;
     servo.inRegister = -304;

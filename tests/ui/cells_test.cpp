@@ -104,6 +104,34 @@ const std::vector<Cell> kServoCells{
     {HardReset, 0, u"resetModuleButton"_s},
 };
 
+/// Of CMC and SC beside those, and of one of them (docs/family.md).
+const std::vector<Cell> kLaterCells{
+    {LoadTrajectory, 0, u"expertLoadRelative"_s},
+    {ResetPosition, 0x03, u"expertResetHow"_s},
+    {ResetPosition, 0, u"expertResetButton"_s},
+    {AddPathPoints, 0, {}},  // of a procedure (model/path), which has no page yet
+};
+const std::vector<Cell> kCmcCells{
+    {StopMotor, 0x20, u"expertStopAdvanced"_s},
+    {IoControl, 0x40, u"ioFastPathBox"_s},
+};
+const std::vector<Cell> kScCells{
+    {IoControl, 0x0C, u"limitProtectionBox"_s},
+    {IoControl, 0x10, u"threePhaseBox"_s},
+    {IoControl, 0x20, u"antiphaseBox"_s},
+    {IoControl, 0x40, u"fastPathBox"_s},
+    {IoControl, 0x80, u"stepInputBox"_s},
+    {IoControl, 0, u"applyAmplifierButton"_s},
+    {SetGain, 0, u"stepMultiplierField"_s},
+    {SetGain, 0, u"setMultiplierButton"_s},
+    // Step and direction, limit protection, 3-phase and antiphase are saved as they are.
+    {HardReset, 0xF1, u"saveConfigurationButton"_s},
+    {HardReset, 0x02, u"saveAddressBox"_s},
+    {HardReset, 0x04, u"saveAmplifierBox"_s},
+    {HardReset, 0x08, u"saveServoBox"_s},
+    {HardReset, 0, u"eraseConfigurationButton"_s},
+};
+
 const std::vector<Cell> kStepCells{
     {ResetPosition, 0, u"stepZeroHereButton"_s},
     {LoadTrajectory, 0x01, u"expertLoadPositionLoaded"_s},
@@ -171,6 +199,23 @@ constexpr std::array kServoBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F
                                 Bits{SetHoming, 0xFF}};
 constexpr std::array kStepBits{Bits{LoadTrajectory, 0x9F}, Bits{SetGain, 0x1F}, Bits{StopMotor, 0x0D},
                                Bits{IoControl, 0x1F}, Bits{SetHoming, 0x3F}};
+
+constexpr std::array kCmcBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x3F}, Bits{IoControl, 0x4F},
+                              Bits{SetHoming, 0xFF}, Bits{ResetPosition, 0x03}};
+constexpr std::array kScBits{Bits{LoadTrajectory, 0xFF}, Bits{StopMotor, 0x1F},     Bits{IoControl, 0xFC},
+                             Bits{SetHoming, 0xFF},      Bits{ResetPosition, 0x03}, Bits{HardReset, 0xFF}};
+
+[[nodiscard]] std::vector<Cell> together(std::vector<Cell> cells,
+                                         std::initializer_list<const std::vector<Cell>*> others) {
+    for (const auto* other : others)
+        cells.insert(cells.end(), other->begin(), other->end());
+    return cells;
+}
+/// Those pins are inputs on an SC.
+[[nodiscard]] std::vector<Cell> withoutPins(std::vector<Cell> cells) {
+    std::erase_if(cells, [](const Cell& cell) { return cell.code == IoControl; });
+    return cells;
+}
 
 class Cells : public WindowTest {
 protected:
@@ -240,6 +285,25 @@ TEST_F(Cells, EachOfThePicServoSheetHasItsControl) {
     showServo();
     expectEachHasItsControl({ModuleType::Servo, 4}, kServoCells);
     expectEachBit(kServoCells, kServoBits);
+}
+
+TEST_F(Cells, EachOfACmcHasItsControl) {
+    showServo({.version = 5});
+    const auto cells = together(kServoCells, {&kLaterCells, &kCmcCells});
+    expectEachHasItsControl({ModuleType::Servo, 5}, cells);
+    expectEachBit(cells, kCmcBits);
+}
+
+TEST_F(Cells, EachOfAnScHasItsControl) {
+    showServo({.version = 10});
+    const auto cells = together(withoutPins(kServoCells), {&kLaterCells, &kScCells});
+    expectEachHasItsControl({ModuleType::Servo, 10}, cells);
+    expectEachBit(cells, kScBits);
+}
+
+TEST_F(Cells, WhateverSendsSomethingToAnScIsInTheTable) {
+    showServo({.version = 10});
+    expectEachSenderInTheTable(together(kServoCells, {&kLaterCells, &kScCells}));
 }
 
 TEST_F(Cells, EachOfThePicStepSheetHasItsControl) {

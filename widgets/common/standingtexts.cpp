@@ -21,6 +21,10 @@ Message limitClosed(const ModuleState& module, int limit) {
                                .arg(number);
         m.body = Texts::tr(
             "The module lets its motor go no farther that way while the switch is closed. Move it the other way.");
+    } else if (module.limitEnds(limit == 1 ? 1 : -1)) {
+        m.headline = Texts::tr("Limit %1 of module %2 stopped its motor.").arg(limit).arg(number);
+        m.body = Texts::tr(
+            "The module lets its motor go no farther that way while the switch is closed. Move it the other way.");
     } else {
         m.headline =
             Texts::tr("Limit %1 of module %2 closed while its motor was moving, and does not stop it.")
@@ -93,7 +97,9 @@ bool estopHolds(const ModuleState& module) {
 bool tellsOfLimit(const ModuleState& module, int limit) {
     const bool switchedOff =
         module.isStepper() && module.switchedItselfOff && module.stepper.ended() == Activity::StoppedByLimit;
-    return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff;
+    const bool told = module.switchedItselfOff && (module.tripCause == TripCause::OffAtLimit1 ||
+                                                   module.tripCause == TripCause::OffAtLimit2);
+    return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff && !told;
 }
 
 /// It cannot be spoken to; what it said before stands behind that.

@@ -103,6 +103,10 @@ QString tripAdvice(TripCause cause) {
         case TripCause::Limit2:
             return Texts::tr(
                 "Limit 2 closed on the way: it is probably at the end of its travel. Drive it the other way; a limit stop on the page Homing ends a motion in time.");
+        case TripCause::OffAtLimit1:
+        case TripCause::OffAtLimit2:
+            return Texts::tr(
+                "Enable it, then drive it the other way. The page Amplifier sets what a closed limit does.");
         case TripCause::Behind:
             return Texts::tr(
                 "It moved as it was told, and could not keep up: lower its velocity or acceleration, or raise OL and EL on the page Gains.");
@@ -114,6 +118,15 @@ QString tripAdvice(TripCause cause) {
 
 Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
+    if (cause == TripCause::OffAtLimit1 || cause == TripCause::OffAtLimit2)
+        return {.key = key::tripped(module),
+                .module = module,
+                .severity = Severity::Fault,
+                .headline = Texts::tr("Limit %1 closed, and module %2 switched its motor off.")
+                                .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
+                                .arg(number),
+                .body = tripAdvice(cause),
+                .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
     return {
         .key = key::tripped(module),
         .module = module,

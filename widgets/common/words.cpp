@@ -205,6 +205,8 @@ QString refusal(Refusal refusal) {
             return Texts::tr("A search needs a travel limit and a time limit above 0.");
         case Refusal::LimitActive:
             return Texts::tr("The limit is active now: it would stop the motor when it is left.");
+        case Refusal::LimitClosed:
+            return Texts::tr("The limit in that direction is closed. Move the motor the other way.");
         case Refusal::LimitIsOutput:
             return Texts::tr("The limit's pin is an output, so it tells nothing.");
         case Refusal::StartApart:

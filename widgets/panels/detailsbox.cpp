@@ -38,7 +38,7 @@ QString auxMeaning(std::size_t bit) {
         DetailsBox::tr("The constant phase of the move has ended."),
         DetailsBox::tr(
             "A servo tick took too long; typically not serious. Stays until sticky bits are cleared."),
-        QString(),
+        DetailsBox::tr("The motor follows the points of a path."),
         QString()};
     return meanings[bit];
 }
@@ -60,9 +60,15 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
     look::name(this, u"detailsBox"_s, tr("Details"));
     addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, statusMeaning, u"bit_"_s);
-    addBits(Byte::Second, tr("Auxiliary byte"), servo::kAuxBitNames, auxMeaning, u"bit_"_s);
+    const bool path = hasPathBuffer(context.state().info.identity);
+    addBits(Byte::Second, tr("Auxiliary byte"), path ? servo::kCmcAuxBitNames : servo::kAuxBitNames,
+            auxMeaning, u"bit_"_s);
     m_analog = addValue(tr("A/D (motor current)"), u"analogLabel"_s);
     m_velocity = addValue(tr("Velocity, as the chip says"), u"chipVelocityLabel"_s);
+    if (path) {
+        m_error = addValue(tr("Position error, as the chip says"), u"chipErrorLabel"_s);
+        m_points = addValue(tr("Path points left"), u"pathPointsLabel"_s);
+    }
     m_home = addValue(tr("Home register"), u"homeLabel"_s);
     m_home->setToolTip(texts::homeRegisterMeaning());
     m_raw = addValue(tr("Raw"), u"rawLabel"_s);
@@ -81,6 +87,12 @@ void DetailsBox::refresh() {
     look::setText(m_velocity,
                   report.velocity ? texts::grouped(*report.velocity) + u' ' + texts::unitVelocity() : dash);
     look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
+    if (m_error != nullptr) {
+        look::setText(m_error, report.positionError
+                                   ? texts::grouped(*report.positionError) + u' ' + texts::unitCounts()
+                                   : dash);
+        look::setText(m_points, report.pathPoints ? QString::number(*report.pathPoints) : dash);
+    }
     QString raw = dash;
     if (latest) {
         raw = tr("status %1").arg(report.status, 2, 16, QChar(u'0'));

@@ -91,10 +91,14 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
         u"Acceleration"_s, ExpertBox::tr("Acceleration (counts/tick² × 65536)"), slowest, fastest, true);
     const Value pwm = box->addValue(u"Pwm"_s, ExpertBox::tr("PWM value"), 0, 255, true);
     QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (velocity and PWM)"));
+    QCheckBox* relative = hasPathBuffer(context.state().info.identity)
+                              ? box->addFlag(u"Relative"_s, ExpertBox::tr("Relative (trapezoidal)"))
+                              : nullptr;
     QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
     box->setCommand(
         [=]() -> bus::ModuleCommand {
             servo::LoadTrajectory load;
+            load.relative = relative != nullptr && relative->isChecked();
             load.position = counts(position);
             if (velocity.sent())
                 load.velocity = CountsPerTick(whole(velocity));
@@ -118,7 +122,10 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
                 return startMeaning(load.startNow, ExpertBox::tr("The motor runs until it is stopped."));
             return startMeaning(
                 load.startNow,
-                ExpertBox::tr("A trapezoidal move to the position. Start it from standstill only."));
+                load.relative
+                    ? ExpertBox::tr(
+                          "A trapezoidal move by this many counts, from where the servo is told to be. Start it from standstill only.")
+                    : ExpertBox::tr("A trapezoidal move to the position. Start it from standstill only."));
         });
     return box;
 }
@@ -135,11 +142,15 @@ DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
                                      static_cast<double>(servo::kPositionRange.max), false);
     QCheckBox* amplifier = box->addFlag(u"Amplifier"_s, ExpertBox::tr("Amplifier enabled"));
     amplifier->setChecked(true);
+    const ModuleIdentity& module = context.state().info.identity;
+    QCheckBox* advanced = hasPathBuffer(module) && !isSc(module)
+                              ? box->addFlag(u"Advanced"_s, ExpertBox::tr("Advanced features on"))
+                              : nullptr;
     box->setCommand(
         [=]() -> bus::ModuleCommand {
-            return ServoCommand(servo::StopMotor{amplifier->isChecked(),
-                                                 static_cast<servo::StopManner>(manner->currentIndex()),
-                                                 *counts(here)});
+            return ServoCommand(servo::StopMotor{
+                amplifier->isChecked(), static_cast<servo::StopManner>(manner->currentIndex()), *counts(here),
+                advanced != nullptr && advanced->isChecked()});
         },
         [&context](const bus::ModuleCommand& command) {
             switch (std::get<servo::StopMotor>(std::get<ServoCommand>(command)).manner) {
@@ -188,6 +199,34 @@ DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
             return homingMeaning(homing, homing.onLimit1Change || homing.onLimit2Change ||
                                              homing.onIndexChange || homing.onPositionError ||
                                              homing.onCurrentLimit);
+        });
+    return box;
+}
+
+/// Of CMC and SC.
+DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertReset"_s, ExpertBox::tr("Reset Position"), ExpertBox::tr("Send reset position")},
+        parent);
+    QStringList choices{ExpertBox::tr("To 0"), ExpertBox::tr("Relative to home")};
+    if (isSc(context.state().info.identity))
+        choices << ExpertBox::tr("To a value");
+    QComboBox* how = box->addChoice(u"How"_s, ExpertBox::tr("How"), choices);
+    const Value position = box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"),
+                                         static_cast<double>(servo::kPositionRange.min),
+                                         static_cast<double>(servo::kPositionRange.max), false);
+    box->setCommand(
+        [=]() -> bus::ModuleCommand {
+            if (how->currentIndex() == 1)
+                return ServoCommand(servo::ResetRelativeToHome{});
+            if (how->currentIndex() == 2)
+                return ServoCommand(servo::SetPosition{*counts(position)});
+            return ServoCommand(ResetPosition{});
+        },
+        [](const bus::ModuleCommand& command) {
+            if (bus::is<servo::ResetRelativeToHome>(command))
+                return ExpertBox::tr("The home register is subtracted from the position. Nothing moves.");
+            return ExpertBox::tr("The position becomes this value. Nothing moves.");
         });
     return box;
 }
@@ -329,6 +368,8 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
     layout->addWidget(steps ? newStepLoad(context, this) : newServoLoad(context, this));
     layout->addWidget(steps ? newStepStop(context, this) : newServoStop(context, this));
     layout->addWidget(steps ? newStepHoming(context, this) : newServoHoming(context, this));
+    if (hasPathBuffer(context.state().info.identity))
+        layout->addWidget(newServoReset(context, this));
     layout->addWidget(m_reset->button(), 0, Qt::AlignRight);
     layout->addStretch(1);
     m_context.whenSeen(this, [this] { refresh(); });

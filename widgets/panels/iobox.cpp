@@ -35,6 +35,13 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     int line = 0;
     m_pins[0] = addPin(grid, line++, 1);
     m_pins[1] = addPin(grid, line++, 2);
+    if (const ModuleIdentity& module = context.state().info.identity;
+        hasPathBuffer(module) && !isSc(module)) {
+        m_fastPath = new QCheckBox(tr("Fast path"), this);
+        look::name(m_fastPath, u"ioFastPathBox"_s, tr("Fast path"));
+        connect(m_fastPath, &QCheckBox::clicked, this, &IoBox::control);
+        grid->addWidget(m_fastPath, line++, 0, 1, 4);
+    }
     m_index = addInput(grid, line++, tr("Index"), u"indexValue"_s,
                        tr("The encoder's index pulse, once a turn with most encoders."));
     m_power = addInput(grid, line++, tr("Motor power"), u"powerValue"_s,
@@ -52,6 +59,8 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     m_remark = look::newMutedLabel(
         tr("A limit input does not stop the motor by itself on this chip: arm a limit stop on the page Homing."),
         this);
+    if (isSc(context.state().info.identity))
+        m_remark->setText(tr("The page Amplifier sets what the module does by itself when a limit closes."));
     m_remark->setObjectName(u"limitRemark"_s);
     m_remark->setWordWrap(true);
     grid->addWidget(m_remark, line++, 0, 1, 4);
@@ -114,6 +123,8 @@ void IoBox::showModule() {
         const QSignalBlocker blocker(use);
         use->setCurrentIndex(use->findData(useOf(io, i)));
     }
+    if (m_fastPath != nullptr)
+        m_fastPath->setChecked(io.fastPath);
     refresh();
 }
 
@@ -124,6 +135,7 @@ void IoBox::control() {
     io.limit1Output = use(0) == OutputHigh;
     io.limit2IsInput = use(1) == Input;
     io.limit2Output = use(1) == OutputHigh;
+    io.fastPath = m_fastPath != nullptr && m_fastPath->isChecked();
     m_context.ask(intent::ControlIo{io});
 }
 
@@ -140,6 +152,9 @@ void IoBox::refresh() {
         look::setPossible(m_pins[i].use, io,
                           tr("Whether the pin is an input, or an output and its level. Sent at once."));
     }
+    if (m_fastPath != nullptr)
+        look::setPossible(m_fastPath, io,
+                          tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz. Sent at once."));
     std::optional<bool> index;
     if (module.latest && module.latest->aux)
         index = !servo::AuxByte{*module.latest->aux}.indexComplement();

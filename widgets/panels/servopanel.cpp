@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/panels/amplifierbox.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/directioncheckbox.h"
@@ -49,6 +50,8 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     axis->addBelow(new TravelBox(m_context, axis));
     axis->addBelow(new DirectionCheckBox(m_context, axis));
     m_pages->addTab(axis, tr("Axis"));
+    if (isSc(m_context.state().info.identity))
+        m_pages->addTab(new AmplifierBox(m_context, this), tr("Amplifier"));
     m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));
     m_pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
     layOut(head, left, m_pages);

@@ -30,7 +30,7 @@ struct Ends {
         return std::holds_alternative<ChangeRate>(request);
     }
     bool operator()(const AnyOf<bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed> auto&) const {
-        return std::holds_alternative<Readdress>(request);
+        return std::holds_alternative<Readdress>(request) || std::holds_alternative<ResetModule>(request);
     }
     bool operator()(
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
@@ -59,7 +59,7 @@ WorkerEvent refusal(const BusRequest& request) {
                 failed.wanted = change.baud;
                 return bus::Event(failed);
             },
-            [](const Readdress& readdress) -> WorkerEvent {
+            [](const AnyOf<Readdress, ResetModule> auto& readdress) -> WorkerEvent {
                 return bus::Event(
                     bus::ReaddressFailed{readdress.module, bus::ReaddressFailed::Reason::NotNow});
             },

@@ -16,10 +16,15 @@ namespace nmc {
 struct ChangeRate {
     std::uint32_t baud = 0;
 };
+/// Its address back to a module that has restarted; another one to a module that answers.
 struct Readdress {
     ModuleIndex module;
-    bool reset = false;                   ///< it is reset first
-    std::optional<BusAddress> address{};  ///< another one, to a module that answers
+    std::optional<BusAddress> address{};
+};
+/// As bus::Engine::resetModule().
+struct ResetModule {
+    ModuleIndex module;
+    std::optional<servo::HardReset> configuration{};
 };
 struct ControlLine {
     std::string text;
@@ -28,7 +33,8 @@ struct ControlLine {
 /// Each ends in exactly one event, whatever becomes of the connection: OperationFinished, GroupFinished,
 /// RateChanged or RateChangeFailed, Readdressed, AddressChanged or ReaddressFailed; a simulator's control
 /// line in SimulatorAnswered.
-using BusRequest = std::variant<bus::Operation, bus::GroupOperation, ChangeRate, Readdress, ControlLine>;
+using BusRequest =
+    std::variant<bus::Operation, bus::GroupOperation, ChangeRate, Readdress, ResetModule, ControlLine>;
 
 /// The end of a request that the engine has never seen, or will not finish.
 [[nodiscard]] WorkerEvent refusal(const BusRequest& request);

@@ -118,22 +118,22 @@ void BusSession::takeRequests(TimePoint now) {
 void BusSession::take(BusRequest& request, TimePoint now) {
     if (!std::holds_alternative<ControlLine>(request))
         m_open.begin(request);
-    std::visit(Overloaded{
-                   [&](bus::Operation& operation) { m_engine.submit(std::move(operation), now); },
-                   [&](const bus::GroupOperation& operation) { m_engine.submit(operation, now); },
-                   [&](const ChangeRate& change) { changeRate(change, now); },
-                   [&](const Readdress& readdress) {
-                       if (readdress.address)
-                           return m_engine.moveTo(readdress.module, *readdress.address, now);
-                       readdress.reset ? m_engine.resetModule(readdress.module, now)
-                                       : m_engine.readdress(readdress.module, now);
-                   },
-                   [&](ControlLine& line) {
-                       if (auto json = m_transport.control(line.text))
-                           m_channel.post(SimulatorAnswered{std::move(line.text), std::move(*json)});
-                   },
-               },
-               request);
+    std::visit(
+        Overloaded{
+            [&](bus::Operation& operation) { m_engine.submit(std::move(operation), now); },
+            [&](const bus::GroupOperation& operation) { m_engine.submit(operation, now); },
+            [&](const ChangeRate& change) { changeRate(change, now); },
+            [&](const Readdress& readdress) {
+                readdress.address ? m_engine.moveTo(readdress.module, *readdress.address, now)
+                                  : m_engine.readdress(readdress.module, now);
+            },
+            [&](const ResetModule& reset) { m_engine.resetModule(reset.module, now, reset.configuration); },
+            [&](ControlLine& line) {
+                if (auto json = m_transport.control(line.text))
+                    m_channel.post(SimulatorAnswered{std::move(line.text), std::move(*json)});
+            },
+        },
+        request);
 }
 
 /// Before the modules are told: they would be out of reach at a rate that the port does not make.

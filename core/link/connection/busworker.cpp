@@ -48,14 +48,14 @@ void BusWorker::readdress(ModuleIndex module) {
     m_loop.ask(Readdress{module});
 }
 
-void BusWorker::resetModule(ModuleIndex module) {
+void BusWorker::resetModule(ModuleIndex module, const std::optional<servo::HardReset>& configuration) {
     qCDebug(requestLog) << "reset module" << module.value() + 1;
-    m_loop.ask(Readdress{module, true});
+    m_loop.ask(ResetModule{module, configuration});
 }
 
 void BusWorker::changeAddress(ModuleIndex module, BusAddress address) {
     qCDebug(requestLog) << "change the address of module" << module.value() + 1 << "to" << address.value();
-    m_loop.ask(Readdress{module, false, address});
+    m_loop.ask(Readdress{module, address});
 }
 
 void BusWorker::control(std::string line) {

@@ -55,7 +55,7 @@ public:
     /// Gives a module that restarted its address back; bus::Readdressed or bus::ReaddressFailed follows.
     void readdress(ModuleIndex module);
     /// Resets one module and gives it its address again; ends likewise.
-    void resetModule(ModuleIndex module);
+    void resetModule(ModuleIndex module, const std::optional<servo::HardReset>& configuration = {});
     /// Gives a module another address; bus::AddressChanged or bus::ReaddressFailed follows.
     void changeAddress(ModuleIndex module, BusAddress address);
     /// Takes the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.

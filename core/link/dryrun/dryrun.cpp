@@ -167,6 +167,8 @@ private:
             tell(index, intent::ApplyGains{*real.gains});
         if (real.io)
             tell(index, intent::ControlIo{*real.io});
+        if (real.scIo)
+            tell(index, intent::ControlSc{*real.scIo});
         if (real.stepper.parameters())
             tell(index, stepintent::SetParameters{*real.stepper.parameters()});
         if (real.isStepper() && real.stepper.outputs())

@@ -60,7 +60,7 @@ struct WhyNot {
         return whyNot(Request::ResetPosition, module);
     }
     std::optional<Refusal> operator()(const servo::ScIoControl&) const {
-        return module.servoOn() ? std::optional(Refusal::ServoOn) : whyNotTold(Request::ControlIo, module);
+        return whyNot(Request::ControlSc, module);
     }
     /// Paths and saved configurations are not for a command alone.
     std::optional<Refusal> operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {

@@ -29,12 +29,33 @@ bool gainsAct(const ModuleState& module) {
     return module.gains && (module.gains->kp != 0 || module.gains->kd != 0) && module.gains->ol != 0;
 }
 
+/// -1 or 1: which way it would go from where it is; 0: nowhere.
+int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
+    if (!load.servo || load.profile == servo::ProfileMode::Velocity)
+        return load.reverse ? -1 : 1;
+    if (!load.position || !module.latest || !module.latest->position)
+        return 0;
+    const std::int32_t way = load.relative ? load.position->value()
+                                           : countsBetween(*module.latest->position, load.position->value());
+    return way > 0 ? 1 : way < 0 ? -1 : 0;
+}
+
 /// Applies the rule first, so that what a control greys out is never sent from elsewhere either.
 template <typename MakeSteps>
 Plan allowed(Request request, const ModuleState& module, MakeSteps makeSteps) {
     if (const auto refusal = whyNot(request, module))
         return tl::unexpected(*refusal);
     return makeSteps();
+}
+
+/// An SC that minds its limits would not start, and would not say so (docs/family.md).
+bool startsIntoLimit(const Steps& steps, const ModuleState& module) {
+    for (const bus::Step& step : steps)
+        if (const auto* command = std::get_if<ServoCommand>(&step.command))
+            if (const auto* load = std::get_if<servo::LoadTrajectory>(command))
+                if (module.limitEnds(directionOf(*load, module)))
+                    return true;
+    return false;
 }
 
 struct Planner {
@@ -160,6 +181,12 @@ struct Planner {
         return allowed(Request::ControlIo, module, [&] { return stepsFor(module, control.io); });
     }
 
+    Plan operator()(const intent::ControlSc& control) const {
+        return allowed(Request::ControlSc, module, [&] {
+            return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}}, control.io);
+        });
+    }
+
     // Procedures have their own way (model/procedure/procedures.h); only why one is not possible is told
     // here.
     Plan operator()(const intent::Home& home) const {
@@ -198,7 +225,9 @@ struct Planner {
     }
 
     // plan() has answered these for both chips.
-    Plan operator()(const AnyOf<intent::Direct, intent::ResetModule> auto&) const { return Steps{}; }
+    Plan operator()(const AnyOf<intent::Direct, intent::ResetModule, intent::SaveConfiguration> auto&) const {
+        return Steps{};
+    }
     Plan operator()(
         const AnyOf<stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
                     stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) const {
@@ -239,12 +268,12 @@ bool isStop(const Intent& intent) {
                 intent::AskAnew, intent::Enable, intent::GoTo, intent::GoHome, intent::RunAtVelocity,
                 intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome,
                 intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
-                intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave,
-                intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
-                intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy,
-                stepintent::GoHome> auto&) { return false; },
+                intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home, intent::StepBy,
+                intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
+                intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
+                stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
             [](const IoIntent auto&) { return false; },
         },
         intent);
@@ -260,15 +289,19 @@ tl::expected<Steps, Refusal> plan(const Intent& intent, const ModuleState& modul
             return tl::unexpected(*refusal);
         return Steps{{module.info.index, direct->command}};
     }
-    // The bus does it (bus/readdresstask.h).
+    // The bus does these (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
         return allowed(Request::ResetModule, module, [] { return Steps{}; });
+    if (std::holds_alternative<intent::SaveConfiguration>(intent))
+        return allowed(Request::ControlSc, module, [] { return Steps{}; });
     if (module.isIo())
         return planIo(intent, module);
     Plan steps = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
     if (steps)
         if (const auto problem = travelProblem(intent, module))
             return tl::unexpected(problem->refusal);
+    if (steps && module.isServo() && startsIntoLimit(*steps, module))
+        return tl::unexpected(Refusal::LimitClosed);
     return steps;
 }
 
@@ -338,6 +371,13 @@ std::optional<Refusal> whyNot(Request request, const ModuleState& module) {
             return module.info.identity.version < servo::kOtherIoVersion
                        ? std::nullopt
                        : std::optional(Refusal::VersionLacksIt);
+        case Request::ControlSc:
+            if (!isSc(module.info.identity))
+                return Refusal::VersionLacksIt;
+            if (module.servoOn())
+                return Refusal::ServoOn;
+            return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
+                                                                            : std::nullopt;
         case Request::ArmLimitStop:
             return module.info.identity.version < servo::kAutoStopVersion
                        ? std::optional(Refusal::VersionLacksIt)

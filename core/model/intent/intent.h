@@ -70,6 +70,15 @@ struct SetAmplifier {
 struct ControlIo {
     servo::IoControl io;
 };
+/// Of an SC: how its amplifier is driven and what a limit does by itself. AMP_EN is taken low first.
+struct ControlSc {
+    servo::ScIoControl io;
+};
+/// Of an SC: a reset that keeps, over a power cycle, what the configuration says, its address, and its
+/// velocity, acceleration and gains as they are; or that forgets all of them. The module restarts.
+struct SaveConfiguration {
+    servo::HardReset configuration;
+};
 /// Look for home; either chip. A procedure.
 struct Home {
     HomingRecipe recipe;
@@ -145,13 +154,14 @@ using Intent =
                  intent::StopSmoothly, intent::StopAbruptly, intent::MotorOff, intent::ApplyGains,
                  intent::ClearStickyBits, intent::ResetPosition, intent::SaveAsHome, intent::LoadMove,
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
-                 intent::ControlIo, intent::Home, intent::StepBy, intent::StepResponse, intent::SquareWave,
-                 intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
-                 intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                 intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
-                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome,
-                 iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
-                 iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
+                 intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home,
+                 intent::StepBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
+                 intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::CancelProcedure,
+                 intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
+                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                 stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome, iointent::SetDirection,
+                 iointent::SetOutput, iointent::SetPwm, iointent::SetTimer, iointent::StoreOutputs,
+                 iointent::SynchOutput, iointent::SynchInput>;
 
 /// Of a PIC-I/O.
 template <typename T>
@@ -184,6 +194,7 @@ enum class Refusal : std::uint8_t {
     NothingToFind,   ///< no condition for home was chosen
     NoSearchLimits,  ///< a search without a travel or a time limit
     LimitActive,     ///< a stop on its change would come when it is left
+    LimitClosed,     ///< SC: it does not start towards a closed limit
     LimitIsOutput,   ///< the pin is an output, so it tells nothing
     StartApart,      ///< a trapezoidal move is not started by the command that loads it
     StepTooShort,    ///< a move by 0 counts
@@ -237,6 +248,7 @@ enum class Request : std::uint8_t {
     CheckDirection,
     SetAmplifier,
     ControlIo,
+    ControlSc,  ///< or save it
     Home,
     ArmLimitStop,
     ResetModule,

@@ -95,6 +95,7 @@ std::optional<Refusal> whyNotIo(Request request, const ModuleState& module) {
         case Request::DrivePwm:
         case Request::CheckDirection:
         case Request::SetAmplifier:
+        case Request::ControlSc:
         case Request::Home:
         case Request::ArmLimitStop:
         case Request::SetParameters:

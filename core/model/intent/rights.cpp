@@ -33,6 +33,7 @@ bool allows(const OperatorRights& rights, Request request) {
         case Request::CheckDirection:
         case Request::SetAmplifier:
         case Request::ControlIo:
+        case Request::ControlSc:
         case Request::ArmLimitStop:
         case Request::SetParameters:
         case Request::ResetModule:

@@ -200,11 +200,12 @@ struct Planner {
     Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
         return Steps{};
     }
-    Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
-                                intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
-                                intent::ControlIo, intent::StepBy, intent::StepResponse, intent::SquareWave,
-                                intent::FrequencyResponse, intent::TryGains, intent::KeepGains,
-                                intent::CheckDirection, intent::ArmLimitStop> auto&) const {
+    Plan operator()(
+        const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
+                    intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
+                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepBy,
+                    intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
+                    intent::KeepGains, intent::CheckDirection, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
     Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
@@ -322,6 +323,7 @@ std::optional<Refusal> whyNotStep(Request request, const ModuleState& module) {
         case Request::DrivePwm:
         case Request::CheckDirection:
         case Request::ControlIo:
+        case Request::ControlSc:
         case Request::ArmLimitStop:
             return Refusal::NotAServo;
         case Request::Home:

@@ -95,9 +95,10 @@ struct CourseOf {
         const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
-                    intent::ControlIo, intent::TryGains, intent::KeepGains, intent::CheckDirection,
-                    intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                    intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
+                    intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::TryGains,
+                    intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                    intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                    stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
     std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }
@@ -161,10 +162,13 @@ private:
 }
 
 /// What a load does once it is started.
-[[nodiscard]] Course courseOf(const servo::LoadTrajectory& load) {
+[[nodiscard]] Course courseOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     Course course;
     if (!load.servo || load.profile == servo::ProfileMode::Velocity)
         course.reverse = load.reverse;
+    else if (load.position && load.relative)
+        course.goal =
+            std::int64_t{module.goal().value_or(positionOf(module).value_or(0))} + load.position->value();
     else if (load.position)
         course.goal = load.position->value();
     if (load.servo)
@@ -194,7 +198,8 @@ struct DirectProblem {
     std::optional<TravelProblem> operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
             return std::nullopt;  // its start is judged
-        return load.servo ? asItStands(courseOf(load), module) : problemOf(courseOf(load), module);
+        const Course course = courseOf(load, module);
+        return load.servo ? asItStands(course, module) : problemOf(course, module);
     }
     std::optional<TravelProblem> operator()(const step::LoadTrajectory& load) const {
         return load.startNow ? asItStands(courseOf(load, module), module) : std::nullopt;
@@ -311,7 +316,7 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
 
 std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
     if (const servo::LoadTrajectory* load = module.waiting())
-        return asItStands(courseOf(*load), module);
+        return asItStands(courseOf(*load, module), module);
     const auto& waits = module.stepper.waiting();
     return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;
 }

@@ -46,19 +46,32 @@ void HomeFact::apply(const bus::CommandExecuted& executed) {
     if (bus::is<SaveAsHome>(executed.command)) {
         forget();
         m_saved = executed.time;
-    } else if (bus::is<ResetPosition>(executed.command)) {
-        counterReset(executed.time);
+    } else if (bus::setsCounter(executed.command)) {
+        counterMoved(executed.time, shift(executed.command));
     }
 }
 
-void HomeFact::counterReset(TimePoint time) {
+std::optional<std::int32_t> HomeFact::shift(const bus::ModuleCommand& command) const {
+    if (!m_look)
+        return std::nullopt;
+    if (bus::is<servo::ResetRelativeToHome>(command))
+        return m_register ? std::optional(countsBetween(*m_register, 0)) : std::nullopt;
+    std::int32_t to = 0;
+    if (const auto* own = std::get_if<ServoCommand>(&command))
+        if (const auto* set = std::get_if<servo::SetPosition>(own))
+            to = set->position.value();
+    return countsBetween(m_look->position, to);
+}
+
+void HomeFact::counterMoved(TimePoint time, std::optional<std::int32_t> by) {
     const bool stood = m_look && m_look->still && m_look->time < time && time - m_look->time < kFresh;
-    if (!stood)
+    if (!stood || !by)
         forget();
+    const auto move = [&](std::int32_t counts) { return countsBetween(countsBetween(*by, 0), counts); };
     if (m_place)
-        m_place->counts = countsBetween(m_look->position, m_place->counts);
+        m_place->counts = move(m_place->counts);
     if (m_offered)
-        m_offered = countsBetween(m_look->position, *m_offered);
+        m_offered = move(*m_offered);
     m_saved.reset();
     m_look.reset();
 }
@@ -70,6 +83,8 @@ void HomeFact::apply(const bus::Sample& sample) {
         const std::int32_t position = *sample.report.position;
         m_look = Look{sample.time, position, m_look && samePlace(m_look->position, position)};
     }
+    if (sample.report.home)
+        m_register = sample.report.home;
     // The answer to the command itself may have been put together before it took effect.
     if (!m_saved || sample.time <= *m_saved || !sample.report.home)
         return;

@@ -13,7 +13,7 @@ namespace nmc {
 /// The chip's home register is another thing (DS-V 5.2, DS-S 5.1): it holds what was captured or saved last,
 /// the neighbourhood of an index or the place of a limit stop say, and 0 after a restart; and Reset Position
 /// sets the counter to 0 and leaves the register, which then means another place. So home is what a search
-/// has found, or the user has saved or declared. It goes along when the counter is set to 0 while the motor
+/// has found, or the user has saved or declared. It goes along when the counter is set while the motor
 /// stands, and is not known any more after all that may have set the counter unseen.
 class HomeFact {
 public:
@@ -51,7 +51,9 @@ public:
     void apply(const bus::Sample& sample);
 
 private:
-    void counterReset(TimePoint time);
+    /// By so much, counts; empty: nobody knows.
+    void counterMoved(TimePoint time, std::optional<std::int32_t> by);
+    [[nodiscard]] std::optional<std::int32_t> shift(const bus::ModuleCommand& command) const;
 
     struct Look {
         TimePoint time;
@@ -64,6 +66,7 @@ private:
     /// Save as home was carried out then; where that was, the register tells, in two looks that agree.
     std::optional<TimePoint> m_saved;
     std::optional<std::int32_t> m_reading;
+    std::optional<std::int32_t> m_register;  ///< as told last
     std::optional<Look> m_look;
 };
 

@@ -28,7 +28,7 @@ void MeasuredSpeed::apply(TimePoint time, std::int32_t position) {
 }
 
 void MeasuredSpeed::apply(const bus::CommandExecuted& executed) {
-    if (bus::is<ResetPosition>(executed.command))
+    if (bus::setsCounter(executed.command))
         forget();
 }
 

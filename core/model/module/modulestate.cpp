@@ -77,6 +77,7 @@ void ModuleState::apply(const bus::Sample& sample) {
         switchedItselfOff = stepper.offByItself();
         powerLostWhileOn = switchedItselfOff && stepper.activity() == Activity::PowerLost;
     }
+    endAtLimit();
     watchLimits(wasMoving, watchBefore, endedBefore);
     if (!isServo() || !sample.report.aux)
         return;
@@ -113,7 +114,9 @@ void ModuleState::wentOff() {
     m_goal.reset();
     switchedItselfOff = true;
     tripCause = TripCause::Unknown;
-    if (gains && latest->position)
+    if (limitEnds(1) || limitEnds(-1))
+        tripCause = limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
+    else if (gains && latest->position)
         if (const auto facts = m_trip.facts(tripLook(), gains->el))
             tripCause = judge(*facts);
     powerLostWhileOn = !latest->servoStatus().powerOn();
@@ -131,6 +134,29 @@ LimitWatch::Limits ModuleState::closedLimits() const {
         return {stepper.limitActs(false), stepper.limitActs(true)};
     const servo::StatusByte status = latest->servoStatus();
     return {status.limit1() && (!io || io->limit1IsInput), status.limit2() && (!io || io->limit2IsInput)};
+}
+
+int ModuleState::direction() const {
+    if (motion == MotionMode::Velocity)
+        return goalVelocity < 0 ? -1 : goalVelocity > 0 ? 1 : 0;
+    return motion == MotionMode::Trapezoidal && m_goalReverse ? (*m_goalReverse ? -1 : 1) : 0;
+}
+
+bool ModuleState::limitEnds(int direction) const {
+    if (!isServo() || !scIo || scIo->limitStop == servo::LimitStop::None || !latest)
+        return false;
+    const servo::StatusByte status = latest->servoStatus();
+    return (direction > 0 && status.limit1()) || (direction < 0 && status.limit2());
+}
+
+/// The chip has stopped it by itself: it holds there, and what was loaded is not reached any more.
+void ModuleState::endAtLimit() {
+    if (!servoOn() || !latest->servoStatus().moveDone() || !limitEnds(direction()))
+        return;
+    motion = MotionMode::Velocity;
+    goalVelocity = m_loadedVelocity = 0.0;
+    loadWaiting = false;
+    m_goal.reset();
 }
 
 void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore) {
@@ -214,7 +240,9 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         swing.forget();
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
         io = *control;
-    } else if (std::holds_alternative<ResetPosition>(*command)) {
+    } else if (const auto* sc = std::get_if<servo::ScIoControl>(command)) {
+        scIo = *sc;
+    } else if (bus::setsCounter(executed.command)) {
         m_goal.reset();
         m_enabledAt.reset();
         m_restedAt.reset();
@@ -230,6 +258,7 @@ void ModuleState::restarted() {
     gains.reset();
     gainsBefore.reset();
     io.reset();
+    scIo.reset();
     homing = {};
     limits = {};
     home = {};
@@ -266,6 +295,7 @@ void ModuleState::confirmedAtRest() {
 
 void ModuleState::applyLoaded(TimePoint time) {
     motionCommandedAt = time;
+    const std::optional<std::int32_t> from = goal();
     m_goal.reset();
     if (!m_loaded.servo) {
         motion = MotionMode::Pwm;
@@ -273,14 +303,18 @@ void ModuleState::applyLoaded(TimePoint time) {
         return;
     }
     const bool velocityMode = m_loaded.profile == servo::ProfileMode::Velocity;
-    const bool reverse = velocityMode ? m_loaded.reverse
-                                      : latest && latest->position && m_loaded.position &&
-                                            m_loaded.position->value() < *latest->position;
+    const bool reverse = velocityMode        ? m_loaded.reverse
+                         : m_loaded.relative ? m_loaded.position && m_loaded.position->value() < 0
+                                             : latest && latest->position && m_loaded.position &&
+                                                   m_loaded.position->value() < *latest->position;
     noteCommand(time, m_loadedVelocity == 0.0 ? 0 : reverse ? -1 : 1, m_loadedVelocity);
     offCommanded = m_motionUnknown = false;
     motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
     if (!velocityMode && m_loaded.position) {
-        m_goal = m_loaded.position->value();
+        if (!m_loaded.relative)
+            m_goal = m_loaded.position->value();
+        else if (from)
+            m_goal = *from + m_loaded.position->value();
         m_goalReverse = reverse;
     }
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
@@ -323,8 +357,10 @@ bool ModuleState::currentWasLimited() const {
 }
 
 std::optional<std::int32_t> ModuleState::goal() const {
+    if (isServo())
+        return !servoOn() ? std::nullopt : m_goal ? m_goal : commandToldAtRest();
     if (!isStepper())
-        return servoOn() ? m_goal : std::nullopt;
+        return std::nullopt;
     const bool held = stepper.moving() || stepper.position() == stepper.goal();
     return stepper.amplifierOn() && held ? stepper.goal() : std::optional<std::int32_t>();
 }
@@ -333,6 +369,15 @@ std::optional<bool> ModuleState::goalReverse() const {
     if (!goal())
         return std::nullopt;
     return isStepper() ? stepper.lastReverse() : m_goalReverse;
+}
+
+std::optional<std::int32_t> ModuleState::commandToldAtRest() const {
+    if (moving() || !latest->position || !latest->positionError)
+        return std::nullopt;
+    const std::int32_t error = *latest->positionError;
+    // Sixteen bits cannot say more.
+    const bool whole = std::abs(error) < std::numeric_limits<std::int16_t>::max();
+    return whole ? std::optional(countsBetween(countsBetween(error, 0), *latest->position)) : std::nullopt;
 }
 
 bool ModuleState::driveOn() const {

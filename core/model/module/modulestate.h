@@ -58,6 +58,8 @@ struct ModuleState {
     bool loadWaiting = false;
     /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
     std::optional<servo::IoControl> io;
+    /// Of an SC, instead: what its amplifier and its limits were last told; empty: unknown.
+    std::optional<servo::ScIoControl> scIo;
     /// What Set Homing Mode last told it.
     HomeWatch homing;
     LimitWatch limits;
@@ -105,6 +107,7 @@ struct ModuleState {
     [[nodiscard]] bool currentWasLimited() const;
     /// The position that the motor holds or will, to the count: the goal of its last move or of a Stop Here,
     /// or where it stood when it was switched on.
+    /// CMC and SC tell it themselves.
     [[nodiscard]] std::optional<std::int32_t> goal() const;
     /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
@@ -116,6 +119,9 @@ struct ModuleState {
     [[nodiscard]] double acceleration() const { return m_acceleration; }
     /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
+    /// SC: it minds its limits (I/O Control), and that in this direction, -1 or 1, is closed; forward is
+    /// limit 1.
+    [[nodiscard]] bool limitEnds(int direction) const;
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
@@ -125,6 +131,11 @@ private:
     void apply(const servo::StopMotor& stop, TimePoint time);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
+    /// -1 or 1: where a motion of ours goes; 0: nobody knows.
+    [[nodiscard]] int direction() const;
+    void endAtLimit();
+    /// CMC and SC, of a servo that stands: position + reported error, of one status.
+    [[nodiscard]] std::optional<std::int32_t> commandToldAtRest() const;
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();

@@ -17,6 +17,8 @@ enum class TripCause : std::uint8_t {
     Jam,       ///< it was driven and stood
     Limit1,    ///< a limit switch closed on the way
     Limit2,
+    OffAtLimit1,  ///< SC: told to switch off at a closed limit (I/O Control)
+    OffAtLimit2,
     Behind,  ///< it went the right way, too slowly
 };
 

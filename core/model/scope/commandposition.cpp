@@ -43,7 +43,8 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
                    [&](const servo::SetHoming& homing) { arm(homing, executed); },
                    [](const AnyOf<SetAddress, DefineStatus, ReadStatus, servo::IoControl, SetBaud,
                                   servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) {},
-                   [](const servo::LaterCommand auto&) {},
+                   [&](const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) { forget(); },
+                   [](const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) {},
                },
                *command);
 }
@@ -114,7 +115,7 @@ Moments CommandPosition::begun(const bus::CommandExecuted& executed) const {
 
 void CommandPosition::load(const servo::LoadTrajectory& load) {
     m_loaded = load;
-    if (load.position)
+    if (load.position && !load.relative)
         m_goal = load.position->value();
     if (load.velocity)
         m_velocity = load.velocity->value() / 65'536.0;
@@ -156,6 +157,8 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
         m_awaiting = Awaiting::Nothing;
         return runAt(m_loaded.reverse ? -m_velocity : m_velocity, when);
     }
+    if (m_loaded.relative)
+        return forget();  // what reports its error has no need of this
     const auto from = at(executed.time, executed.late);
     m_awaiting = from ? Awaiting::Nothing : Awaiting::EndOfMove;
     if (!from)

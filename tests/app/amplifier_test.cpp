@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Amplifier of an SC, by mouse and keys, over a pseudo-terminal that nmcsim serves; the oracle is
+// what nmcsim knows of the module.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+
+#include "panel.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::IntentPanel;
+using testing_support::moves;
+using testing_support::NmcsimProcess;
+
+class AmplifierPage : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+    }
+    template <typename Widget>
+    Widget& find(const char* name) {
+        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
+        EXPECT_NE(widget, nullptr) << name;
+        testing_support::turnTo(*widget);
+        return *widget;
+    }
+    void press(const char* name) {
+        auto& button = find<QAbstractButton>(name);
+        ASSERT_TRUE(panel.waitFor([&] { return button.isEnabled(); })) << button.toolTip().toStdString();
+        QTest::mouseClick(&button, Qt::LeftButton, {}, {button.height() / 2, button.height() / 2});
+    }
+    void chooseLimits(int presses) {
+        auto& box = find<QComboBox>("limitProtectionBox");
+        box.setFocus();
+        for (int i = 0; i < presses; ++i)
+            QTest::keyClick(&box, Qt::Key_Down);
+    }
+    void apply() {
+        ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
+        ASSERT_NO_FATAL_FAILURE(press("applyAmplifierQuestionGo"));
+        ASSERT_TRUE(
+            panel.waitFor([&] { return find<QLabel>("amplifierState").text().startsWith(u"● Applied"_s); }));
+    }
+    void enableAndRun() {
+        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains && !panel.module().awaited; }));
+        panel.ask(intent::Enable{});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && !panel.module().awaited; }));
+        panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false});
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    }
+    [[nodiscard]] QString headlines() {
+        QStringList all;
+        for (const QLabel* label : panel.window().findChildren<QLabel*>())
+            if (label->isVisible())
+                all << label->text();
+        return all.join(u'\n');
+    }
+    NmcsimProcess sim{u"servo@10"_s};
+    IntentPanel panel;
+};
+
+TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
+    chooseLimits(1);
+    ASSERT_NO_FATAL_FAILURE(apply());
+    ASSERT_NO_FATAL_FAILURE(enableAndRun());
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_EQ(panel.module().activity(), Activity::Holding);
+    EXPECT_TRUE(
+        panel.waitFor([&] { return headlines().contains(u"Limit 1 of module 1 stopped its motor."_s); }));
+    // Forward is refused before anything is sent; back is not.
+    const auto forward = plan(
+        intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}, panel.module());
+    ASSERT_FALSE(forward);
+    EXPECT_EQ(forward.error(), Refusal::LimitClosed);
+    panel.ask(intent::RunAtVelocity{CountsPerTick(65'536), CountsPerTickSquared(1'311), true});
+    EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(AmplifierPage, ALimitThatSwitchesOffIsToldAsTheCause) {
+    chooseLimits(2);
+    ASSERT_NO_FATAL_FAILURE(apply());
+    ASSERT_NO_FATAL_FAILURE(enableAndRun());
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().switchedItselfOff; }));
+    EXPECT_TRUE(panel.waitFor(
+        [&] { return headlines().contains(u"Limit 1 closed, and module 1 switched its motor off."_s); }));
+}
+
+TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {
+    ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
+    ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
+    ASSERT_NO_FATAL_FAILURE(press("applyAmplifierQuestionCancel"));
+    EXPECT_TRUE(panel.answersFor(0.3));
+    EXPECT_FALSE(sim.state(1)[u"three_phase"_s].toBool());
+    EXPECT_FALSE(panel.module().scIo);
+}
+
+TEST_F(AmplifierPage, WhatIsSavedComesBackAtPowerUp) {
+    ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
+    ASSERT_NO_FATAL_FAILURE(apply());
+    ASSERT_NO_FATAL_FAILURE(press("saveAddressBox"));
+    ASSERT_NO_FATAL_FAILURE(press("saveConfigurationButton"));
+    ASSERT_NO_FATAL_FAILURE(press("saveConfigurationQuestionGo"));
+    EXPECT_TRUE(panel.waitFor([&] { return !panel.module().scIo && !panel.module().silent; }))
+        << "what it was told is forgotten with the reset";
+    (void)sim.control(u"power-cycle 1"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return sim.state(1)[u"antiphase"_s].toBool(); }));
+    EXPECT_EQ(sim.state(1)[u"address"_s].toInt(), 1) << "it has its address again by itself";
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an SC can beyond the first data sheet, asked of the engine, on the simulator: moves by a distance,
+// limits that the chip minds by itself, and a configuration that is saved. Distances by hand.
+#include <gtest/gtest.h>
+
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
+
+namespace nmc::test {
+namespace {
+
+using namespace bus;
+using namespace std::chrono_literals;
+
+constexpr std::uint8_t kSc = 1;
+
+[[nodiscard]] Step moveBy(std::int32_t counts) {
+    Step step = loadMove(kSc, counts);
+    std::get<servo::LoadTrajectory>(std::get<ServoCommand>(step.command)).relative = true;
+    return step;
+}
+
+class ScOnTheBus : public testing::Test {
+protected:
+    ScOnTheBus() : bus({{ModuleType::Servo, 4}, {ModuleType::Servo, 10}}) {
+        EXPECT_TRUE(bus.connect());
+        EXPECT_EQ(bus.perform({gains(kSc)}), Outcome::Done);
+    }
+    [[nodiscard]] Outcome minds(servo::LimitStop how) {
+        return bus.perform({toServo(kSc, servo::ScIoControl{.limitStop = how})}).value();
+    }
+    [[nodiscard]] sim::ModuleSnapshot truth() { return bus.chain.snapshot(ModuleIndex(kSc), bus.now); }
+    void closeLimit1(bool closed) {
+        bus.chain.set(ModuleIndex(kSc), sim::Input::Limit1, closed ? 1.0 : 0.0, bus.now);
+    }
+
+    VirtualBus bus;
+};
+
+TEST_F(ScOnTheBus, MovesByADistanceAddUpToTheCount) {
+    ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
+    for (int move = 0; move < 3; ++move) {
+        ASSERT_EQ(bus.perform({moveBy(1'000), start(kSc)}), Outcome::Done);
+        bus.runFor(2s);
+    }
+    ASSERT_EQ(bus.perform({moveBy(-500), start(kSc)}), Outcome::Done);
+    bus.runFor(2s);
+    EXPECT_EQ(truth().servo.commandPosition, 2'500.0);
+    EXPECT_EQ(bus.count<MotionSuspect>(), 0U) << "the goal was not taken for a position";
+    bus.expectNoViolations();
+}
+
+TEST_F(ScOnTheBus, WhatALimitHasEndedIsAtRestAndMayMoveBack) {
+    ASSERT_EQ(minds(servo::LimitStop::Abruptly), Outcome::Done);
+    ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
+    ASSERT_EQ(bus.perform({loadVelocity(kSc, 65'536, true)}), Outcome::Done);
+    bus.runFor(300ms);
+    closeLimit1(true);
+    bus.runFor(300ms);
+    const std::int32_t rest = truth().servo.position;
+    EXPECT_GT(rest, 100);
+    EXPECT_EQ(bus.perform({loadMove(kSc, 0), start(kSc)}), Outcome::Done) << "no stop is owed first";
+    bus.runFor(2s);
+    EXPECT_NEAR(truth().servo.position, 0, 3);
+    bus.expectNoViolations();
+}
+
+TEST_F(ScOnTheBus, ItsAmplifierIsNotChangedWhileTheServoIsOn) {
+    ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
+    EXPECT_EQ(bus.perform({toServo(kSc, servo::ScIoControl{.antiphase = true})}), Outcome::Forbidden);
+    EXPECT_FALSE(truth().servo.later->antiphase);
+    ASSERT_EQ(bus.perform({motorOff(kSc)}), Outcome::Done);
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.perform({toServo(kSc, servo::ScIoControl{.antiphase = true})}), Outcome::Done);
+    EXPECT_TRUE(truth().servo.later->antiphase);
+}
+
+TEST_F(ScOnTheBus, AConfigurationIsSavedAndTheOthersKeepWhatTheyHave) {
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 1'000), start(0)}), Outcome::Done);
+    bus.runFor(2s);
+    bus.engine.resetModule(ModuleIndex(kSc), bus.now,
+                           servo::HardReset{.save = true, .restoreAddresses = true, .limitProtection = true});
+    const auto over = [&] { return bus.count<Readdressed>() + bus.count<ReaddressFailed>() > 0; };
+    ASSERT_TRUE(bus.runUntil(over, 5s));
+    EXPECT_EQ(bus.count<Readdressed>(), 1U);
+    EXPECT_EQ(truth().servo.later->saved, 0b0010'0011) << "save, addresses, limit protection";
+    bus.runFor(1s);
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 3);
+    EXPECT_TRUE(bus.servo(0).servoOn);
+    bus.expectNoViolations();
+}
+
+TEST_F(ScOnTheBus, AConfigurationIsNotForAChipThatKnowsNone) {
+    bus.engine.resetModule(ModuleIndex(0), bus.now, servo::HardReset{.save = true});
+    bus.runFor(1s);
+    ASSERT_EQ(bus.count<ReaddressFailed>(), 1U);
+    EXPECT_EQ(bus.count<ModuleRestarted>(), 0U) << "not even reset";
+}
+
+}  // namespace
+}  // namespace nmc::test

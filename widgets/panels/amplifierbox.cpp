@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/amplifierbox.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPointer>
+
+#include "widgets/common/askdialog.h"
+#include "widgets/common/look.h"
+#include "widgets/common/numberfield.h"
+#include "widgets/common/words.h"
+#include "widgets/panels/command.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+using servo::LimitStop;
+
+QString onOrOff(bool on) {
+    return on ? AmplifierBox::tr("on") : AmplifierBox::tr("off");
+}
+}  // namespace
+
+AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
+    : QWidget(parent),
+      m_context(context),
+      m_threePhase(
+          newBox(u"threePhaseBox"_s, tr("3-phase commutation"),
+                 tr("For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor."))),
+      m_antiphase(newBox(u"antiphaseBox"_s, tr("Antiphase PWM"),
+                         tr("For an amplifier that takes 50 % PWM as rest. Off: PWM and direction."))),
+      m_steps(
+          newBox(u"stepInputBox"_s, tr("Step and direction input"),
+                 tr("The motor follows step pulses at the limit pins instead of commands. The limits then "
+                    "protect nothing."))),
+      m_limits(new QComboBox(this)),
+      m_fastPath(newBox(u"fastPathBox"_s, tr("Fast path"),
+                        tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz."))),
+      m_apply(new Command({.name = u"applyAmplifierButton"_s,
+                           .icon = u"send"_s,
+                           .text = tr("Apply…"),
+                           .accessible = tr("Apply the amplifier settings")},
+                          this, [this] { apply(); })),
+      m_state(new QLabel(this)),
+      m_multiplier(new NumberField(0, this)),
+      m_setMultiplier(new Command({.name = u"setMultiplierButton"_s,
+                                   .icon = u"send"_s,
+                                   .text = tr("Set"),
+                                   .accessible = tr("Set the step multiplier")},
+                                  this, [this] { setMultiplier(); })),
+      m_savesAddress(newBox(u"saveAddressBox"_s, tr("Keep its address and group"),
+                            tr("It comes back at this address after a power cycle, without a search."))),
+      m_savesAmplifier(newBox(u"saveAmplifierBox"_s, tr("Amplifier on at power-up"),
+                              tr("AMP_EN goes high by itself after each power-up."))),
+      m_savesServo(newBox(
+          u"saveServoBox"_s, tr("Servo on at power-up"),
+          tr("The motor holds by itself after each power-up, with the saved gains, before any panel is there."))),
+      m_save(new Command({.name = u"saveConfigurationButton"_s,
+                          .icon = u"download"_s,
+                          .text = tr("Save in module…"),
+                          .accessible = tr("Save in module the configuration for power-up")},
+                         this, [this] { save(); })),
+      m_erase(new Command({.name = u"eraseConfigurationButton"_s,
+                           .icon = u"eraser"_s,
+                           .text = tr("Erase saved…"),
+                           .accessible = tr("Erase saved configuration of the module")},
+                          this, [this] { erase(); })) {
+    look::name(this, u"amplifierPage"_s, tr("Amplifier"));
+    const int unit = look::gridUnit(this);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(unit, unit, unit, unit);
+    grid->setHorizontalSpacing(unit);
+    grid->setVerticalSpacing(unit / 2);
+    int line = 0;
+    buildDrive(*grid, line);
+    grid->setRowMinimumHeight(line++, unit);
+    buildSaved(*grid, line);
+    grid->setRowStretch(line, 1);
+    grid->setColumnStretch(2, 1);
+    m_context.whenSeen(this, [this] { showModule(); });
+}
+
+QCheckBox* AmplifierBox::newBox(const QString& objectName, const QString& text, const QString& meaning) {
+    auto* box = new QCheckBox(text, this);
+    look::name(box, objectName, text);
+    box->setToolTip(meaning);
+    connect(box, &QCheckBox::clicked, this, &AmplifierBox::refresh);
+    return box;
+}
+
+void AmplifierBox::buildDrive(QGridLayout& grid, int& line) {
+    look::name(m_limits, u"limitProtectionBox"_s, tr("Limit inputs"));
+    m_limits->addItem(tr("do nothing"), static_cast<int>(LimitStop::None));
+    m_limits->addItem(tr("stop abruptly"), static_cast<int>(LimitStop::Abruptly));
+    m_limits->addItem(tr("switch the motor off"), static_cast<int>(LimitStop::MotorOff));
+    m_limits->setToolTip(
+        tr("What the module does by itself when limit 1 closes in forward motion, or limit 2 in "
+           "reverse. It stays armed."));
+    connect(m_limits, &QComboBox::activated, this, &AmplifierBox::refresh);
+    auto* limits = new QLabel(tr("Limit inputs"), this);
+    limits->setBuddy(m_limits);
+    grid.addWidget(limits, line, 0);
+    grid.addWidget(m_limits, line++, 1);
+    for (QCheckBox* box : {m_threePhase, m_antiphase, m_steps, m_fastPath})
+        grid.addWidget(box, line++, 0, 1, 3);
+    look::nameText(m_state, u"amplifierState"_s, tr("Amplifier settings of the module"));
+    m_state->setWordWrap(true);
+    m_state->setTextFormat(Qt::PlainText);
+    grid.addWidget(m_state, line, 0, 1, 3);
+    grid.addWidget(m_apply->button(), line++, 3);
+    auto* multiplier = new QLabel(tr("Step multiplier"), this);
+    multiplier->setBuddy(m_multiplier);
+    look::name(m_multiplier, u"stepMultiplierField"_s, tr("Step multiplier"));
+    m_multiplier->setWords(tr("Step multiplier"), {});
+    m_multiplier->setRange(1, 255);
+    m_multiplier->setDigits(4);
+    m_multiplier->setMeaning(tr("Counts that one step pulse moves the motor."));
+    m_multiplier->showValue(1);
+    connect(m_multiplier, &NumberField::edited, this, &AmplifierBox::refresh);
+    grid.addWidget(multiplier, line, 0);
+    grid.addWidget(m_multiplier, line, 1);
+    grid.addWidget(m_setMultiplier->button(), line++, 3);
+}
+
+void AmplifierBox::buildSaved(QGridLayout& grid, int& line) {
+    auto* heading = new QLabel(tr("Saved in the module, for power-up"), this);
+    QFont bold = font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    grid.addWidget(heading, line++, 0, 1, 4);
+    auto* remark = look::newMutedLabel(
+        tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module "
+           "has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. "
+           "Both buttons restart the module: its motor goes off, and it needs its gains again."),
+        this);
+    remark->setWordWrap(true);
+    grid.addWidget(remark, line++, 0, 1, 4);
+    for (QCheckBox* box : {m_savesAddress, m_savesAmplifier, m_savesServo})
+        grid.addWidget(box, line++, 0, 1, 3);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(look::gridUnit(this));
+    buttons->addStretch(1);
+    buttons->addWidget(m_erase->button());
+    buttons->addWidget(m_save->button());
+    grid.addLayout(buttons, line++, 0, 1, 4);
+}
+
+servo::ScIoControl AmplifierBox::wanted() const {
+    return {.limitStop = static_cast<LimitStop>(m_limits->currentData().toInt()),
+            .threePhase = m_threePhase->isChecked(),
+            .antiphase = m_antiphase->isChecked(),
+            .fastPath = m_fastPath->isChecked(),
+            .stepAndDirection = m_steps->isChecked()};
+}
+
+/// Of the settings those that the module has, not what stands in the fields.
+servo::HardReset AmplifierBox::wantedSaved() const {
+    const servo::ScIoControl now = m_context.state().scIo.value_or(servo::ScIoControl{});
+    return {.save = true,
+            .restoreAddresses = m_savesAddress->isChecked(),
+            .amplifierOn = m_savesAmplifier->isChecked(),
+            .servoOn = m_savesServo->isChecked(),
+            .stepAndDirection = now.stepAndDirection,
+            .limitProtection = now.limitStop != LimitStop::None,
+            .threePhase = now.threePhase,
+            .antiphase = now.antiphase};
+}
+
+void AmplifierBox::showModule() {
+    if (const auto& now = m_context.state().scIo; now != m_shown) {
+        m_shown = now;
+        const servo::ScIoControl shown = now.value_or(servo::ScIoControl{});
+        m_limits->setCurrentIndex(m_limits->findData(static_cast<int>(shown.limitStop)));
+        m_threePhase->setChecked(shown.threePhase);
+        m_antiphase->setChecked(shown.antiphase);
+        m_steps->setChecked(shown.stepAndDirection);
+        m_fastPath->setChecked(shown.fastPath);
+    }
+    refresh();
+}
+
+QString AmplifierBox::stateText() const {
+    const auto& now = m_context.state().scIo;
+    if (!now)
+        return tr(
+            "? Not known: nothing was applied in this connection, and the module does not tell. It may "
+            "have saved settings.");
+    return tr("● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.")
+        .arg(onOrOff(now->threePhase), onOrOff(now->antiphase), onOrOff(now->stepAndDirection),
+             m_limits->itemText(m_limits->findData(static_cast<int>(now->limitStop))));
+}
+
+void AmplifierBox::refresh() {
+    AskDialog::reviewAll(*this);
+    look::setText(m_state, stateText());
+    const QString now = m_context.reasonNow(Request::ControlSc);
+    QString reason = now;
+    if (reason.isEmpty() && m_steps->isChecked() && wanted().limitStop != LimitStop::None)
+        reason =
+            tr("With step and direction the pins of the limits are its inputs: set the limit inputs to do "
+               "nothing.");
+    if (reason.isEmpty() && m_context.state().scIo == wanted())
+        reason = tr("The module has these settings.");
+    m_apply->setPossible(reason, tr("Takes AMP_EN low and sends these settings."));
+    const auto& gains = m_context.state().gains;
+    QString multiplier = m_context.reasonNow(Request::ApplyGains);
+    if (multiplier.isEmpty())
+        multiplier = gains ? m_multiplier->problemText() : texts::refusal(Refusal::GainsUnknown);
+    m_setMultiplier->setPossible(multiplier,
+                                 tr("Sends the gains that the module has, with this multiplier."));
+    QString save = now;
+    if (save.isEmpty() && !m_context.state().scIo)
+        save = tr("Apply the amplifier settings first: what the module has now is not known.");
+    m_save->setPossible(save, tr("Saves what the module has now, and restarts it."));
+    m_erase->setPossible(now, tr("Makes the module forget what it saved, and restarts it."));
+}
+
+void AmplifierBox::question(const QString& name, const QString& title, const QString& text,
+                            const QString& verb, const Intent& intent) {
+    AskDialog::ask({.name = name,
+                    .title = title,
+                    .text = [this, text] { return m_context.whyNot(Request::ControlSc) ? QString() : text; },
+                    .stay = tr("Cancel"),
+                    .stayName = name + u"Cancel"_s,
+                    .stayIsDefault = true},
+                   {{verb, name + u"Go"_s, [this, intent] { m_context.ask(intent); }}}, this);
+}
+
+void AmplifierBox::apply() {
+    question(
+        u"applyAmplifierQuestion"_s, tr("Apply amplifier settings"),
+        tr("Apply these settings to %1? 3-phase, antiphase or step and direction that do not fit the "
+           "amplifier or its wiring can destroy the amplifier, or make the motor run away once it is enabled.")
+            .arg(texts::moduleName(m_context.state().info.index)),
+        tr("Apply settings"), intent::ControlSc{wanted()});
+}
+
+void AmplifierBox::save() {
+    const servo::HardReset saved = wantedSaved();
+    QString text =
+        tr("Save the configuration of %1? It comes back at each power-up, whatever is connected then. "
+           "The module restarts now: its motor goes off, and it needs its gains again.")
+            .arg(texts::moduleName(m_context.state().info.index));
+    if (saved.amplifierOn || saved.servoOn)
+        text += u' ' + tr("Its motor will be driven right after power-up, without a command.");
+    question(u"saveConfigurationQuestion"_s, tr("Save in module"), text, tr("Save and restart"),
+             intent::SaveConfiguration{saved});
+}
+
+void AmplifierBox::erase() {
+    question(
+        u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"),
+        tr("Erase what %1 has saved? At the next power-up it starts as a new module does. It restarts now: "
+           "its motor goes off, and it needs its gains again.")
+            .arg(texts::moduleName(m_context.state().info.index)),
+        tr("Erase and restart"), intent::SaveConfiguration{servo::HardReset{}});
+}
+
+void AmplifierBox::setMultiplier() {
+    auto gains = m_context.state().gains;
+    const auto value = m_multiplier->value();
+    if (!gains || !value)
+        return;
+    gains->sm = static_cast<std::uint8_t>(*value);
+    if (!gains->db)
+        gains->db = std::uint8_t{0};
+    m_context.ask(intent::ApplyGains{*gains});
+}
+
+}  // namespace nmc

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/panels/modulecontext.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QGroupBox;
+class QLabel;
+
+namespace nmc {
+
+class Command;
+class NumberField;
+
+/// How a PIC-SERVO SC drives its amplifier, what its limits do by themselves, and what it keeps over a power
+/// cycle (docs/family.md). A wrong choice can destroy an amplifier, so nothing is sent without a question,
+/// and only while the motor is off.
+class AmplifierBox : public QWidget {
+    Q_OBJECT
+
+public:
+    AmplifierBox(ModuleContext& context, QWidget* parent);
+
+private:
+    void buildDrive(QGridLayout& grid, int& line);
+    void buildSaved(QGridLayout& grid, int& line);
+    [[nodiscard]] QCheckBox* newBox(const QString& objectName, const QString& text, const QString& meaning);
+    [[nodiscard]] servo::ScIoControl wanted() const;
+    [[nodiscard]] servo::HardReset wantedSaved() const;
+    void apply();
+    void save();
+    void erase();
+    void setMultiplier();
+    /// Before anything that outlives this panel or could destroy something.
+    void question(const QString& name, const QString& title, const QString& text, const QString& verb,
+                  const Intent& intent);
+    void showModule();
+    void refresh();
+    [[nodiscard]] QString stateText() const;
+
+    ModuleContext& m_context;
+    QCheckBox* m_threePhase;
+    QCheckBox* m_antiphase;
+    QCheckBox* m_steps;
+    QComboBox* m_limits;
+    QCheckBox* m_fastPath;
+    Command* m_apply;
+    QLabel* m_state;
+    NumberField* m_multiplier;
+    Command* m_setMultiplier;
+    QCheckBox* m_savesAddress;
+    QCheckBox* m_savesAmplifier;
+    QCheckBox* m_savesServo;
+    Command* m_save;
+    Command* m_erase;
+    std::optional<servo::ScIoControl> m_shown;
+};
+
+}  // namespace nmc
