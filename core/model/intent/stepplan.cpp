@@ -200,11 +200,12 @@ struct Planner {
     Plan operator()(const AnyOf<intent::AskAnew, intent::Direct, intent::ResetModule> auto&) const {
         return Steps{};
     }
-    Plan operator()(const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
-                                intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
-                                intent::ControlIo, intent::StepBy, intent::StepResponse, intent::SquareWave,
-                                intent::FrequencyResponse, intent::TryGains, intent::KeepGains,
-                                intent::CheckDirection, intent::ArmLimitStop> auto&) const {
+    Plan operator()(
+        const AnyOf<intent::GoTo, intent::GoHome, intent::RunAtVelocity, intent::ApplyGains,
+                    intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
+                    intent::ControlIo, intent::StepBy, intent::StepResponse, intent::SquareWave,
+                    intent::FrequencyResponse, intent::TryGains, intent::KeepGains, intent::CheckDirection,
+                    intent::FollowPath, intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
     Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }

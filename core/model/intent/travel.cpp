@@ -95,9 +95,10 @@ struct CourseOf {
         const AnyOf<intent::AskAnew, intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
-                    intent::ControlIo, intent::TryGains, intent::KeepGains, intent::CheckDirection,
-                    intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
-                    intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
+                    intent::ControlIo, intent::TryGains, intent::KeepGains, intent::FollowPath,
+                    intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
+                    intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
+                    stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
     std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }

@@ -85,6 +85,7 @@ void ModuleState::apply(const bus::Sample& sample) {
             m_goal = m_enabledAt;
         m_enabledAt.reset();
     }
+    watchPath(sample.report);
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
     watchDrift(sample, wasOn);
     if (servoOn()) {
@@ -106,6 +107,17 @@ void ModuleState::apply(const bus::Sample& sample) {
         swing.forget();
     else if (sample.report.position)
         swing.look(sample.time, *sample.report.position);
+}
+
+/// Where a path has ended is what it holds.
+void ModuleState::watchPath(const StatusReport& report) {
+    if (report.position && report.positionError)
+        m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
+                                                      static_cast<std::uint32_t>(*report.positionError));
+    if (motion != MotionMode::Path || moving())
+        return;
+    motion = MotionMode::None;
+    m_goal = m_commandPosition;
 }
 
 void ModuleState::wentOff() {
@@ -187,6 +199,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
+    if (const auto control = bus::pathControlOf(*command))
+        pathControl = control;
     if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
         // What is not loaded keeps what it was (DS-V 5.2).
         const std::optional<Counts> position = m_loaded.position;
@@ -214,6 +228,9 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         swing.forget();
     } else if (const auto* control = std::get_if<servo::IoControl>(command)) {
         io = *control;
+    } else if (const auto* add = std::get_if<servo::AddPathPoints>(command)) {
+        if (add->startsPath())
+            startPath(executed.time);
     } else if (std::holds_alternative<ResetPosition>(*command)) {
         m_goal.reset();
         m_enabledAt.reset();
@@ -230,6 +247,8 @@ void ModuleState::restarted() {
     gains.reset();
     gainsBefore.reset();
     io.reset();
+    pathControl = bus::PathControl{};
+    m_commandPosition.reset();
     homing = {};
     limits = {};
     home = {};
@@ -247,6 +266,7 @@ void ModuleState::restarted() {
 
 void ModuleState::attached() {
     m_motionUnknown = true;
+    pathControl.reset();
     stepper.attached();
     pins.attached();
 }
@@ -284,6 +304,15 @@ void ModuleState::applyLoaded(TimePoint time) {
         m_goalReverse = reverse;
     }
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
+}
+
+void ModuleState::startPath(TimePoint time) {
+    motionCommandedAt = time;
+    motion = MotionMode::Path;
+    offCommanded = m_motionUnknown = false;
+    goalVelocity = 0.0;
+    m_goal.reset();
+    m_goalReverse.reset();
 }
 
 void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
@@ -339,6 +368,10 @@ bool ModuleState::driveOn() const {
     return isStepper() ? stepper.amplifierOn() : servoOn();
 }
 
+bool ModuleState::onPath() const {
+    return servoOn() && hasPathBuffer(info.identity) && servo::AuxByte{*latest->aux}.pathMode();
+}
+
 bool ModuleState::moving() const {
     if (!latest || hasRestarted)
         return false;
@@ -348,7 +381,7 @@ bool ModuleState::moving() const {
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
-    if (!latest->servoStatus().moveDone())
+    if (!latest->servoStatus().moveDone() || onPath())
         return true;
     return m_motionUnknown ? m_drifts : motion == MotionMode::Velocity && goalVelocity != 0.0;
 }
@@ -380,6 +413,8 @@ Activity ModuleState::activityWhileOff() const {
 }
 
 Activity ModuleState::activityWhileOn() const {
+    if (onPath())
+        return Activity::OnPath;
     if (latest->servoStatus().moveDone()) {
         if (moving())
             return Activity::AtSpeed;

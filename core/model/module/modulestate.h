@@ -22,7 +22,7 @@
 namespace nmc {
 
 /// What the last motion command of this connection asked for.
-enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
+enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm, Path };
 
 /// Everything known of one module: a value, fed by the engine's events, shown by the panels.
 /// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
@@ -58,6 +58,10 @@ struct ModuleState {
     bool loadWaiting = false;
     /// Directions and outputs of the limit pins as last confirmed; empty: unknown.
     std::optional<servo::IoControl> io;
+    /// CMC and SC: what I/O Control told it of paths; empty: unknown.
+    std::optional<bus::PathControl> pathControl = bus::PathControl{};
+    /// How far the last path is of which this is the first axis.
+    std::optional<bus::PathProgress> path;
     /// What Set Homing Mode last told it.
     HomeWatch homing;
     LimitWatch limits;
@@ -106,6 +110,10 @@ struct ModuleState {
     /// The position that the motor holds or will, to the count: the goal of its last move or of a Stop Here,
     /// or where it stood when it was switched on.
     [[nodiscard]] std::optional<std::int32_t> goal() const;
+    /// CMC and SC: what the servo holds or follows, as it told last; nothing while it is off.
+    [[nodiscard]] std::optional<std::int32_t> commandPosition() const {
+        return servoOn() ? m_commandPosition : std::nullopt;
+    }
     /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
     /// PIC-SERVO: the load that waits for a start, null for none.
@@ -116,6 +124,8 @@ struct ModuleState {
     [[nodiscard]] double acceleration() const { return m_acceleration; }
     /// The servo is on, or the amplifier of a stepper: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
+    /// CMC and SC: it runs through path points.
+    [[nodiscard]] bool onPath() const;
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
@@ -123,6 +133,8 @@ struct ModuleState {
 private:
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
+    void startPath(TimePoint time);
+    void watchPath(const StatusReport& report);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
@@ -136,6 +148,7 @@ private:
     servo::LoadTrajectory m_loaded;
     std::optional<std::int32_t> m_goal;  ///< as goal() says
     std::optional<bool> m_goalReverse;   ///< likewise
+    std::optional<std::int32_t> m_commandPosition;
     /// Where it stood when it was switched on, until a status shows whether it stands there still: then that
     /// is what it holds (DS-V 5.2, Stop Motor).
     std::optional<std::int32_t> m_enabledAt;
