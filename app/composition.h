@@ -103,7 +103,7 @@ private:
     void keepArmed(const ModuleState& module);
     /// Not again before what it was told last can show. What it is told now counts.
     [[nodiscard]] bool mayTell(ModuleIndex axis);
-    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {});
+    bus::OperationId submit(Procedure::Send send);
     void showProcedure(const ProcedureReport& report);
     void showSequence(const SequenceReport& report);
     /// Before a stop of all motors, or an end of the connection that stops them.
@@ -170,10 +170,12 @@ private:
     BusWorker m_worker;
     BusStore m_store{m_worker};
     MainWindow m_window;
-    ProcedureController m_procedures{
-        m_store, [this](Procedure::Send send) { return submit(std::move(send.steps), send.sine); }, this};
+    ProcedureController m_procedures{m_store,
+                                     [this](Procedure::Send send) { return submit(std::move(send)); }, this};
     SequenceController m_sequences{m_store, m_procedures,
-                                   [this](std::vector<bus::Step> steps) { return submit(std::move(steps)); },
+                                   [this](std::vector<bus::Step> steps) {
+                                       return submit({std::move(steps), {}, {}});
+                                   },
                                    this};
     PortController m_ports;
     MachineController m_machine;

@@ -28,6 +28,7 @@ bool mayMove(const bus::ModuleCommand& command) {
         [](const AnyOf<servo::LoadTrajectory, step::LoadTrajectory> auto& load) { return load.startNow; },
         [](const servo::StopMotor& stop) { return stop.manner == servo::StopManner::Here; },
         [](const StartMotion&) { return true; },
+        [](const servo::AddPathPoints& add) { return add.startsPath(); },
         [](const auto&) { return false; },
     };
     return std::visit([&](const auto& chip) { return std::visit(moves, chip); }, command);
@@ -71,7 +72,7 @@ void Composition::carryOut(ModuleIndex index, const Intent& intent) {
         return m_worker.resetModule(index, save->configuration);
     if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
         return m_store.declarePosition(index, declare->right);
-    const bus::OperationId id = submit(std::move(*steps));
+    const bus::OperationId id = submit({std::move(*steps), {}, {}});
     m_machine.noteSent(index, intent);
     if (stops)
         m_procedures.overtake(index);
@@ -120,7 +121,7 @@ void Composition::keepArmed(const ModuleState& module) {
     if (!arm || module.awaited || !mayTell(module.info.index))
         return;
     if (auto steps = plan(*arm, asOfPanel(module)))
-        submit(std::move(*steps));
+        submit({std::move(*steps), {}, {}});
 }
 
 void Composition::keepWithinTravel(const ModuleState& module) {
@@ -135,15 +136,15 @@ void Composition::keepWithinTravel(const ModuleState& module) {
     m_messages.tellOf(texts::stoppedBeforeLimit(index));
 }
 
-bus::OperationId Composition::submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine) {
+bus::OperationId Composition::submit(Procedure::Send send) {
     const bus::OperationId id(++m_lastOperation);
     std::vector<ModuleIndex> moved;
-    for (const bus::Step& step : steps)
+    for (const bus::Step& step : send.steps)
         if (mayMove(step.command))
             moved.push_back(step.module);
     if (!moved.empty())
         m_motionMarker.asked(id, moved);
-    m_worker.submit({id, std::move(steps), sine});
+    m_worker.submit({id, std::move(send.steps), send.sine, std::move(send.path)});
     return id;
 }
 

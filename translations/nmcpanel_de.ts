@@ -4174,6 +4174,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>This module is not a PIC-I/O.</source>
         <translation>Dieses Modul ist kein PIC-I/O.</translation>
     </message>
+    <message>
+        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
+        <translation>Ein Modul hat die Bahn von selbst beendet: ein Endschalter, ein Positionsfehler oder fehlende Motorspannung. An alle Achsen der Bahn ging ein Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>%1 has not finished its path.</source>
+        <translation>%1 hat seine Bahn nicht beendet.</translation>
+    </message>
+    <message>
+        <source>The path was not started by all of its axes. They were told to stop.</source>
+        <translation>Nicht alle Achsen der Bahn sind gestartet. An alle ging ein Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>The points of the path did not come in time, so the motor stopped at the last one it had.</source>
+        <translation>Die Punkte der Bahn kamen nicht rechtzeitig, deshalb blieb der Motor am letzten stehen, den er hatte.</translation>
+    </message>
+    <message>
+        <source>The motor was not led where the path goes. It was told to stop.</source>
+        <translation>Der Motor wurde nicht dorthin geführt, wohin die Bahn geht. An den Motor ging ein Stoppbefehl.</translation>
+    </message>
+    <message>
+        <source>On a path</source>
+        <translation>Auf einer Bahn</translation>
+    </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>Der Motor folgt den Punkten einer Bahn.</translation>
+    </message>
+    <message>
+        <source>The path cannot be followed from here.</source>
+        <translation>Von hier aus lässt sich die Bahn nicht abfahren.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

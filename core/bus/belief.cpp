@@ -52,9 +52,19 @@ struct Belief::Sent {
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
     void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::SetParameters,
-                                servo::IoControl, step::SetOutputs, servo::SetHoming, step::SetHoming,
-                                SetBaud, servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
-    void operator()(const servo::LaterCommand auto&) const {}
+                                step::SetOutputs, servo::SetHoming, step::SetHoming, SetBaud,
+                                servo::ClearStickyBits, SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {
+        b.m_pathControl.reset();
+    }
+    void operator()(const servo::AddPathPoints& add) const {
+        if (!add.startsPath())
+            return;
+        b.m_lastMotion = latched;
+        b.m_onPath = b.m_mayEnable = true;
+    }
+    void operator()(
+        const AnyOf<servo::ResetRelativeToHome, servo::SetPosition, servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onSent(command); }
 };
 
@@ -83,7 +93,7 @@ struct Belief::Executed {
         b.m_amplifierOff = !stop.amplifierEnable;
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
-        b.m_velocityGoal = false;
+        b.m_velocityGoal = b.m_onPath = false;
         b.m_pwmMayRun = b.m_pwmUnknown = false;
         if (stop.manner == servo::StopManner::MotorOff)
             b.m_on = b.m_mayEnable = false;
@@ -95,10 +105,12 @@ struct Belief::Executed {
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
     }
-    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, servo::IoControl,
-                                step::SetOutputs, step::SetHoming, SetBaud, servo::ClearStickyBits,
-                                SaveAsHome, Nop, HardReset> auto&) const {}
+    void operator()(const AnyOf<ResetPosition, ReadStatus, servo::SetGain, step::StopMotor, step::SetOutputs,
+                                step::SetHoming, SetBaud, servo::ClearStickyBits, SaveAsHome, Nop,
+                                HardReset> auto&) const {}
+    void operator()(const servo::IoControl& control) const { b.m_pathControl = pathControlOf(control); }
     void operator()(const servo::ScIoControl& control) const {
+        b.m_pathControl = pathControlOf(control);
         b.m_limitStops = control.limitStop != servo::LimitStop::None;
     }
     void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition, servo::AddPathPoints,
@@ -123,6 +135,7 @@ void Belief::onNotExecuted(const Belief& before) {
     m_stepLoad = before.m_stepLoad;
     m_loaded = before.m_loaded;
     m_starting = before.m_starting;
+    m_onPath = before.m_onPath;
 }
 
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {
@@ -135,6 +148,9 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_position = report.position;
     if (report.home)
         m_home = report.home;
+    if (report.position && report.positionError)
+        m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
+                                                      static_cast<std::uint32_t>(*report.positionError));
     if (report.aux)
         m_aux = *report.aux;
     m_status = report.status;
@@ -154,6 +170,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_mayEnable = false;
         if (!m_on)
             m_velocityGoal = false;
+        m_onPath = m_onPath && (servo::AuxByte{m_aux}.pathMode() || !report.servoStatus().moveDone());
     }
     const servo::StatusByte status = report.servoStatus();
     if (m_homingStops && !status.homeInProgress())
@@ -166,7 +183,7 @@ void Belief::setRestarted() {
     m_restarted = true;
     m_info.group = GroupPlace{};
     m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_limitStops =
-        m_parametersSet = false;
+        m_parametersSet = m_onPath = false;
     m_parameters.reset();
     m_stepLoad.reset();
     m_loaded.reset();
@@ -202,7 +219,7 @@ bool Belief::mayMove() const {
         return false;
     if (m_info.identity.type == ModuleType::Step)
         return step::StatusByte{m_status}.moving();
-    return m_velocityGoal || m_pwmMayRun || !servo::StatusByte{m_status}.moveDone();
+    return m_velocityGoal || m_pwmMayRun || m_onPath || !servo::StatusByte{m_status}.moveDone();
 }
 
 bool Belief::seenMoving() const {

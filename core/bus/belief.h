@@ -35,6 +35,7 @@ public:
     void attach() {
         m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
+        m_pathControl.reset();
         m_outputs.forget();
     }
     /// A load was asked for and refused: an older one that waits must not start in its place.
@@ -67,6 +68,12 @@ public:
         return bus::anySticky(servo::StatusByte{m_status}, servo::AuxByte{m_aux});
     }
     [[nodiscard]] std::optional<std::int32_t> home() const { return m_home; }
+    /// CMC and SC: what the servo is told to hold or follow, of the last status that told.
+    [[nodiscard]] std::optional<std::int32_t> commandPosition() const { return m_commandPosition; }
+    /// CMC and SC: nothing when nobody here knows what I/O Control was told.
+    [[nodiscard]] const std::optional<PathControl>& pathControl() const { return m_pathControl; }
+    /// CMC and SC: it may be running through path points.
+    [[nodiscard]] bool onPath() const { return m_onPath; }
 
     /// Servo (PIC-STEP: amplifier) as of the last status that told.
     [[nodiscard]] bool on() const { return m_on; }
@@ -142,6 +149,9 @@ private:
     bool m_restarted = false;  ///< once true, stays so: welcome() makes another Belief
     std::optional<servo::LoadTrajectory> m_loaded;
     IoOutputs m_outputs;
+    std::optional<std::int32_t> m_commandPosition;
+    std::optional<PathControl> m_pathControl = PathControl{};
+    bool m_onPath = false;
     std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start, if carried out, runs
 };
 

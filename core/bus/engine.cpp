@@ -10,6 +10,22 @@
 
 namespace nmc::bus {
 
+namespace {
+
+/// The modules of which it stops the motor, or sets it to another place.
+[[nodiscard]] std::vector<ModuleIndex> stoppedBy(const Operation& operation) {
+    std::vector<ModuleIndex> stopped;
+    for (const Step& step : operation.steps) {
+        const auto* servo = std::get_if<ServoCommand>(&step.command);
+        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
+        if (stop != nullptr && stop->manner != servo::StopManner::AmplifierOnly)
+            stopped.push_back(step.module);
+    }
+    return stopped;
+}
+
+}  // namespace
+
 Engine::Engine(EngineConfig config) : m_config(config), m_line(config.adapterLatency, config.margin) {}
 
 // ---- from outside ----
@@ -56,10 +72,14 @@ void Engine::submit(Operation operation, TimePoint now) {
         return;
     }
     const OperationFinished refused = rejected(operation, refusal());
+    if (operation.path && accepting())
+        return beginPath(operation, now);
+    const std::vector<ModuleIndex> stopped = stoppedBy(operation);
     if (!accepting() || !m_operations.submit(std::move(operation))) {
         m_events.emplace_back(refused);
         return;
     }
+    leavePath(stopped);
     proceed(now);
 }
 
@@ -89,6 +109,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
     }
     if (m_operations.cancelFor(members))
         dropOperation();
+    leavePath(members);
     for (const ModuleIndex module : members) {
         if (m_hold.holds(module))
             m_hold.clear();
@@ -104,7 +125,8 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_hold.active() || m_owed.due());
+    m_rate.begin(baud,
+                 !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_owed.due());
     proceed(now);
 }
 
@@ -131,11 +153,11 @@ void Engine::moveTo(ModuleIndex module, BusAddress address, TimePoint now) {
 }
 
 bool Engine::busy() const {
-    return !accepting() || !m_operations.empty() || m_hold.active() || m_rate.active();
+    return !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_rate.active();
 }
 
 void Engine::hold(const HoldToMove& hold, TimePoint now) {
-    if (!accepting() || !m_chain.has(hold.module))
+    if (!accepting() || !m_chain.has(hold.module) || m_path.isFor({hold.module}))
         return m_hold.refuse(hold);
     if (m_operations.swings(hold.module) && m_operations.cancelFor({hold.module}))
         dropOperation();
@@ -156,6 +178,7 @@ bool Engine::stopUnasked(TimePoint now) {
 
 void Engine::stopAll(TimePoint now) {
     m_hold.clear();
+    m_path.drop();  // all are stopped
     dropWork();
     m_chain.schedule().unfocus();
     m_stopAsked = true;
@@ -200,7 +223,7 @@ void Engine::setStopOutputs(const std::vector<StopOutputs>& outputs) {
 
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {
     m_chain.schedule().unfocus();
-    if (module && settled())
+    if (module && settled() && !m_path.active())  // which needs them all in sight
         m_chain.schedule().focus(*module, now);
 }
 
@@ -223,9 +246,11 @@ std::optional<TimePoint> Engine::nextDeadline() const {
             first = other;
     };
     consider(m_hold.expiry());
+    consider(m_path.foreseeAt());
     if (m_line.idle()) {
         consider(m_owed.due());
         if (m_connected) {
+            consider(m_path.due());
             consider(m_operations.due());
             consider(m_polls.due());
         }
@@ -245,6 +270,8 @@ std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
 // ---- what is next ----
 
 void Engine::proceed(TimePoint now) {
+    m_path.foresee(now);
+    stopPath();
     // A stop that is owed does not wait for a quarantine.
     if (m_recovery.resyncing() && m_owed.untold())
         interrupt(now);
@@ -276,7 +303,7 @@ bool Engine::dispatch(TimePoint now) {
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
     if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_readdress, m_hold, m_operations, m_polls);
+        taken = turn(m_search, m_rate, m_readdress, m_hold, m_path, m_operations, m_polls);
     takeFindings(now);
     return taken == Turn::Taken;
 }
@@ -328,6 +355,7 @@ void Engine::send(Work work, TimePoint now) {
 // ---- what follows for all tasks ----
 
 void Engine::takeFindings(TimePoint now) {
+    stopPath();
     if (m_search.takeGivesAddresses())
         m_chain.forgetStates();
     if (auto ended = m_search.takeEnded())
@@ -488,20 +516,25 @@ void Engine::goQuiet(TimePoint now) {
 /// Nothing that was asked for is begun any more, and a motor that is held is owed its stop.
 void Engine::dropWork() {
     m_operations.cancel();
+    m_path.cancel();
     m_hold.release();
     if (m_again && m_again->task != &m_search)
         m_again.reset();
-    for (Work& work : m_works)
-        if (work.task == &m_operations || work.task == &m_hold)
-            work.task = nullptr;
+    dropWorkOf(m_operations);
+    dropWorkOf(m_path);
+    dropWorkOf(m_hold);
 }
 
 /// The operation that was under way is over, whatever becomes of its exchange.
 void Engine::dropOperation() {
-    if (m_again && m_again->task == &m_operations)
+    dropWorkOf(m_operations);
+}
+
+void Engine::dropWorkOf(const Task& task) {
+    if (m_again && m_again->task == &task)
         m_again.reset();
     for (Work& work : m_works)
-        if (work.task == &m_operations)
+        if (work.task == &task)
             work.task = nullptr;
 }
 

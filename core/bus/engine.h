@@ -16,6 +16,7 @@
 #include "bus/line.h"
 #include "bus/operationtask.h"
 #include "bus/owedstops.h"
+#include "bus/pathtask.h"
 #include "bus/polltask.h"
 #include "bus/ratetask.h"
 #include "bus/readdresstask.h"
@@ -153,6 +154,11 @@ private:
 
     void begin(Discovery::Start start, TimePoint now);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
+    void beginPath(const Operation& operation, TimePoint now);
+    /// These are told to stop: a path that one of them is on is over.
+    void leavePath(const std::vector<ModuleIndex>& stopped);
+    /// Whoever is on a path that has ended early is owed a stop.
+    void stopPath();
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stop.active(); }
     /// Something is under way that may not be interrupted by a change of the chain.
     [[nodiscard]] bool busy() const;
@@ -199,6 +205,7 @@ private:
     void goQuiet(TimePoint now);
     void dropWork();
     void dropOperation();
+    void dropWorkOf(const Task& task);
     void interrupt(TimePoint now);
 
     EngineConfig m_config;
@@ -225,6 +232,7 @@ private:
     ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};
     HoldTask m_hold{m_config, m_chain, m_events};
     OperationTask m_operations{m_chain, m_line, m_events};
+    PathTask m_path{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
     std::optional<Work> m_again;  ///< to be repeated
     /// Of each module, and where it went, when somebody asked last.

@@ -147,6 +147,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         module.belief.onExecuted(*ask.command);
     if (work.task != nullptr)
         work.task->onAnswer(ask, end);
+    if (trusted)
+        m_path.onReport(*ask.module, end);
     if (ask.reported)
         m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late,
                                               m_chain.takeUnanswered(*ask.module, end.latched)});

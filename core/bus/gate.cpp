@@ -50,16 +50,18 @@ struct Judge {
         if (const auto& load = belief.stepLoad())
             return mayStart(*load);
         const auto& load = belief.servoLoad();
-        return load && trapezoidal(*load) ? onlyAtStandstill(belief) : Verdict::Allowed;
+        return load && trapezoidal(*load) ? onlyAtStandstill(belief) : offThePath();
     }
 
     Verdict operator()(const servo::LoadTrajectory& load) const {
         // Until it is started a load changes nothing (DS-V 5.1, note 1).
-        return trapezoidal(load) && load.startNow ? Verdict::Never : Verdict::Allowed;
+        if (trapezoidal(load) && load.startNow)
+            return Verdict::Never;
+        return load.startNow ? offThePath() : Verdict::Allowed;
     }
-    Verdict operator()(const AnyOf<servo::SetGain, servo::StopMotor, servo::IoControl> auto&) const {
-        return Verdict::Allowed;
-    }
+    Verdict operator()(const AnyOf<servo::SetGain, servo::StopMotor> auto&) const { return Verdict::Allowed; }
+    /// Fast path would change the rate of the points that are in the buffer.
+    Verdict operator()(const servo::IoControl&) const { return offThePath(); }
     Verdict operator()(const servo::SetHoming&) const { return Verdict::Allowed; }
     Verdict operator()(const servo::ClearStickyBits&) const { return Verdict::Allowed; }
     Verdict operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
@@ -71,6 +73,7 @@ struct Judge {
             return Verdict::NeedsStatus;
         return belief.mayBeOn() || belief.mayMove() ? Verdict::InMotion : Verdict::Allowed;
     }
+    /// Points belong to PathTask, which asks mayFollowPath().
     Verdict operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
         return Verdict::Never;
     }
@@ -92,6 +95,9 @@ struct Judge {
     Verdict operator()(const step::SetHoming&) const { return Verdict::Allowed; }
     Verdict operator()(const io::OwnCommand auto&) const { return Verdict::Allowed; }
 
+    [[nodiscard]] Verdict offThePath() const {
+        return belief.onPath() ? Verdict::InMotion : Verdict::Allowed;
+    }
     [[nodiscard]] Verdict mayStart(const step::LoadTrajectory& load) const {
         if (!belief.fresh())
             return Verdict::NeedsStatus;
@@ -123,6 +129,15 @@ Verdict judge(const Belief& belief, const ModuleCommand& command) {
     if (belief.restarted() || !belongs(belief.info().identity, command))
         return Verdict::Never;
     return std::visit([&](const auto& chip) { return std::visit(Judge{belief}, chip); }, command);
+}
+
+Verdict mayFollowPath(const Belief& belief, servo::PathRate rate) {
+    const auto& control = belief.pathControl();
+    if (belief.restarted() || !hasPathBuffer(belief.info().identity) || !control ||
+        control->stepAndDirection || !servo::toPathWord({0, rate}, control->fastPath))
+        return Verdict::Never;
+    const Verdict still = onlyAtStandstill(belief);
+    return still == Verdict::Allowed && !belief.on() ? Verdict::Never : still;
 }
 
 }  // namespace nmc::bus

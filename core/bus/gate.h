@@ -20,4 +20,8 @@ enum class Verdict : std::uint8_t {
 /// only after a load that was answered; addresses, rate and reset belong to the engine. Pure.
 [[nodiscard]] Verdict judge(const Belief& belief, const ModuleCommand& command);
 
+/// Whether points may be laid into its path buffer and started: by a path alone, from standstill, with the
+/// servo on. Never where I/O Control is not known, or wants another rate or step and direction.
+[[nodiscard]] Verdict mayFollowPath(const Belief& belief, servo::PathRate rate);
+
 }  // namespace nmc::bus

@@ -41,8 +41,10 @@ struct MotionWatch::Sent {
                                 step::SetParameters, step::StopMotor, servo::IoControl, step::SetOutputs,
                                 servo::SetHoming, step::SetHoming, SetBaud, servo::ClearStickyBits,
                                 SaveAsHome, Nop, HardReset> auto&) const {}
+    /// It goes where its points lead, which is watched by PathTask.
+    void operator()(const servo::AddPathPoints&) const { w.forget(); }
     void operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const { w.forget(); }
-    void operator()(const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) const {}
+    void operator()(const AnyOf<servo::ScIoControl, servo::HardReset> auto&) const {}
 };
 
 void MotionWatch::onSent(const ModuleCommand& command) {

@@ -85,7 +85,15 @@ struct Plausibility::Sent {
                                 step::SetOutputs, SetBaud, Nop, HardReset> auto&) const {}
     void operator()(const servo::ResetRelativeToHome&) const { p.m_position.open(latched); }
     void operator()(const servo::SetPosition&) const { p.m_position.open(latched); }
-    void operator()(const AnyOf<servo::ScIoControl, servo::AddPathPoints, servo::HardReset> auto&) const {}
+    /// A path knows no acceleration: from one point to the next it may go at another speed.
+    void operator()(const servo::AddPathPoints& add) const {
+        p.m_mayEnable = latched;
+        double fastest = 0;  // counts per tick
+        for (const unsigned word : add.words())
+            fastest = std::max(fastest, (word & ~3U) / 256.0);
+        p.jerk(latched, 1.5 * fastest * ticks(kJerkTime) + kSwing);
+    }
+    void operator()(const AnyOf<servo::ScIoControl, servo::HardReset> auto&) const {}
     void operator()(const io::OwnCommand auto&) const {}
 
     void homing() const {

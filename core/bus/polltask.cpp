@@ -15,6 +15,9 @@ Next PollTask::next(TimePoint now) {
         items = fullItems(identity);
     else if (turn->brief)
         items = kBriefItems;
+    if (m_chain.belief(turn->module).onPath())
+        items = StatusItems(static_cast<std::uint8_t>(items.value_or(standingItems(identity)).mask() |
+                                                      StatusItems::PathPoints));
     Ask ask = m_chain.status(Purpose::Poll, turn->module, items);
     ask.silentRepeats = 0;  // its turn comes again
     ask.request.framing = Framing::Pipelined;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,7 @@
 
 #include "base/strong.h"
 #include "base/time.h"
+#include "bus/path.h"
 #include "bus/rejection.h"
 #include "protocol/commands.h"
 
@@ -71,6 +73,10 @@ struct Operation {
     /// The only step is a Stop Here, and the centre of this: sent again and again, up to 200 times a second,
     /// with polls between. Whatever else is asked for ends it, as Cancelled.
     std::optional<Sine> sine{};
+    /// The steps are Add Path Points without points, one to each of its axes: the engine lays the points,
+    /// starts the path and keeps the buffers filled beside whatever else it does (pathtask.h). A stop of any
+    /// of its axes ends it for all, as Cancelled. One path at a time.
+    std::shared_ptr<const PathPlan> path{};
 };
 
 /// The group that a module listens to besides its own address (DS-V 4.1). The leader answers for all.
@@ -315,6 +321,7 @@ enum class StopCause : std::uint8_t {
     StopAll,      ///< a stop of all did not see it at rest
     ForeignTraffic,
     GroupStop,  ///< the operator stopped its group
+    PathEnded,  ///< a path ended before its last point
 };
 
 /// The operator wanted the motion to end, and may want it again before it has.
@@ -423,11 +430,12 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event = std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed,
-                           OperationFinished, StopFinished, ModuleSilence, CommandRefused, LinkLost,
-                           HoldExpired, HealthChanged, ModuleRestarted, MotionSuspect, GroupFinished,
-                           GroupChanged, RateChanged, RateChangeFailed, OwedStopConfirmed, Readdressed,
-                           ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion, AddressChanged>;
+using Event =
+    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
+                 StopFinished, ModuleSilence, CommandRefused, LinkLost, HoldExpired, HealthChanged,
+                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
+                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
+                 AddressChanged, PathProgress>;
 
 /// What the engine wants of the transport, to be done in order.
 struct SetHostBaud {

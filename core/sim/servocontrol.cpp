@@ -203,11 +203,11 @@ void ServoLoop::stopAbruptly() {
 
 void ServoLoop::stopSmoothly() {
     turnServoOn();
-    if (m_path.running()) {
-        // A path has no acceleration of its own.
-        m_path.end();
+    const bool onPath = m_path.running();
+    m_path.end();
+    // A path has no acceleration of its own.
+    if (onPath)
         return m_profile.startVelocity(0, m_loaded.acceleration);
-    }
     if (!isLater())
         m_loaded.velocity = 0;
     m_profile.stopSmoothly();

@@ -229,6 +229,77 @@ TEST(Belief, RemembersThatAServoMayBeOn) {
     EXPECT_FALSE(module.belief.mayBeOn());
 }
 
+// docs/family.md, Path points: 30 and 60 Hz without fast path, 60 and 120 Hz with it.
+
+constexpr ModuleIdentity kSc{ModuleType::Servo, kScVersion};
+constexpr std::uint8_t kPathMode = 0x40;
+
+[[nodiscard]] Module standingSc() {
+    Module module(kSc);
+    module.status(kMoveDone | kPower, kServoOn);
+    return module;
+}
+
+[[nodiscard]] Step scControl(bool fastPath, bool stepAndDirection = false) {
+    servo::ScIoControl control;
+    control.fastPath = fastPath;
+    control.stepAndDirection = stepAndDirection;
+    return toServo(0, control);
+}
+
+TEST(Gate, LetsAStandingScFollowAPathAtARateThatItHas) {
+    using servo::PathRate;
+    Module module = standingSc();
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz30), Verdict::Allowed);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Allowed);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz120), Verdict::Never);
+    module.executed(scControl(true));
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz30), Verdict::Never);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Allowed);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz120), Verdict::Allowed);
+    module.unanswered(scControl(false));
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Never) << "which one is not known";
+    module.executed(scControl(false, true));
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Never) << "step and direction";
+}
+
+TEST(Gate, LetsNobodyElseFollowAPath) {
+    using servo::PathRate;
+    EXPECT_EQ(mayFollowPath(standing().belief, PathRate::Hz60), Verdict::Never) << "version 4";
+    Module module = standingSc();
+    module.belief.attach();
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Never) << "left by another host";
+    module = standingSc();
+    module.status(kMoveDone | kPower, 0);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::Never) << "off";
+    module = standingSc();
+    module.status(kPower, kServoOn);
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::InMotion);
+    module = standingSc();
+    module.executed(enable(0));
+    EXPECT_EQ(mayFollowPath(module.belief, PathRate::Hz60), Verdict::NeedsStatus);
+}
+
+TEST(Gate, KeepsOtherMotionsFromAModuleOnAPath) {
+    Module module = standingSc();
+    EXPECT_EQ(module.judge(servo::AddPathPoints()), Verdict::Never) << "it is no command of its own";
+    module.executed(toServo(0, servo::AddPathPoints()));
+    EXPECT_TRUE(module.belief.mayMove());
+    module.status(kMoveDone | kPower, kServoOn | kPathMode);
+    EXPECT_TRUE(module.belief.onPath());
+    EXPECT_EQ(module.judge(loadVelocity(0, 65'536, true)), Verdict::InMotion);
+    EXPECT_EQ(module.judge(ResetPosition{}), Verdict::InMotion);
+    EXPECT_EQ(module.judge(motorOff(0)), Verdict::Allowed);
+    module.status(kPower, kServoOn);
+    EXPECT_TRUE(module.belief.onPath()) << "its move is not done";
+    module.status(kMoveDone | kPower, kServoOn);
+    EXPECT_FALSE(module.belief.onPath());
+    EXPECT_EQ(module.judge(loadVelocity(0, 65'536, true)), Verdict::Allowed);
+    module.executed(toServo(0, servo::AddPathPoints()));
+    module.executed(enable(0));
+    EXPECT_FALSE(module.belief.onPath()) << "any Stop Motor ends it";
+}
+
 }  // namespace
 
 }  // namespace nmc::test

@@ -103,8 +103,8 @@ COMMANDS = (
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
         Edit("core/bus/gate.cpp",
-             "return trapezoidal(load) && load.startNow ? Verdict::Never : Verdict::Allowed;",
-             "return Verdict::Allowed;"),
+             "        if (trapezoidal(load) && load.startNow)\n            return Verdict::Never;\n",
+             ""),
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start that nobody answered is never repeated", (
         Edit("core/bus/retrypolicy.h",

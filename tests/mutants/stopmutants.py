@@ -21,8 +21,8 @@ STOPPING = (
     )),
     Mutant("stop-with-its-queue-left", "faults.md N2: what was to come does not come after a stop", (
         Edit("core/bus/engine.cpp",
-             "void Engine::stopAll(TimePoint now) {\n    m_hold.clear();\n    dropWork();\n",
-             "void Engine::stopAll(TimePoint now) {\n    m_hold.clear();\n"),
+             "    m_path.drop();  // all are stopped\n    dropWork();\n",
+             "    m_path.drop();  // all are stopped\n"),
     )),
     Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
         Edit("core/bus/stoptarget.cpp",

@@ -26,6 +26,9 @@ public:
     std::vector<ModuleState> modules;
     /// Called before the procedure is asked, each time.
     std::function<void(Procedure&)> onTurn;
+    /// Called after each slice of a turn.
+    std::function<void()> onSlice;
+    Duration sliceTime = std::chrono::microseconds(500);
     std::set<ProcedureStage> stages;  ///< seen
     double fastest = 0.0;             ///< of servo 1's command velocity, counts per tick
 
@@ -69,15 +72,18 @@ public:
     /// One turn of the controller; false when the procedure is over.
     bool turn() {
         // In slices, so that switches are worked on time also when the wire is quiet.
-        for (int slice = 0; slice < 32; ++slice)
-            bus.runFor(std::chrono::microseconds(500));
+        for (int i = 0; i < 32; ++i) {
+            bus.runFor(sliceTime);
+            if (onSlice)
+                onSlice();
+        }
         take();
         if (onTurn)
             onTurn(*procedure);
         Procedure::Next next = procedure->next(module(), bus.now);
         stages.insert(procedure->report().stage);
         if (auto* send = std::get_if<Procedure::Send>(&next))
-            m_operation = bus.submit(std::move(send->steps), send->sine);
+            m_operation = bus.submit(std::move(send->steps), send->sine, std::move(send->path));
         return !std::holds_alternative<Procedure::End>(next);
     }
     ProcedureReport run(const Intent& intent, double seconds = 120.0) {
@@ -159,6 +165,10 @@ private:
         }
     }
     void told(const bus::Sample& sample) { modules.at(sample.module.value()).apply(sample); }
+    void told(const bus::GroupChanged& changed) {
+        modules.at(changed.module.value()).info.group = changed.place;
+    }
+    void told(const bus::PathProgress& path) { modules.at(path.module.value()).path = path; }
     void told(const bus::CommandExecuted& executed) { modules.at(executed.module.value()).apply(executed); }
     void told(const bus::ModuleSilence& silence) {
         modules.at(silence.module.value()).silent = silence.silent;

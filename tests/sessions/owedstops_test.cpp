@@ -95,6 +95,7 @@ public:
             case StopCause::StopAll:
             case StopCause::ForeignTraffic:
             case StopCause::GroupStop:
+            case StopCause::PathEnded:
                 return false;
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);

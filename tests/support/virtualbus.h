@@ -105,9 +105,10 @@ public:
         const auto ended = [&] { return (outcome = outcomeOf(id)).has_value(); };
         return runUntil(ended, std::chrono::seconds(10)) ? outcome : std::nullopt;
     }
-    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {}) {
+    bus::OperationId submit(std::vector<bus::Step> steps, const std::optional<bus::Sine>& sine = {},
+                            std::shared_ptr<const bus::PathPlan> path = {}) {
         const bus::OperationId id(++m_lastId);
-        engine.submit({id, std::move(steps), sine}, now);
+        engine.submit({id, std::move(steps), sine, std::move(path)}, now);
         pump();
         return id;
     }

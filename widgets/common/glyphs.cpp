@@ -120,6 +120,9 @@ void paintMark(MarkPainter mark, Activity activity) {
         case Activity::Decelerating:
             mark.polygon({{0.06, 0.12}, {0.06, 0.86}, {0.94, 0.86}});
             break;
+        case Activity::OnPath:
+            mark.line({{0.06, 0.86}, {0.34, 0.30}, {0.66, 0.66}, {0.94, 0.12}});
+            break;
         case Activity::StoppedByLimit:
             mark.polygon({{0.0, 0.15}, {0.55, 0.5}, {0.0, 0.85}});
             mark.polygon({{0.66, 0.0}, {0.9, 0.0}, {0.9, 1.0}, {0.66, 1.0}});

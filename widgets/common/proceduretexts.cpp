@@ -78,6 +78,9 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::Unstable:
         case ProcedureFailure::Swings:
         case ProcedureFailure::StoppedShort:
+        case ProcedureFailure::NotStarted:
+        case ProcedureFailure::UnderRun:
+        case ProcedureFailure::OffPath:
             return {};  // of others
         case ProcedureFailure::NotAtHome:
             return {
@@ -138,6 +141,9 @@ Words stepResponseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::Swings:
         case ProcedureFailure::StoppedShort:
+        case ProcedureFailure::NotStarted:
+        case ProcedureFailure::UnderRun:
+        case ProcedureFailure::OffPath:
             return {};  // of others
     }
     return {};
@@ -178,6 +184,9 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::Unstable:
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::StoppedShort:
+        case ProcedureFailure::NotStarted:
+        case ProcedureFailure::UnderRun:
+        case ProcedureFailure::OffPath:
             return {};  // of others
     }
     return {};
@@ -217,9 +226,21 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotAtHome:
         case ProcedureFailure::Swings:
         case ProcedureFailure::StoppedShort:
+        case ProcedureFailure::NotStarted:
+        case ProcedureFailure::UnderRun:
+        case ProcedureFailure::OffPath:
             return {};  // of other kinds
     }
     return {};
+}
+
+/// Which axis it was, the modules tell.
+QString pathFailure(ProcedureFailure failure) {
+    if (failure != ProcedureFailure::StoppedShort)
+        return procedureFailure(failure);
+    return Texts::tr(
+        "A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of "
+        "the path were told to stop.");
 }
 
 /// `who`: "Module 1".
@@ -296,6 +317,9 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = tryFailed(*report.failure, who);
         else if (report.kind == ProcedureKind::DirectionCheck)
             words = directionFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::FollowPath)
+            words = {Texts::tr("%1 has not finished its path.").arg(who), pathFailure(*report.failure),
+                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
         else
             words = {Texts::tr("%1 has not finished its moves.").arg(who), procedureFailure(*report.failure)};
         message.headline = words.headline;
@@ -374,6 +398,13 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr("The motor began to swing. The gains from before are back.");
         case ProcedureFailure::NotAtHome:
             return Texts::tr("It rests too far from its home for a zero. See Ki and IL on the page Gains.");
+        case ProcedureFailure::NotStarted:
+            return Texts::tr("The path was not started by all of its axes. They were told to stop.");
+        case ProcedureFailure::UnderRun:
+            return Texts::tr(
+                "The points of the path did not come in time, so the motor stopped at the last one it had.");
+        case ProcedureFailure::OffPath:
+            return Texts::tr("The motor was not led where the path goes. It was told to stop.");
     }
     return {};
 }

@@ -56,6 +56,7 @@ QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
     // These messages are about several.
     return confirmed.cause == bus::StopCause::GroupHalfStarted ||
                    confirmed.cause == bus::StopCause::GroupStop ||
+                   confirmed.cause == bus::StopCause::PathEnded ||
                    confirmed.cause == bus::StopCause::ForeignTraffic
                ? Texts::tr("Module %1 has stopped.").arg(moduleNumber(confirmed.module))
                : Texts::tr("It has stopped.");

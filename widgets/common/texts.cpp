@@ -208,6 +208,7 @@ Message amplifierWentOff(ModuleIndex module, Activity activity) {
         case Activity::Accelerating:
         case Activity::AtSpeed:
         case Activity::Decelerating:
+        case Activity::OnPath:
         case Activity::AmplifierOff:
         case Activity::Ready:
         case Activity::WentOff:

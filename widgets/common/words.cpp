@@ -88,6 +88,8 @@ QString activity(Activity activity) {
             return Texts::tr("At speed");
         case Activity::Decelerating:
             return Texts::tr("Decelerating");
+        case Activity::OnPath:
+            return Texts::tr("On a path");
         case Activity::AmplifierOff:
             return Texts::tr("Amplifier off");
         case Activity::Ready:
@@ -139,6 +141,8 @@ QString activityMeaning(Activity activity) {
             return Texts::tr("The motor moves at its goal velocity.");
         case Activity::Decelerating:
             return Texts::tr("The motor is slowing down.");
+        case Activity::OnPath:
+            return Texts::tr("The motor follows the points of a path.");
         case Activity::Ready:
             return Texts::tr("Inputs and outputs answer. No motor is connected here.");
         case Activity::AmplifierOff:
@@ -237,6 +241,8 @@ QString refusal(Refusal refusal) {
                 "The current limit CL is 0 or unknown, so the current would never stop the motor.");
         case Refusal::RecordTime:
             return Texts::tr("A record takes from 0.02 s to 3 s.");
+        case Refusal::PathNotPossible:
+            return Texts::tr("The path cannot be followed from here.");
         case Refusal::TestOutOfRange:
             return Texts::tr("A value of this test is out of its range.");
         case Refusal::NotAStepper:

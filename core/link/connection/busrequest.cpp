@@ -37,7 +37,7 @@ struct Ends {
                     bus::ConnectFailed, bus::StopFinished, bus::ModuleSilence, bus::CommandRefused,
                     bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
                     bus::MotionSuspect, bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
-                    bus::ForeignTraffic, bus::ForeignMotion> auto&) const {
+                    bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress> auto&) const {
         return false;
     }
 };

@@ -123,6 +123,10 @@ void BusStore::take(const bus::Event& event) {
                 m_link.stage = progress.stage;
                 m_link.found = progress.modules;
             },
+            [this](const bus::PathProgress& path) {
+                if (known(path.module))
+                    m_link.modules[path.module.value()].path = path;
+            },
             [this](const bus::GroupChanged& changed) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;

@@ -84,6 +84,12 @@ struct EventLine {
         return "connecting failed: reason " + number(failed.reason) + ", modules " + list(failed.modules) +
                ", " + std::to_string(failed.baud) + " Bd";
     }
+    std::string operator()(const bus::PathProgress& path) const {
+        if (path.end)
+            return "path of " + name(path.module) + " ended: " + number(*path.end) + ", points " +
+                   std::to_string(path.done) + " of " + std::to_string(path.points());
+        return path.runsDry ? "path of " + name(path.module) + " runs dry" : std::string();
+    }
     std::string operator()(const bus::OperationFinished& finished) const {
         return "operation " + std::to_string(finished.id.value()) + ": " + word(finished.outcome);
     }

@@ -10,6 +10,7 @@
 #include "model/intent/rights.h"
 #include "model/intent/stepplan.h"
 #include "model/intent/travel.h"
+#include "model/path/pathplan.h"
 
 namespace nmc {
 
@@ -216,6 +217,10 @@ struct Planner {
     Plan operator()(const intent::CheckDirection&) const {
         return allowed(Request::CheckDirection, module, [] { return Steps{}; });
     }
+    Plan operator()(const intent::FollowPath& follow) const {
+        const auto refusal = whyNot(follow, module);
+        return refusal ? Plan(tl::unexpected(*refusal)) : Steps{};
+    }
     Plan operator()(const intent::CancelProcedure&) const { return Steps{}; }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {
@@ -270,10 +275,10 @@ bool isStop(const Intent& intent) {
                 intent::LoadMove, intent::StartLoaded, intent::DrivePwm, intent::SetAmplifier,
                 intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home, intent::StepBy,
                 intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
-                intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove, stepintent::ChangeMotion,
-                stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
+                intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
+                intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
+                stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
+                stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome> auto&) { return false; },
             [](const IoIntent auto&) { return false; },
         },
         intent);

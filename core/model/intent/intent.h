@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -128,6 +129,11 @@ struct KeepGains {};
 struct CheckDirection {
     std::int32_t reach = 0;  ///< counts; farther than that ends it (directionReach())
 };
+/// Through the points of a path, of this module or of all its axes (model/path/pathplan.h makes one). Asked
+/// of its first axis. A procedure.
+struct FollowPath {
+    std::shared_ptr<const bus::PathPlan> plan;
+};
 /// Ends whatever procedure runs with this module: the motor is stopped smoothly.
 struct CancelProcedure {};
 /// Homing used as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes, or when the
@@ -156,12 +162,12 @@ using Intent =
                  intent::StartLoaded, intent::StopHere, intent::DrivePwm, intent::SetAmplifier,
                  intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::Home,
                  intent::StepBy, intent::StepResponse, intent::SquareWave, intent::FrequencyResponse,
-                 intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::CancelProcedure,
-                 intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
-                 stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move, stepintent::LoadMove,
-                 stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome, iointent::SetDirection,
-                 iointent::SetOutput, iointent::SetPwm, iointent::SetTimer, iointent::StoreOutputs,
-                 iointent::SynchOutput, iointent::SynchInput>;
+                 intent::TryGains, intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                 intent::CancelProcedure, intent::ArmLimitStop, intent::DeclarePosition, intent::Direct,
+                 intent::ResetModule, stepintent::SetParameters, stepintent::SetOutputs, stepintent::Move,
+                 stepintent::LoadMove, stepintent::ChangeMotion, stepintent::StepBy, stepintent::GoHome,
+                 iointent::SetDirection, iointent::SetOutput, iointent::SetPwm, iointent::SetTimer,
+                 iointent::StoreOutputs, iointent::SynchOutput, iointent::SynchInput>;
 
 /// Of a PIC-I/O.
 template <typename T>
@@ -188,28 +194,29 @@ enum class Refusal : std::uint8_t {
     NoVelocity,
     NothingLoaded,  ///< no confirmed load waits for a start
     PositionUnknown,
-    HomeUnknown,     ///< nobody has searched or saved it, or the counter may have been set since
-    ServoOn,         ///< PWM mode is for a servo that is off
-    VersionLacksIt,  ///< the chip's version cannot do it
-    NothingToFind,   ///< no condition for home was chosen
-    NoSearchLimits,  ///< a search without a travel or a time limit
-    LimitActive,     ///< a stop on its change would come when it is left
-    LimitClosed,     ///< SC: it does not start towards a closed limit
-    LimitIsOutput,   ///< the pin is an output, so it tells nothing
-    StartApart,      ///< a trapezoidal move is not started by the command that loads it
-    StepTooShort,    ///< a move by 0 counts
-    StepTooLong,     ///< a step response is for a small move
-    StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
-    GoalOutOfRange,  ///< beyond the chip's 32 bits
-    BeyondTravel,    ///< the goal is outside the limits of travel; travel.h knows the details of these four
-    AtTravelEnd,     ///< nothing is left to go that way
-    TooFast,         ///< for this axis, as the user has set it
-    RunNeedsStop,    ///< towards a limit a run starts from standstill, so that the chip ends it there
-    LimitStopDue,    ///< the axis wants one for each motion, and it is not armed yet
-    NoCurrentLimit,  ///< CL is 0, so the current never exceeds it
-    CommandUnknown,  ///< which position the servo holds, to the count
-    RecordTime,      ///< none, or longer than the bus can be given to one module
-    TestOutOfRange,  ///< times, frequencies or travel of a test of the loop
+    HomeUnknown,      ///< nobody has searched or saved it, or the counter may have been set since
+    ServoOn,          ///< PWM mode is for a servo that is off
+    VersionLacksIt,   ///< the chip's version cannot do it
+    NothingToFind,    ///< no condition for home was chosen
+    NoSearchLimits,   ///< a search without a travel or a time limit
+    LimitActive,      ///< a stop on its change would come when it is left
+    LimitClosed,      ///< SC: it does not start towards a closed limit
+    LimitIsOutput,    ///< the pin is an output, so it tells nothing
+    StartApart,       ///< a trapezoidal move is not started by the command that loads it
+    StepTooShort,     ///< a move by 0 counts
+    StepTooLong,      ///< a step response is for a small move
+    StepWouldTrip,    ///< the position error of the step would exceed its limit, or nearly
+    GoalOutOfRange,   ///< beyond the chip's 32 bits
+    BeyondTravel,     ///< the goal is outside the limits of travel; travel.h knows the details of these four
+    AtTravelEnd,      ///< nothing is left to go that way
+    TooFast,          ///< for this axis, as the user has set it
+    RunNeedsStop,     ///< towards a limit a run starts from standstill, so that the chip ends it there
+    LimitStopDue,     ///< the axis wants one for each motion, and it is not armed yet
+    NoCurrentLimit,   ///< CL is 0, so the current never exceeds it
+    CommandUnknown,   ///< which position the servo holds, to the count
+    RecordTime,       ///< none, or longer than the bus can be given to one module
+    PathNotPossible,  ///< pathplan.h says why
+    TestOutOfRange,   ///< times, frequencies or travel of a test of the loop
     // PIC-STEP
     NotAStepper,
     ParametersUnknown,  ///< nothing moves, and nothing holds, before they were set

@@ -205,7 +205,8 @@ struct Planner {
                     intent::ClearStickyBits, intent::LoadMove, intent::StopHere, intent::DrivePwm,
                     intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::StepBy,
                     intent::StepResponse, intent::SquareWave, intent::FrequencyResponse, intent::TryGains,
-                    intent::KeepGains, intent::CheckDirection, intent::ArmLimitStop> auto&) const {
+                    intent::KeepGains, intent::CheckDirection, intent::FollowPath,
+                    intent::ArmLimitStop> auto&) const {
         return tl::unexpected(Refusal::NotAServo);
     }
     Plan operator()(const IoIntent auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }

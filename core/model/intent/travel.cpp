@@ -96,9 +96,9 @@ struct CourseOf {
                     intent::MotorOff, intent::ApplyGains, intent::ClearStickyBits, intent::ResetPosition,
                     intent::SaveAsHome, intent::StartLoaded, intent::StopHere, intent::SetAmplifier,
                     intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::TryGains,
-                    intent::KeepGains, intent::CheckDirection, intent::CancelProcedure, intent::ArmLimitStop,
-                    intent::DeclarePosition, intent::Direct, intent::ResetModule, stepintent::SetParameters,
-                    stepintent::SetOutputs> auto&) const {
+                    intent::KeepGains, intent::CheckDirection, intent::FollowPath, intent::CancelProcedure,
+                    intent::ArmLimitStop, intent::DeclarePosition, intent::Direct, intent::ResetModule,
+                    stepintent::SetParameters, stepintent::SetOutputs> auto&) const {
         return std::nullopt;
     }
     std::optional<Course> operator()(const IoIntent auto&) const { return std::nullopt; }

@@ -26,6 +26,7 @@ Severity severityOf(Activity activity) {
         case Activity::Accelerating:
         case Activity::AtSpeed:
         case Activity::Decelerating:
+        case Activity::OnPath:
         case Activity::Ready:
             return Severity::Normal;
     }

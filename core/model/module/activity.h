@@ -21,6 +21,7 @@ enum class Activity : std::uint8_t {
     Accelerating,  ///< includes changing from one velocity to another
     AtSpeed,       ///< velocity mode at its goal velocity, or the slew phase of a trapezoidal move
     Decelerating,
+    OnPath,  ///< PIC-SERVO CMC and SC
     // PIC-STEP only
     AmplifierOff,    ///< as ServoOff
     StoppedByLimit,  ///< a limit switch ended the motion

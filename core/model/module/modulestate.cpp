@@ -86,6 +86,7 @@ void ModuleState::apply(const bus::Sample& sample) {
             m_goal = m_enabledAt;
         m_enabledAt.reset();
     }
+    watchPath(sample.report);
     m_looksWhileOn = servoOn() ? m_looksWhileOn + 1 : 0;
     watchDrift(sample, wasOn);
     if (servoOn()) {
@@ -107,6 +108,17 @@ void ModuleState::apply(const bus::Sample& sample) {
         swing.forget();
     else if (sample.report.position)
         swing.look(sample.time, *sample.report.position);
+}
+
+/// Where a path has ended is what it holds.
+void ModuleState::watchPath(const StatusReport& report) {
+    if (report.position && report.positionError)
+        m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
+                                                      static_cast<std::uint32_t>(*report.positionError));
+    if (motion != MotionMode::Path || moving())
+        return;
+    motion = MotionMode::None;
+    m_goal = m_commandPosition;
 }
 
 void ModuleState::wentOff() {
@@ -213,6 +225,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
+    if (const auto control = bus::pathControlOf(*command))
+        pathControl = control;
     if (const auto* load = std::get_if<servo::LoadTrajectory>(command)) {
         // What is not loaded keeps what it was (DS-V 5.2).
         const std::optional<Counts> position = m_loaded.position;
@@ -242,6 +256,9 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         io = *control;
     } else if (const auto* sc = std::get_if<servo::ScIoControl>(command)) {
         scIo = *sc;
+    } else if (const auto* add = std::get_if<servo::AddPathPoints>(command)) {
+        if (add->startsPath())
+            startPath(executed.time);
     } else if (bus::setsCounter(executed.command)) {
         m_goal.reset();
         m_enabledAt.reset();
@@ -259,6 +276,8 @@ void ModuleState::restarted() {
     gainsBefore.reset();
     io.reset();
     scIo.reset();
+    pathControl = bus::PathControl{};
+    m_commandPosition.reset();
     homing = {};
     limits = {};
     home = {};
@@ -276,6 +295,7 @@ void ModuleState::restarted() {
 
 void ModuleState::attached() {
     m_motionUnknown = true;
+    pathControl.reset();
     stepper.attached();
     pins.attached();
 }
@@ -320,6 +340,15 @@ void ModuleState::applyLoaded(TimePoint time) {
     goalVelocity = m_loaded.reverse ? -m_loadedVelocity : m_loadedVelocity;
 }
 
+void ModuleState::startPath(TimePoint time) {
+    motionCommandedAt = time;
+    motion = MotionMode::Path;
+    offCommanded = m_motionUnknown = false;
+    goalVelocity = 0.0;
+    m_goal.reset();
+    m_goalReverse.reset();
+}
+
 void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     amplifierEnabled = stop.amplifierEnable;
     if (stop.manner == servo::StopManner::AmplifierOnly)
@@ -358,7 +387,7 @@ bool ModuleState::currentWasLimited() const {
 
 std::optional<std::int32_t> ModuleState::goal() const {
     if (isServo())
-        return !servoOn() ? std::nullopt : m_goal ? m_goal : commandToldAtRest();
+        return !servoOn() ? std::nullopt : m_goal || moving() ? m_goal : m_commandPosition;
     if (!isStepper())
         return std::nullopt;
     const bool held = stepper.moving() || stepper.position() == stepper.goal();
@@ -371,17 +400,12 @@ std::optional<bool> ModuleState::goalReverse() const {
     return isStepper() ? stepper.lastReverse() : m_goalReverse;
 }
 
-std::optional<std::int32_t> ModuleState::commandToldAtRest() const {
-    if (moving() || !latest->position || !latest->positionError)
-        return std::nullopt;
-    const std::int32_t error = *latest->positionError;
-    // Sixteen bits cannot say more.
-    const bool whole = std::abs(error) < std::numeric_limits<std::int16_t>::max();
-    return whole ? std::optional(countsBetween(countsBetween(error, 0), *latest->position)) : std::nullopt;
-}
-
 bool ModuleState::driveOn() const {
     return isStepper() ? stepper.amplifierOn() : servoOn();
+}
+
+bool ModuleState::onPath() const {
+    return servoOn() && hasPathBuffer(info.identity) && servo::AuxByte{*latest->aux}.pathMode();
 }
 
 bool ModuleState::moving() const {
@@ -393,7 +417,7 @@ bool ModuleState::moving() const {
         return false;
     if (!servoOn())
         return motion == MotionMode::Pwm;
-    if (!latest->servoStatus().moveDone())
+    if (!latest->servoStatus().moveDone() || onPath())
         return true;
     return m_motionUnknown ? m_drifts : motion == MotionMode::Velocity && goalVelocity != 0.0;
 }
@@ -425,6 +449,8 @@ Activity ModuleState::activityWhileOff() const {
 }
 
 Activity ModuleState::activityWhileOn() const {
+    if (onPath())
+        return Activity::OnPath;
     if (latest->servoStatus().moveDone()) {
         if (moving())
             return Activity::AtSpeed;

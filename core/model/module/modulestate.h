@@ -22,7 +22,7 @@
 namespace nmc {
 
 /// What the last motion command of this connection asked for.
-enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm };
+enum class MotionMode : std::uint8_t { None, Trapezoidal, Velocity, Pwm, Path };
 
 /// Everything known of one module: a value, fed by the engine's events, shown by the panels.
 /// Values that the module cannot be asked for are beliefs, from what was sent and confirmed in this
@@ -60,6 +60,10 @@ struct ModuleState {
     std::optional<servo::IoControl> io;
     /// Of an SC, instead: what its amplifier and its limits were last told; empty: unknown.
     std::optional<servo::ScIoControl> scIo;
+    /// CMC and SC: what I/O Control told it of paths; empty: unknown.
+    std::optional<bus::PathControl> pathControl = bus::PathControl{};
+    /// How far the last path is of which this is the first axis.
+    std::optional<bus::PathProgress> path;
     /// What Set Homing Mode last told it.
     HomeWatch homing;
     LimitWatch limits;
@@ -109,6 +113,10 @@ struct ModuleState {
     /// or where it stood when it was switched on.
     /// CMC and SC tell it themselves.
     [[nodiscard]] std::optional<std::int32_t> goal() const;
+    /// CMC and SC: what the servo holds or follows, as it told last; nothing while it is off.
+    [[nodiscard]] std::optional<std::int32_t> commandPosition() const {
+        return servoOn() ? m_commandPosition : std::nullopt;
+    }
     /// The direction of the move that leads to goal(); nothing: there is none, or it was no move.
     [[nodiscard]] std::optional<bool> goalReverse() const;
     /// PIC-SERVO: the load that waits for a start, null for none.
@@ -122,6 +130,8 @@ struct ModuleState {
     /// SC: it minds its limits (I/O Control), and that in this direction, -1 or 1, is closed; forward is
     /// limit 1.
     [[nodiscard]] bool limitEnds(int direction) const;
+    /// CMC and SC: it runs through path points.
+    [[nodiscard]] bool onPath() const;
     /// A motion that must not be disturbed: a trapezoidal move under way, or any command velocity but 0.
     [[nodiscard]] bool moving() const;
     [[nodiscard]] Activity activity() const;
@@ -129,13 +139,13 @@ struct ModuleState {
 private:
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
+    void startPath(TimePoint time);
+    void watchPath(const StatusReport& report);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
     /// -1 or 1: where a motion of ours goes; 0: nobody knows.
     [[nodiscard]] int direction() const;
     void endAtLimit();
-    /// CMC and SC, of a servo that stands: position + reported error, of one status.
-    [[nodiscard]] std::optional<std::int32_t> commandToldAtRest() const;
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
     void wentOff();
@@ -147,6 +157,7 @@ private:
     servo::LoadTrajectory m_loaded;
     std::optional<std::int32_t> m_goal;  ///< as goal() says
     std::optional<bool> m_goalReverse;   ///< likewise
+    std::optional<std::int32_t> m_commandPosition;
     /// Where it stood when it was switched on, until a status shows whether it stands there still: then that
     /// is what it holds (DS-V 5.2, Stop Motor).
     std::optional<std::int32_t> m_enabledAt;

@@ -32,7 +32,7 @@ std::optional<ProcedureFailure> LoopTest::trouble(const ModuleState& module) {
     return module.servoOn() ? std::nullopt : std::optional(ProcedureFailure::WentOff);
 }
 
-void LoopTest::whileSwinging(const ModuleState& module) {
+void LoopTest::whileItLasts(const ModuleState& module) {
     if (const auto failure = trouble(module))
         std::ignore = fail(*failure);
     else if (goneTooFar(module))

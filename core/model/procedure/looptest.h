@@ -49,7 +49,7 @@ private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
     [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const final;
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) final;
-    void whileSwinging(const ModuleState& module) final;
+    void whileItLasts(const ModuleState& module) final;
     [[nodiscard]] Next prepare(const ModuleState& module, TimePoint now);
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Step> hold(const ModuleState& module) const;

@@ -13,7 +13,7 @@ Procedure::Procedure(ModuleIndex module, ProcedureKind kind) {
 
 Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
     if (interruptible()) {
-        whileSwinging(module);
+        whileItLasts(module);
         m_inFlight = !m_end;
     }
     if (m_inFlight)
@@ -63,14 +63,20 @@ void Procedure::cancel() {
 
 Procedure::Next Procedure::send(std::vector<bus::Step> steps) {
     m_inFlight = true;
-    m_swings = false;
+    m_lasts = false;
     return Send{std::move(steps)};
 }
 
 Procedure::Next Procedure::swing(bus::Step centre, const bus::Sine& sine) {
     m_inFlight = true;
-    m_swings = true;
+    m_lasts = true;
     return Send{{std::move(centre)}, sine};
+}
+
+Procedure::Next Procedure::follow(std::vector<bus::Step> starts, std::shared_ptr<const bus::PathPlan> path) {
+    m_inFlight = true;
+    m_lasts = true;
+    return Send{std::move(starts), {}, std::move(path)};
 }
 
 Procedure::Next Procedure::finish() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -25,6 +26,7 @@ enum class ProcedureKind : std::uint8_t {
     DirectionCheck,
     Approach,  ///< a move that takes up the backlash on its way
     TryGains,
+    FollowPath,  ///< PIC-SERVO CMC and SC
 };
 
 /// It looks at how the servo follows, and wants the bus's focus.
@@ -68,6 +70,9 @@ enum class ProcedureFailure : std::uint8_t {
     StoppedShort,  ///< the chip has ended the move by itself: a limit switch, heat, the E-stop input
     NotAtHome,     ///< it comes to rest too far from home for that to become zero
     Swings,        ///< at rest, with gains that were being tried
+    NotStarted,    ///< not every axis of the path
+    UnderRun,      ///< the path buffer ran dry before the end
+    OffPath,       ///< the command position was not where the points lead
 };
 
 /// What the window shows of a procedure.
@@ -84,6 +89,7 @@ struct ProcedureReport {
     std::vector<FrequencyPoint> frequencies{};  ///< of FrequencyResponse, those that were measured
     std::optional<DirectionFound> direction{};  ///< of DirectionCheck, once it is known
     bool kept = false;                          ///< of TryGains: they stay
+    std::optional<bus::PathProgress> path{};    ///< of FollowPath, once it is under way
 
     [[nodiscard]] bool over() const {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||
@@ -107,6 +113,7 @@ public:
     struct Send {
         std::vector<bus::Step> steps;
         std::optional<bus::Sine> sine{};  ///< as in bus::Operation
+        std::shared_ptr<const bus::PathPlan> path{};
     };
     struct End {};
     using Next = std::variant<Wait, Send, End>;
@@ -119,8 +126,8 @@ public:
     [[nodiscard]] Next next(const ModuleState& module, TimePoint now);
     /// `sine`: as in bus::OperationFinished.
     void onFinished(bus::Outcome outcome, bus::SineRecord sine = {});
-    /// What is in flight is a sine, and next() may have something to send that ends it.
-    [[nodiscard]] bool interruptible() const { return m_inFlight && m_swings; }
+    /// What is in flight is a sine or a path, and next() may have something to send that ends it.
+    [[nodiscard]] bool interruptible() const { return m_inFlight && m_lasts; }
     /// An exchange with this module went wrong, or the link's health is not good any more.
     void onLinkSuspect();
     /// Nothing more is wanted of it; the next() after this may still send a stop.
@@ -143,12 +150,14 @@ protected:
         return End{};
     }
 
-    /// While a sine is in flight: fail() ends it.
-    virtual void whileSwinging(const ModuleState& /*module*/) {}
+    /// While a sine or a path is in flight: fail() ends it.
+    virtual void whileItLasts(const ModuleState& /*module*/) {}
 
     [[nodiscard]] Next send(std::vector<bus::Step> steps);
     /// About the Stop Here that is the only step.
     [[nodiscard]] Next swing(bus::Step centre, const bus::Sine& sine);
+    /// `starts`: as bus::Operation::path wants them.
+    [[nodiscard]] Next follow(std::vector<bus::Step> starts, std::shared_ptr<const bus::PathPlan> path);
     /// What came of the last one.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
     /// The goal is reached.
@@ -164,7 +173,7 @@ private:
     [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     bool m_inFlight = false;
-    bool m_swings = false;  ///< what is in flight
+    bool m_lasts = false;  ///< what is in flight
     bus::SineRecord m_swung;
     bool m_lastWordSent = false;
     std::optional<ProcedureStage> m_end;  ///< Failed or Cancelled, once all has been said

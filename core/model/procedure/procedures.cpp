@@ -9,6 +9,7 @@
 #include "model/procedure/directioncheck.h"
 #include "model/procedure/frequencyrun.h"
 #include "model/procedure/homingrun.h"
+#include "model/procedure/pathrun.h"
 #include "model/procedure/squarewave.h"
 #include "model/procedure/stepby.h"
 #include "model/procedure/stepresponse.h"
@@ -65,6 +66,8 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
         return plan(intent, module) ? std::make_unique<FrequencyRun>(*sines, module) : nullptr;
     if (const auto* wanted = std::get_if<intent::TryGains>(&intent))
         return plan(intent, module) ? std::make_unique<TryGainsRun>(*wanted, module) : nullptr;
+    if (const auto* follow = std::get_if<intent::FollowPath>(&intent))
+        return plan(intent, module) ? std::make_unique<PathRun>(*follow, module) : nullptr;
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return plan(intent, module) ? std::make_unique<DirectionCheck>(*check, module) : nullptr;
     if (const auto* change = std::get_if<stepintent::ChangeMotion>(&intent))

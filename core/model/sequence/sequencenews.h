@@ -34,7 +34,7 @@ struct SequenceNews {
         const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::OperationFinished,
                     bus::CommandRefused, bus::GroupChanged, bus::RateChanged, bus::RateChangeFailed,
                     bus::OwedStopConfirmed, bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed,
-                    bus::EchoNoticed> auto&) const {}
+                    bus::EchoNoticed, bus::PathProgress> auto&) const {}
 };
 
 }  // namespace nmc

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "model/path/pathfile.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace nmc {
+
+namespace {
+
+using Kind = PathProblem::Kind;
+
+[[nodiscard]] std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r";
+    const auto first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+[[nodiscard]] std::vector<std::string_view> cellsOf(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (;;) {
+        const auto comma = line.find(',');
+        cells.push_back(trimmed(line.substr(0, comma)));
+        if (comma == std::string_view::npos)
+            return cells;
+        line.remove_prefix(comma + 1);
+    }
+}
+
+template <typename Number>
+[[nodiscard]] std::optional<Number> numberIn(std::string_view text) {
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [next, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && next == end ? std::optional(number) : std::nullopt;
+}
+
+class Reader {
+public:
+    explicit Reader(std::span<const PathColumn> axes) : m_axes(axes) {}
+
+    tl::expected<PathTable, std::vector<PathProblem>> read(std::string_view text) {
+        while (!text.empty() && m_problems.size() < kMostPathProblems && !m_tooMany) {
+            ++m_line;
+            const auto end = text.find('\n');
+            take(trimmed(text.substr(0, end)));
+            text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        }
+        if (m_columns.empty() && m_problems.empty())
+            add({.kind = Kind::NoColumns});
+        else if (m_points < 2 && m_problems.empty())
+            add({.kind = Kind::TooFewPoints, .line = m_line, .value = static_cast<double>(m_points)});
+        if (!m_problems.empty())
+            return tl::unexpected(std::move(m_problems));
+        return std::move(m_table);
+    }
+
+private:
+    void add(PathProblem problem) {
+        if (m_problems.size() < kMostPathProblems)
+            m_problems.push_back(std::move(problem));
+    }
+
+    void take(std::string_view line) {
+        if (line.empty()) {
+            m_gap = m_gap == 0 ? m_line : m_gap;
+            return;
+        }
+        if (line.starts_with('#'))
+            return takeComment(trimmed(line.substr(1)));
+        if (!m_header)
+            return takeHeader(line);
+        if (m_gap > 0 && m_points > 0)
+            add({.kind = Kind::Gap, .line = m_gap});
+        m_gap = 0;
+        takePoints(line);
+    }
+
+    void takeComment(std::string_view comment) {
+        constexpr std::string_view kRate = "rate";
+        if (!comment.starts_with(kRate) || m_header)
+            return;
+        const std::string_view said = trimmed(comment.substr(kRate.size()));
+        const auto hertz = numberIn<int>(said);
+        if (hertz == 30)
+            m_table.rate = servo::PathRate::Hz30;
+        else if (hertz == 60)
+            m_table.rate = servo::PathRate::Hz60;
+        else if (hertz == 120)
+            m_table.rate = servo::PathRate::Hz120;
+        else
+            add({.kind = Kind::Rate, .line = m_line, .text = std::string(said)});
+    }
+
+    void takeHeader(std::string_view line) {
+        m_header = true;
+        m_gap = 0;
+        for (const std::string_view name : cellsOf(line)) {
+            const PathColumn* axis = nullptr;
+            for (const PathColumn& candidate : m_axes)
+                if (candidate.name == name)
+                    axis = &candidate;
+            if (axis == nullptr)
+                add({.kind = Kind::UnknownColumn, .line = m_line, .text = std::string(name)});
+            for (const PathColumn* other : m_columns)
+                if (axis != nullptr && other == axis)
+                    add({.kind = Kind::ColumnTwice, .line = m_line, .column = axis->name});
+            m_columns.push_back(axis);
+            m_table.columns.push_back({axis != nullptr ? axis->module : ModuleIndex(), {}});
+        }
+        m_before.resize(m_columns.size());
+    }
+
+    void takePoints(std::string_view line) {
+        ++m_points;
+        if (m_points > kMostPathPoints) {
+            m_tooMany = true;
+            return add({.kind = Kind::TooManyPoints,
+                        .line = m_line,
+                        .allowed = static_cast<double>(kMostPathPoints)});
+        }
+        const auto cells = cellsOf(line);
+        if (cells.size() != m_columns.size()) {
+            m_before.assign(m_columns.size(), std::nullopt);
+            return add({.kind = Kind::CellCount,
+                        .line = m_line,
+                        .value = static_cast<double>(cells.size()),
+                        .allowed = static_cast<double>(m_columns.size())});
+        }
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (m_columns[i] == nullptr)
+                continue;
+            const auto counts = countsIn(cells[i], *m_columns[i]);
+            if (counts) {
+                judge(*counts, m_before[i], *m_columns[i]);
+                m_table.columns[i].points.push_back(*counts);
+            }
+            m_before[i] = counts;
+        }
+    }
+
+    [[nodiscard]] std::optional<std::int32_t> countsIn(std::string_view cell, const PathColumn& axis) {
+        const auto of = [&](Kind kind) {
+            add({.kind = kind, .line = m_line, .column = axis.name, .text = std::string(cell)});
+            return std::nullopt;
+        };
+        if (cell.empty())
+            return of(Kind::Gap);
+        const auto position = numberIn<double>(cell);
+        if (!position || !std::isfinite(*position))
+            return of(Kind::NotANumber);
+        const double counts = std::round(axis.scale.counts(*position));
+        if (!(std::abs(counts) <= std::numeric_limits<std::int32_t>::max()))
+            return of(Kind::OutOfRange);
+        return static_cast<std::int32_t>(counts);
+    }
+
+    /// What a segment may not be; of the first point only its place counts, since where the path is begun is
+    /// not known here.
+    void judge(std::int64_t point, std::optional<std::int64_t> before, const PathColumn& axis) {
+        const auto of = [&](Kind kind, double value, double allowed) {
+            add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
+        };
+        const auto way = static_cast<double>(std::abs(point - before.value_or(point)));
+        const double velocity = way / servo::ticksPerPoint(m_table.rate);
+        if (const int most = servo::maxPathCounts(m_table.rate); way > most)
+            of(Kind::Jump, way, most);
+        else if (axis.fastest > 0.0 && velocity > axis.fastest)
+            of(Kind::TooFast, velocity, axis.fastest);
+        if (const auto beyond = axis.travel ? beyondTravel(point, *axis.travel) : std::nullopt)
+            of(Kind::BeyondTravel, static_cast<double>(point), *beyond);
+    }
+
+    /// The limit that it is beyond.
+    [[nodiscard]] static std::optional<double> beyondTravel(std::int64_t point, const TravelRange& range) {
+        if (range.lowest && point < *range.lowest)
+            return *range.lowest;
+        if (range.highest && point > *range.highest)
+            return *range.highest;
+        return std::nullopt;
+    }
+
+    std::span<const PathColumn> m_axes;
+    PathTable m_table;
+    std::vector<const PathColumn*> m_columns;  ///< null for one that is no axis
+    std::vector<std::optional<std::int64_t>> m_before;
+    std::vector<PathProblem> m_problems;
+    std::size_t m_line = 0;
+    std::size_t m_points = 0;
+    std::size_t m_gap = 0;  ///< the first empty line of those before this one
+    bool m_header = false;
+    bool m_tooMany = false;
+};
+
+}  // namespace
+
+PathColumn pathColumn(const std::string& name, const ModuleState& module, const AxisScale& scale) {
+    return {name, module.info.index, scale, travelRange(module), module.travel.fastest};
+}
+
+tl::expected<PathTable, std::vector<PathProblem>> readPath(std::string_view text,
+                                                           std::span<const PathColumn> axes) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark))
+        text.remove_prefix(kByteOrderMark.size());
+    return Reader(axes).read(text);
+}
+
+}  // namespace nmc

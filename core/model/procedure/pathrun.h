@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "model/intent/intent.h"
+#include "model/procedure/procedure.h"
+
+namespace nmc {
+
+/// A path of one PIC-SERVO CMC or SC, or of a group (docs/paths.md). The bus lays the points and keeps the
+/// buffers filled (bus/pathtask.h), so that it goes on while this thread is busy; this asks for it, tells how
+/// far it is as ProcedureReport::path, and stops it when it is not wanted any more. It is of its first axis;
+/// the bus stops the others with that one.
+class PathRun : public Procedure {
+public:
+    /// `wanted` is possible now.
+    PathRun(const intent::FollowPath& wanted, const ModuleState& module);
+
+private:
+    [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
+    [[nodiscard]] std::vector<bus::Step> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) override;
+    void whileItLasts(const ModuleState& module) override { look(module); }
+
+    void look(const ModuleState& module);
+
+    std::shared_ptr<const bus::PathPlan> m_plan;
+};
+
+}  // namespace nmc

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Path files, paths drawn from moves, and the arithmetic of docs/paths.md. Expected values are reckoned by
+// hand.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "model/path/pathfile.h"
+#include "model/path/pathmoves.h"
+#include "model/path/pathshare.h"
+
+namespace nmc::test {
+namespace {
+
+using Kind = PathProblem::Kind;
+using servo::PathRate;
+
+constexpr ModuleIdentity kSc{ModuleType::Servo, kScVersion};
+
+[[nodiscard]] std::vector<PathColumn> axes() {
+    // X is read in millimetres of 200 counts, Y in counts.
+    return {{"X", ModuleIndex(0), AxisScale::servo({UnitKind::Millimetres, 200.0, {}}, 1)},
+            {"Y", ModuleIndex(1)}};
+}
+
+[[nodiscard]] std::vector<PathProblem> problems(const std::string& text,
+                                                const std::vector<PathColumn>& known = axes()) {
+    const auto table = readPath(text, known);
+    return table ? std::vector<PathProblem>{} : table.error();
+}
+
+TEST(PathFile, IsColumnsOfPositionsInTheUnitOfEachAxis) {
+    const auto table = readPath(
+        "# drawn by hand\r\n"
+        "# rate 30\r\n"
+        "Y, X\r\n"
+        "0, 0\r\n"
+        "-120, +1.25\r\n"
+        "# half way\r\n"
+        "7, -0.004\r\n"
+        "\r\n",
+        axes());
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->rate, PathRate::Hz30);
+    ASSERT_EQ(table->columns.size(), 2U);
+    EXPECT_EQ(table->columns[0], (PathTable::Column{ModuleIndex(1), {0, -120, 7}}));
+    EXPECT_EQ(table->columns[1], (PathTable::Column{ModuleIndex(0), {0, 250, -1}})) << "-0.8 counts are -1";
+}
+
+TEST(PathFile, IsAt60HzWhereItDoesNotSay) {
+    const auto table = readPath("\xEF\xBB\xBFY\n1\n2", axes());
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->rate, PathRate::Hz60);
+    EXPECT_EQ(table->columns[0].points, (std::vector<std::int32_t>{1, 2}));
+}
+
+TEST(PathFile, TellsEveryProblemWithItsLine) {
+    EXPECT_EQ(
+        problems("X,Y\n0,0\n0\n0,0,0\n1e,0\n,0\n0,nan\n"),
+        (std::vector<PathProblem>{{.kind = Kind::CellCount, .line = 3, .value = 1, .allowed = 2},
+                                  {.kind = Kind::CellCount, .line = 4, .value = 3, .allowed = 2},
+                                  {.kind = Kind::NotANumber, .line = 5, .column = "X", .text = "1e"},
+                                  {.kind = Kind::Gap, .line = 6, .column = "X"},
+                                  {.kind = Kind::NotANumber, .line = 7, .column = "Y", .text = "nan"}}));
+    EXPECT_EQ(problems("X,Y\n0,0\n\n\n0,0\n"), (std::vector<PathProblem>{{.kind = Kind::Gap, .line = 3}}));
+    EXPECT_EQ(problems("# rate 50\nX,Z,X\n0,0,0\n0,0,0\n"),
+              (std::vector<PathProblem>{{.kind = Kind::Rate, .line = 1, .text = "50"},
+                                        {.kind = Kind::UnknownColumn, .line = 2, .text = "Z"},
+                                        {.kind = Kind::ColumnTwice, .line = 2, .column = "X"}}));
+    EXPECT_EQ(problems("Y\n1;5\n2,5\n"),
+              (std::vector<PathProblem>{{.kind = Kind::NotANumber, .line = 2, .column = "Y", .text = "1;5"},
+                                        {.kind = Kind::CellCount, .line = 3, .value = 2, .allowed = 1}}));
+    EXPECT_EQ(problems("").front().kind, Kind::NoColumns);
+    EXPECT_EQ(problems("# rate 60\n").front().kind, Kind::NoColumns);
+    EXPECT_EQ(problems("Y\n5\n").front(), (PathProblem{.kind = Kind::TooFewPoints, .line = 2, .value = 1}));
+    EXPECT_EQ(problems("Y\n0\n3000000000\n").front().kind, Kind::OutOfRange);
+}
+
+/// The magnitude of a word has 14, 13 or 12 bits.
+TEST(PathFile, RefusesWhatAPointCannotCarry) {
+    for (const auto& [rate, most] :
+         {std::pair{"30", 16'383}, std::pair{"60", 8'191}, std::pair{"120", 4'095}}) {
+        const std::string head = std::string("# rate ") + rate + "\nY\n-1\n";
+        EXPECT_TRUE(problems(head + std::to_string(most - 1) + "\n").empty()) << rate;
+        const auto found = problems(head + std::to_string(most) + "\n");
+        ASSERT_EQ(found.size(), 1U) << rate;
+        EXPECT_EQ(found[0], (PathProblem{.kind = Kind::Jump,
+                                         .line = 4,
+                                         .column = "Y",
+                                         .value = static_cast<double>(most + 1),
+                                         .allowed = static_cast<double>(most)}));
+    }
+}
+
+TEST(PathFile, KeepsTheAxisWithinItsSpeedAndTravel) {
+    std::vector<PathColumn> known = axes();
+    known[1].travel = TravelRange{-100, 500};
+    known[1].fastest = 10.0;  // counts per tick: 320 in a segment of 32 ticks
+    EXPECT_TRUE(problems("Y\n-100\n220\n500\n", known).empty());
+    EXPECT_EQ(problems("Y\n-101\n0\n321\n501\n", known),
+              (std::vector<PathProblem>{
+                  {.kind = Kind::BeyondTravel, .line = 2, .column = "Y", .value = -101, .allowed = -100},
+                  {.kind = Kind::TooFast, .line = 4, .column = "Y", .value = 321.0 / 32, .allowed = 10.0},
+                  {.kind = Kind::BeyondTravel, .line = 5, .column = "Y", .value = 501, .allowed = 500}}));
+}
+
+TEST(PathFile, StopsLookingAfterTwentyProblems) {
+    std::string text = "Y\n";
+    for (int i = 0; i < 100; ++i)
+        text += "x\n";
+    const auto found = problems(text);
+    EXPECT_EQ(found.size(), 20U);
+    EXPECT_EQ(found.back().line, 21U);
+}
+
+TEST(PathFile, HasAnEnd) {
+    std::string text = "Y\n";
+    for (std::size_t i = 0; i < kMostPathPoints; ++i)
+        text += "5\n";
+    EXPECT_TRUE(problems(text).empty());
+    const auto found = problems(text + "5\n");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, Kind::TooManyPoints);
+    EXPECT_EQ(found[0].line, kMostPathPoints + 2);
+}
+
+/// 32 ticks of 0.512 ms are 16.384 ms.
+constexpr double kPeriod = 0.016384;
+
+TEST(PathFromMoves, IsATrapezoidThatEndsOnItsGoal) {
+    // Up to 1000 counts/s within 0.5 s and 250 counts, 500 counts at that, and down: 1.5 s, 91.55 periods.
+    PathMoves moves;
+    moves.axes.push_back({ModuleIndex(2), 1'000.0, 2'000.0, 50, {1'050}});
+    const PathTable table = pathFromMoves(moves);
+    ASSERT_EQ(table.columns.size(), 1U);
+    EXPECT_EQ(table.columns[0].module, ModuleIndex(2));
+    const auto& points = table.columns[0].points;
+    ASSERT_EQ(points.size(), 92U);
+    EXPECT_EQ(points.back(), 1'050);
+    EXPECT_EQ(points[0], 50 + std::lround(1'000 * kPeriod * kPeriod));
+    // After 30 periods, 0.49152 s: 2000 / 2 * t^2 = 241.6; after 60, 0.98304 s: 1000 * (t - 0.25) = 733.0.
+    EXPECT_EQ(points[29], 50 + 242);
+    EXPECT_EQ(points[59], 50 + 733);
+    // After 90, 25.44 ms before the end: 1000 - 1000 * t^2 = 999.4.
+    EXPECT_EQ(points[89], 50 + 999);
+}
+
+TEST(PathFromMoves, GoesInAStraightLine) {
+    PathMoves moves;
+    moves.rate = PathRate::Hz120;
+    // Y has twice as far to go and may go just as fast, so X goes at half of that.
+    moves.axes.push_back({ModuleIndex(0), 1'000.0, 1e6, 0, {1'000, 1'000, 1'000}});
+    moves.axes.push_back({ModuleIndex(1), 1'000.0, 1e6, 0, {2'000, 2'000, 1'000}});
+    const PathTable table = pathFromMoves(moves);
+    const auto& x = table.columns[0].points;
+    const auto& y = table.columns[1].points;
+    ASSERT_EQ(x.size(), y.size());
+    // 2000 counts take 2.001 s, which are 244.3 periods of 8.192 ms; none takes none; 1000 take 122.2.
+    ASSERT_EQ(x.size(), 245U + 123U);
+    EXPECT_EQ(x[244], 1'000);
+    EXPECT_EQ(y[244], 2'000);
+    EXPECT_EQ(x.back(), 1'000);
+    EXPECT_EQ(y.back(), 1'000);
+    for (std::size_t i = 0; i < 245; ++i)
+        EXPECT_LE(std::abs(2 * x[i] - y[i]), 2) << i;
+    for (std::size_t i = 1; i < y.size(); ++i)
+        EXPECT_LE(std::abs(y[i] - y[i - 1]), 10) << "1000 counts/s are 8.2 in a period, and rounding";
+}
+
+TEST(PathFromMoves, OfAShortMoveHasNoPlateau) {
+    PathMoves moves;
+    // 100 counts at 1000 counts/s^2: 0.3162 s up to 316 counts/s and as long down, 38.6 periods.
+    moves.axes.push_back({ModuleIndex(0), 5'000.0, 1'000.0, 0, {-100}});
+    const auto points = pathFromMoves(moves).columns[0].points;
+    ASSERT_EQ(points.size(), 39U);
+    EXPECT_EQ(points.back(), -100);
+    // After 19 periods, 0.3113 s: 500 t^2 = 48.5.
+    EXPECT_EQ(points[18], -48);
+}
+
+/// Frames of seven points: 18 bytes there and 12 back, and a tick; at 61.035 Hz 8.7193 of them a second.
+/// Polls: 5 bytes there and 19 back, and a tick; 5.5556 a second of each module.
+TEST(PathShare, IsTheArithmeticOfTheWire) {
+    const std::array three{kSc, kSc, kSc};
+    const PathLine fast{115'200, Duration{}};
+    // A byte takes 86.806 us: 3.1162 ms a frame, 2.5953 ms a poll.
+    const PathShare share = pathShare(fast, PathRate::Hz60, three, 3);
+    EXPECT_NEAR(share.points, 3 * 8.7193 * 3.1162e-3, 0.002);
+    EXPECT_NEAR(share.polls, 3 * 5.5556 * 2.5953e-3, 0.002);
+    EXPECT_TRUE(share.fits());
+    EXPECT_TRUE(pathShare(fast, PathRate::Hz120, three, 12).fits());
+    // At 19 200 Bd 16.137 ms and 13.012 ms: 42 % and 22 % at 60 Hz, 84 % at 120 Hz.
+    const PathLine slow{19'200, Duration{}};
+    EXPECT_NEAR(pathShare(slow, PathRate::Hz60, three, 3).needed(), 0.639, 0.005);
+    EXPECT_TRUE(pathShare(slow, PathRate::Hz60, three, 3).fits());
+    EXPECT_NEAR(pathShare(slow, PathRate::Hz120, three, 3).points, 0.844, 0.005);
+    EXPECT_FALSE(pathShare(slow, PathRate::Hz120, three, 3).fits());
+    // An adapter that holds every answer back for 16 ms: 19.1 ms a frame, half of the time at 60 Hz.
+    const PathLine lazy{115'200, std::chrono::milliseconds(16)};
+    EXPECT_NEAR(pathShare(lazy, PathRate::Hz60, three, 3).points, 0.500, 0.005);
+    EXPECT_FALSE(pathShare(lazy, PathRate::Hz120, three, 3).fits());
+}
+
+}  // namespace
+}  // namespace nmc::test
