@@ -205,8 +205,8 @@ TEST_F(RecordingProgram, AFileThatIsCutIsShownAndSaysSo) {
 TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
     const std::vector<std::pair<QString, const char*>> wrong{
         {directory.path(), "Could not open"},
-        {QStringLiteral("/dev/zero"), "\"zero\" Could not open"},
-        {path("none.csv"), "\"none.csv\" Could not open"}};
+        {QStringLiteral("/dev/zero"), "Could not open \"zero\""},
+        {path("none.csv"), "Could not open \"none.csv\""}};
     for (const auto& [file, words] : wrong) {
         emit files().openRequested(file);
         EXPECT_TRUE(told(words)) << file.toStdString();
